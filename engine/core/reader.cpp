@@ -1,0 +1,241 @@
+// The wording and the checks behind reader.hpp.
+#include "core/reader.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stiction::core {
+
+namespace {
+Input const nothing;
+}
+
+char const* kind_of(Input const& input) {
+  static constexpr char const* names[] = {"nothing", "true/false", "a number", "a text", "a list", "a table"};
+  return names[input.value.index()];
+}
+
+Reader::Reader(Input const& input, std::string path, Complaints& complaints)
+    : input_(&input), path_(std::move(path)), complaints_(&complaints) {
+  if (input.table() == nullptr && !std::holds_alternative<std::monostate>(input.value))
+    complain(fmt::format("is {}; a table is wanted", kind_of(input)));
+}
+
+bool Reader::has(std::string_view key) const {
+  auto const* table = input_->table();
+  return table != nullptr && table->find(key) != table->end();
+}
+
+std::vector<std::string> Reader::keys() const {
+  std::vector<std::string> names;
+  if (auto const* table = input_->table())
+    for (auto const& [key, value] : *table)
+      names.push_back(key);
+  return names;
+}
+
+std::string Reader::path_of(std::string_view key) const {
+  if (key.empty())
+    return path_;
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+void Reader::complain_at(std::string_view key, std::string text) {
+  std::string place = input_->place;
+  if (has(key) && !input_->table()->find(key)->second.place.empty())
+    place = input_->table()->find(key)->second.place;
+  complaints_->push_back({place, path_of(key), std::move(text)});
+}
+
+Input const& Reader::at(std::string_view key, Need need) {
+  asked_.emplace(key);
+  if (has(key))
+    return input_->table()->find(key)->second;
+  if (need == Need::required)
+    complain_at(key, "is missing; it is required");
+  return nothing;
+}
+
+Reader Reader::child(std::string_view key, Need need) {
+  return {at(key, need), path_of(key), *complaints_};
+}
+
+std::vector<Reader> Reader::children(std::string_view key, Need need) {
+  std::vector<Reader> result;
+  auto const& given = at(key, need);
+  if (std::holds_alternative<std::monostate>(given.value))
+    return result;
+  if (auto const* table = given.table(); table != nullptr && table->empty())
+    return result;
+  if (given.list() == nullptr) {
+    complain_at(key, fmt::format("is {}; a list {{...}} is wanted", kind_of(given)));
+    return result;
+  }
+  for (std::size_t i = 0; i < given.list()->size(); ++i)
+    result.emplace_back((*given.list())[i], fmt::format("{}[{}]", path_of(key), i + 1), *complaints_);
+  return result;
+}
+
+bool Reader::check_number(std::string_view key, Input const& given, std::string_view unit, Range range,
+                          double& value) {
+  auto const* quantity = given.quantity();
+  if (quantity == nullptr) {
+    complain_at(key, fmt::format("is {}; a number{} is wanted", kind_of(given),
+                                 unit.empty() || unit == "1" ? "" : fmt::format(" in {}", unit)));
+    return false;
+  }
+  auto const wanted = parse_unit(unit);
+  expect(wanted.has_value(), "schema units to be known");
+  bool const bare_zero = quantity->value == 0 && quantity->dimension == Dimension{};
+  if (quantity->dimension != wanted->dimension && !bare_zero) {
+    bool const bare = quantity->dimension == Dimension{};
+    complain_at(
+        key, fmt::format("{:g} {} has the wrong unit; {} is wanted{}", quantity->value,
+                         bare ? "(a pure number)" : to_string(quantity->dimension),
+                         unit.empty() || unit == "1" ? "a pure number" : unit,
+                         bare ? fmt::format(", for example {:g}*units(\"{}\")", quantity->value, unit) : ""));
+    return false;
+  }
+  double const in_unit = quantity->value / wanted->value;
+  if (!range.contains(in_unit)) {
+    complain_at(key,
+                fmt::format("is {:g}{}; it must be {}", in_unit,
+                            unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit), range.words(unit)));
+    return false;
+  }
+  value = quantity->value;
+  return true;
+}
+
+double Reader::number(std::string_view key, std::string_view unit, Range range) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  auto const& given = at(key);
+  if (has(key))
+    check_number(key, given, unit, range, value);
+  return value;
+}
+
+double Reader::number_or(std::string_view key, std::string_view unit, Range range, double fallback) {
+  auto const& given = at(key, Need::optional);
+  if (has(key))
+    check_number(key, given, unit, range, fallback);
+  return fallback;
+}
+
+std::string Reader::text(std::string_view key, Need need) {
+  auto const& given = at(key, need);
+  if (!has(key))
+    return "";
+  if (given.text() != nullptr)
+    return *given.text();
+  complain_at(key, fmt::format("is {}; a text is wanted", kind_of(given)));
+  return "";
+}
+
+bool Reader::flag_or(std::string_view key, bool fallback) {
+  auto const& given = at(key, Need::optional);
+  if (!has(key))
+    return fallback;
+  if (given.flag() != nullptr)
+    return *given.flag();
+  complain_at(key, fmt::format("is {}; true or false is wanted", kind_of(given)));
+  return fallback;
+}
+
+Numbers Reader::numbers(std::string_view key, std::string_view unit, Need need) {
+  Numbers values;
+  auto const& given = at(key, need);
+  if (!has(key))
+    return values;
+  if (given.list() == nullptr) {
+    complain_at(key, fmt::format("is {}; a list of numbers in {} is wanted", kind_of(given), unit));
+    return values;
+  }
+  for (auto const& element : *given.list()) {
+    double value = 0;
+    if (!check_number(key, element, unit, any_number, value))
+      return {};
+    values.push_back(value);
+  }
+  return values;
+}
+
+bool Reader::parse(Parameter const& parameter, Input const& given, Value& value) {
+  using Kind = Parameter::Kind;
+  switch (parameter.kind) {
+  case Kind::number:
+  case Kind::integer: {
+    double number = 0;
+    if (!check_number(parameter.name, given, parameter.unit, parameter.range, number))
+      return false;
+    if (parameter.kind == Kind::integer && number != std::floor(number)) {
+      complain_at(parameter.name, fmt::format("is {:g}; a whole number is wanted", number));
+      return false;
+    }
+    value = number;
+    return true;
+  }
+  case Kind::numbers:
+    value = numbers(parameter.name, parameter.unit);
+    return true;
+  case Kind::flag:
+    value = flag_or(parameter.name, false);
+    return true;
+  case Kind::text:
+    value = text(parameter.name);
+    return given.text() != nullptr;
+  case Kind::nested:
+    return false;
+  case Kind::choice:
+    break;
+  }
+  std::string const word = text(parameter.name);
+  for (auto const& choice : parameter.choices)
+    if (choice == word)
+      return value = word, true;
+  if (given.text() == nullptr)
+    return false;
+  auto const meant = nearest(word, parameter.choices);
+  complain_at(parameter.name,
+              fmt::format("is \"{}\"; it must be one of {}{}", word, fmt::join(parameter.choices, ", "),
+                          meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
+  return false;
+}
+
+void Reader::fill(void* target, Schema const& schema) {
+  for (auto const& parameter : schema.parameters) {
+    auto const& given = at(parameter.name, Need::optional);
+    if (parameter.kind == Parameter::Kind::nested)
+      continue;
+    if (!has(parameter.name)) {
+      if (parameter.need == Need::required)
+        complain_at(parameter.name, fmt::format("is missing; {}: {}, {}", schema.name, parameter.meaning,
+                                                parameter.range.words(parameter.unit)));
+      continue;
+    }
+    if (Value value; parse(parameter, given, value))
+      parameter.set(target, value);
+  }
+}
+
+void Reader::complain_unknown_kind(std::string const& name, std::vector<std::string> const& known) {
+  auto const meant = nearest(name, known);
+  complain(
+      fmt::format("{}; it must be made by one of {}{}",
+                  name.empty() ? std::string("has no kind") : fmt::format("\"{}\" is not known here", name),
+                  fmt::join(known, ", "), meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
+}
+
+void Reader::finish() {
+  std::vector<std::string> const known(asked_.begin(), asked_.end());
+  for (auto const& key : keys()) {
+    if (asked_.contains(key))
+      continue;
+    auto const meant = nearest(key, known);
+    complain_at(key, meant.empty()
+                         ? fmt::format("is not a parameter here; known are {}", fmt::join(known, ", "))
+                         : fmt::format("is not a parameter here; did you mean \"{}\"?", meant));
+  }
+}
+
+} // namespace stiction::core

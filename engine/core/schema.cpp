@@ -1,0 +1,69 @@
+// Wording of ranges and values, and the search for what a misspelt word meant.
+#include "core/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace stiction::core {
+
+bool Range::contains(double value) const {
+  if (!std::isfinite(value))
+    return false;
+  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+std::string Range::words(std::string_view unit) const {
+  std::string const tail = unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit);
+  bool const below = std::isfinite(low), above = std::isfinite(high);
+  if (below && above)
+    return fmt::format("in {}{:g}, {:g}{}{}", low_open ? '(' : '[', low, high, high_open ? ')' : ']', tail);
+  if (below)
+    return fmt::format("{} {:g}{}", low_open ? ">" : ">=", low, tail);
+  if (above)
+    return fmt::format("{} {:g}{}", high_open ? "<" : "<=", high, tail);
+  return "any finite number" + (tail.empty() ? tail : " in" + tail);
+}
+
+Parameter const* Schema::find(std::string_view parameter) const {
+  auto const found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](Parameter const& p) { return p.name == parameter; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+std::string to_string(Value const& value) {
+  struct {
+    std::string operator()(bool v) const { return v ? "true" : "false"; }
+    std::string operator()(double v) const { return fmt::format("{:g}", v); }
+    std::string operator()(std::string const& v) const { return '"' + v + '"'; }
+    std::string operator()(Numbers const& v) const { return fmt::format("{{{:g}}}", fmt::join(v, ", ")); }
+  } words;
+  return std::visit(words, value);
+}
+
+std::string nearest(std::string_view word, std::vector<std::string> const& known) {
+  auto distance = [&](std::string_view other) { // Levenshtein, one row
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      std::size_t corner = row[0]++;
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        std::size_t const substitute = corner + (word[i] == other[j] ? 0 : 1);
+        corner = row[j + 1];
+        row[j + 1] = std::min({substitute, row[j] + 1, corner + 1});
+      }
+    }
+    return row.back();
+  };
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (auto const& candidate : known)
+    if (auto const d = distance(candidate); d < least) {
+      least = d;
+      best = candidate;
+    }
+  return best;
+}
+
+} // namespace stiction::core
