@@ -23,7 +23,12 @@ struct CellInfo {
   int gmsh_type;
 };
 [[nodiscard]] CellInfo const& info(CellKind kind);
+/// All kinds, in the order of CellKind.
 [[nodiscard]] std::vector<CellInfo> const& cell_table();
+/// Names of all kinds in the order of CellKind, for schemas and messages.
+[[nodiscard]] std::vector<std::string> cell_names();
+/// Where the nodes lie in the reference cell: triangle (0,0) (1,0) (0,1), square [-1, 1]^2. [nodes, dim]
+[[nodiscard]] Matrix const& reference_nodes(CellKind kind);
 
 /// Shape functions and their derivatives at the quadrature points of a kind's reference cell.
 struct Interpolation {
@@ -36,7 +41,7 @@ struct Interpolation {
 [[nodiscard]] Interpolation const& stiffness_rule(CellKind kind);
 /// Quadrature exact for the consistent mass of an undistorted cell.
 [[nodiscard]] Interpolation const& mass_rule(CellKind kind);
-/// Shape functions at given reference points.
+/// Shape functions at given reference points [points, dim] with weights [points].
 [[nodiscard]] Interpolation interpolate(CellKind kind, Matrix const& points, Vector const& weights);
 
 } // namespace stiction::mesh

@@ -1,0 +1,87 @@
+// The structured rectangle.
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/numbers.hpp"
+#include "mesh/quads.hpp"
+
+namespace stiction::mesh {
+
+namespace {
+
+constexpr double most_cells = 4e6;
+
+void check(BlockOptions const& options) {
+  core::Complaints complaints;
+  check_numbers(complaints, {"block.origin", options.origin, "m", core::any_number});
+  check_numbers(complaints, {"block.size", options.size, "m", core::positive});
+  check_numbers(complaints, {"block.grading", options.grading, "1", {1e-3, 1e3}});
+  if (check_numbers(complaints, {"block.cells", options.cells, "1", {1, most_cells}})) {
+    if (options.cells[0] != std::floor(options.cells[0]) || options.cells[1] != std::floor(options.cells[1]))
+      complaints.push_back(
+          {"", "block.cells",
+           fmt::format("is {}; two whole numbers are wanted", core::to_string(options.cells))});
+    else if (options.cells[0] * options.cells[1] > most_cells)
+      complaints.push_back({"", "block.cells",
+                            fmt::format("makes {:g} cells; at most {:g} are allowed",
+                                        options.cells[0] * options.cells[1], most_cells)});
+  }
+  if (!complaints.empty())
+    throw core::InputError(complaints);
+}
+
+/// Coordinates of n + 1 grid lines whose cell sizes form a geometric series; both ends are met exactly.
+std::vector<double> grid_lines(double start, double length, Index n, double ratio) {
+  double const q = n > 1 ? std::pow(ratio, 1.0 / (n - 1)) : 1.0;
+  double total = 0;
+  std::vector<double> sums{0};
+  for (Index i = 0; i < n; ++i)
+    sums.push_back(total += std::pow(q, i));
+  for (double& s : sums)
+    s = start + length * (s / total);
+  sums.back() = start + length;
+  return sums;
+}
+
+} // namespace
+
+core::Schema const& BlockOptions::schema() {
+  using core::Need;
+  static auto const result =
+      core::Describe<BlockOptions>("block", "rectangle of nx x ny cells; sets left, right, bottom, top, all")
+          .numbers("origin", &BlockOptions::origin, "m", Need::optional, "lower left corner {x, y}")
+          .numbers("size", &BlockOptions::size, "m", Need::required, "width and height {x, y}")
+          .numbers("cells", &BlockOptions::cells, "1", Need::required, "number of cells {nx, ny}")
+          .numbers("grading", &BlockOptions::grading, "1", Need::optional,
+                   "size of the last cell over that of the first {x, y}, each in [0.001, 1000]")
+          .choice("kind", &BlockOptions::kind, cell_names(), Need::optional, "kind of cells")
+          .build();
+  return result;
+}
+
+Mesh block(BlockOptions const& options) {
+  check(options);
+  auto const nx = static_cast<Index>(options.cells[0]), ny = static_cast<Index>(options.cells[1]);
+  auto const xs = grid_lines(options.origin[0], options.size[0], nx, options.grading[0]);
+  auto const ys = grid_lines(options.origin[1], options.size[1], ny, options.grading[1]);
+  Quads quads;
+  for (double const y : ys)
+    for (double const x : xs)
+      quads.add(x, y);
+  for (Index j = 0; j < ny; ++j)
+    for (Index i = 0; i < nx; ++i) {
+      Index const a = i + j * (nx + 1), b = a + nx + 1;
+      quads.cells.push_back({a, a + 1, b + 1, b});
+    }
+  Mesh mesh = to_mesh(quads, options.kind);
+  mesh.sets["left"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.front(); });
+  mesh.sets["right"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.back(); });
+  mesh.sets["bottom"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.front(); });
+  mesh.sets["top"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.back(); });
+  mesh.sets["all"] = all_nodes(mesh);
+  return mesh;
+}
+
+} // namespace stiction::mesh

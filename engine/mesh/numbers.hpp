@@ -1,0 +1,22 @@
+// Checks the lists of numbers that a schema cannot check by itself.
+#pragma once
+#include <string>
+
+#include "core/error.hpp"
+#include "core/schema.hpp"
+
+namespace stiction::mesh {
+
+/// A list given under `path` that must hold `count` numbers of `unit`, each in `range`.
+struct GivenNumbers {
+  std::string path;
+  core::Numbers const& values;
+  std::string unit;
+  core::Range range;
+  std::size_t count = 2;
+};
+
+/// Adds a complaint and returns false when the length or a number is wrong.
+bool check_numbers(core::Complaints& complaints, GivenNumbers const& given);
+
+} // namespace stiction::mesh
