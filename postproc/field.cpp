@@ -1,0 +1,237 @@
+// The mesh in a viewport of its own, seen along z; colour bar, scale bar and words drawn over it.
+#include "field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkFeatureEdges.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include "axis.hpp"
+#include "core/error.hpp"
+#include "field_data.hpp"
+#include "window.hpp"
+
+namespace stiction::postproc {
+
+namespace {
+
+/// What goes where, in pixels.
+struct FieldLayout {
+  FigureSpec const& figure;
+  FieldSpec const& spec;
+  Scale scale; ///< of the colours
+  Ticks ticks;
+  Size picture;
+  Box mesh, bar;
+  double scale_bar = 0;                 ///< its length; 0: none
+  bool more_below = false, more_above = false; ///< values beyond the colours
+};
+
+Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
+  if (spec.range)
+    return {spec.range->first, spec.range->second, false};
+  if (data.high - data.low > 1e-9 * std::max(std::abs(data.low), std::abs(data.high)))
+    return {data.low, data.high, false};
+  return {std::min(0.0, data.low), data.high > 0 ? data.high : data.low < 0 ? 0.0 : 1.0, false};
+}
+
+/// The mesh as large as the width allows, at most as high as given (or 1.2 times as high as wide).
+void place_mesh(FieldLayout& layout, FieldData const& data) {
+  double const pad = points(edge), room = layout.figure.width - 2 * pad;
+  double const width = data.view[1] - data.view[0], height = data.view[3] - data.view[2];
+  double const heading_room = heading_height(heading(layout.figure));
+  double const given = layout.figure.height - layout.mesh.bottom - heading_room - pad;
+  double const most = layout.figure.height > 0 ? given : 1.2 * room;
+  if (most < points(30))
+    throw core::InputError(fmt::format("a height of {:.0f} mm leaves no room for the mesh; give more",
+                                       layout.figure.height / millimetres(1)));
+  double const scale = std::min(room / width, most / height);
+  layout.mesh.width = std::max(1.0, std::round(scale * width));
+  layout.mesh.height = std::max(1.0, std::round(scale * height));
+  layout.mesh.left = std::round((layout.figure.width - layout.mesh.width) / 2);
+  double const free = layout.figure.height > 0 ? std::max(0.0, given - layout.mesh.height) : 0;
+  layout.mesh.bottom = std::round(layout.mesh.bottom + free / 2);
+  layout.picture = {static_cast<double>(layout.figure.width),
+                    std::round(layout.mesh.top() + free / 2 + heading_room + pad)};
+}
+
+FieldLayout lay_out(FigureSpec const& figure, FieldSpec const& spec, FieldData const& data) {
+  FieldLayout layout{figure, spec, colour_scale(spec, data), {}, {}, {}, {}, 0, false, false};
+  layout.more_below = data.low < layout.scale.low;
+  layout.more_above = data.high > layout.scale.high;
+  double const width = figure.width;
+  layout.bar = {std::round(0.15 * width), 0, std::round(0.7 * width), std::round(millimetres(2.4))};
+  layout.ticks = fitting_ticks(layout.scale, layout.bar.width, Direction::across);
+  double const labels = points(tick_length + tick_gap) + label_extent(layout.ticks).height + points(2);
+  layout.bar.bottom = std::round(points(edge) + line_height(label_size) + labels);
+  double const scale_bar_room = spec.scale_bar ? line_height(tick_size) + points(5) : 0;
+  layout.mesh.bottom = std::round(layout.bar.top() + points(5) + scale_bar_room);
+  place_mesh(layout, data);
+  if (spec.scale_bar) {
+    double const length = spec.scale_bar->length * spec.scale_bar->unit.si.value;
+    layout.scale_bar = length / (data.view[1] - data.view[0]) * layout.mesh.width;
+    if (layout.scale_bar > layout.mesh.width)
+      throw core::InputError(fmt::format("scale_bar: {:g} {} is longer than the view ({:.3g} m)",
+                                         spec.scale_bar->length, spec.scale_bar->unit.word,
+                                         data.view[1] - data.view[0]));
+  }
+  return layout;
+}
+
+void draw_colour_bar(Canvas& canvas, FieldLayout const& layout) {
+  constexpr int colours = 256;
+  Box const& bar = layout.bar;
+  for (int i = 0; i < colours; ++i) {
+    double const left = std::round(bar.left + i * bar.width / colours);
+    double const right = std::round(bar.left + (i + 1) * bar.width / colours);
+    canvas.fill(Box{left, bar.bottom, right - left, bar.height}, viridis(i / (colours - 1.0)));
+  }
+  double const tip = bar.height * 0.8, middle = bar.bottom + bar.height / 2;
+  Pen const pen;
+  canvas.frame(bar, pen);
+  auto arrow = [&](double base, double end, Colour colour) {
+    canvas.fill({{base, bar.bottom}, {end, middle}, {base, bar.top()}}, colour);
+    canvas.stroke({{base, bar.bottom}, {end, middle}, {base, bar.top()}}, pen);
+  };
+  if (layout.more_below)
+    arrow(bar.left, bar.left - tip, viridis(0));
+  if (layout.more_above)
+    arrow(bar.right(), bar.right() + tip, viridis(1));
+  draw_ticks(canvas, layout.ticks, layout.scale, bar, Direction::across);
+  std::string const title = axis_title(layout.spec.label, layout.spec.unit.word, layout.ticks.power);
+  Lettering lettering;
+  lettering.across = Across::centre;
+  lettering.size = fitting_size(title, label_size, layout.picture.width - 2 * points(edge));
+  canvas.text(title, {bar.left + bar.width / 2, points(edge)}, lettering);
+}
+
+void draw_scale_bar(Canvas& canvas, FieldLayout const& layout) {
+  if (!layout.spec.scale_bar)
+    return;
+  auto const& bar = *layout.spec.scale_bar;
+  double const right = layout.mesh.right(), left = right - layout.scale_bar;
+  double const y = layout.mesh.bottom - points(3);
+  canvas.stroke({{left, y}, {right, y}}, {ink, points(1.5), Dash::solid});
+  std::string const label = fmt::format("{:g} {}", bar.length, printed_unit(bar.unit.word));
+  Lettering lettering;
+  lettering.across = Across::right;
+  lettering.along = Along::top;
+  double const width = measure(label, tick_size).width;
+  canvas.text(label, {std::min(right, (left + right + width) / 2), y - points(2)}, lettering);
+}
+
+vtkSmartPointer<vtkLookupTable> make_colours(Scale const& scale) {
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(256);
+  table->SetRange(scale.low, scale.high);
+  for (int i = 0; i < 256; ++i) {
+    auto const colour = viridis(i / 255.0);
+    table->SetTableValue(i, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  }
+  return table;
+}
+
+void add_surface(vtkRenderer& renderer, FieldData const& data, Scale const& scale) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data.surface);
+  auto const colours = make_colours(scale);
+  mapper->SetLookupTable(colours);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->SetInterpolateScalarsBeforeMapping(!data.on_cells);
+  if (data.on_cells)
+    mapper->SetScalarModeToUseCellFieldData();
+  else
+    mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("shown");
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  renderer.AddActor(actor);
+}
+
+/// Lines just in front of the mesh.
+void add_lines(vtkRenderer& renderer, vtkPolyData* lines, Pen const& pen, double lift) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetPosition(0, 0, lift);
+  auto* property = actor->GetProperty();
+  property->LightingOff();
+  property->SetColor(pen.colour.red / 255.0, pen.colour.green / 255.0, pen.colour.blue / 255.0);
+  property->SetLineWidth(static_cast<float>(pen.width));
+  renderer.AddActor(actor);
+}
+
+void add_outline(vtkRenderer& renderer, FieldData const& data, double lift) {
+  vtkNew<vtkFeatureEdges> outline;
+  outline->SetInputData(data.surface);
+  outline->FeatureEdgesOff();
+  outline->NonManifoldEdgesOff();
+  outline->ManifoldEdgesOff();
+  outline->Update();
+  add_lines(renderer, outline->GetOutput(), {ink, points(frame_width), Dash::solid}, lift);
+}
+
+/// Looks down the z axis so that the view fills the viewport.
+void aim(vtkRenderer& renderer, FieldData const& data) {
+  double const x = (data.view[0] + data.view[1]) / 2, y = (data.view[2] + data.view[3]) / 2;
+  auto* camera = renderer.GetActiveCamera();
+  double bounds[6];
+  renderer.ComputeVisiblePropBounds(bounds);
+  double const size = std::max(data.view[1] - data.view[0], data.view[3] - data.view[2]);
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(x, y, bounds[5]);
+  camera->SetPosition(x, y, bounds[5] + size);
+  camera->SetViewUp(0, 1, 0);
+  camera->SetParallelScale((data.view[3] - data.view[2]) / 2);
+  camera->SetClippingRange(0.5 * size, 1.5 * size + bounds[5] - bounds[4]);
+}
+
+void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const& data) {
+  auto const& [mesh, picture] = std::pair(layout.mesh, layout.picture);
+  renderer.SetViewport(mesh.left / picture.width, mesh.bottom / picture.height, mesh.right() / picture.width,
+                       mesh.top() / picture.height);
+  renderer.SetBackground(1, 1, 1);
+  double const lift = 1e-3 * (data.view[1] - data.view[0]);
+  add_surface(renderer, data, layout.scale);
+  if (layout.spec.mesh)
+    add_lines(renderer, data.edges, {ink, points(mesh_width), Dash::solid}, lift);
+  add_outline(renderer, data, 2 * lift);
+  aim(renderer, data);
+}
+
+void draw_words(Canvas& canvas, FieldLayout const& layout) {
+  draw_colour_bar(canvas, layout);
+  draw_scale_bar(canvas, layout);
+  draw_heading(canvas, heading(layout.figure), layout.picture);
+}
+
+} // namespace
+
+Picture draw_field(FigureSpec const& figure, FieldSpec const& field) {
+  auto const data = load_field(field);
+  auto const layout = lay_out(figure, field, data);
+  auto const window =
+      make_window(static_cast<int>(layout.picture.width), static_cast<int>(layout.picture.height));
+  window->SetNumberOfLayers(2);
+  vtkNew<vtkRenderer> words, mesh;
+  words->SetBackground(1, 1, 1);
+  words->SetLayer(0);
+  mesh->SetLayer(1);
+  window->AddRenderer(words);
+  window->AddRenderer(mesh);
+  paint_over(*words, [&layout](Canvas& canvas) { draw_words(canvas, layout); });
+  fill_mesh(*mesh, layout, data);
+  return shoot(*window);
+}
+
+} // namespace stiction::postproc

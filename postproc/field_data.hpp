@@ -1,0 +1,22 @@
+// What a field figure shows: one step of a run as a VTK grid, moved, cropped and in the unit wanted.
+#pragma once
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "spec.hpp"
+
+namespace stiction::postproc {
+
+struct FieldData {
+  vtkSmartPointer<vtkPolyData> surface; ///< carries the array "shown", in the unit of the figure
+  vtkSmartPointer<vtkPolyData> edges;   ///< all cell edges
+  bool on_cells = false;
+  double low = 0, high = 0;  ///< of the values within the window
+  double view[4] = {0, 0, 0, 0}; ///< xmin, xmax, ymin, ymax in m
+};
+
+/// Throws core::RunError when file, step or array is missing, empty, or not finite;
+/// core::InputError when the array has no such component.
+[[nodiscard]] FieldData load_field(FieldSpec const& spec);
+
+} // namespace stiction::postproc

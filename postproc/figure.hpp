@@ -1,0 +1,11 @@
+// From one figure of a spec to its picture.
+#pragma once
+#include "picture.hpp"
+#include "spec.hpp"
+
+namespace stiction::postproc {
+
+/// Throws core::InputError for what the spec asks wrongly, core::RunError for what the files cannot give.
+[[nodiscard]] Picture draw(FigureSpec const& figure);
+
+} // namespace stiction::postproc

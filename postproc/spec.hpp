@@ -1,0 +1,101 @@
+// What is to be drawn, as read from a SPEC.json.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "canvas.hpp"
+#include "core/unit.hpp"
+
+namespace stiction::postproc {
+
+using Interval = std::optional<std::pair<double, double>>;
+
+/// A unit word with what it means.
+struct Unit {
+  std::string word = "1";
+  core::Quantity si{1, {}};
+};
+
+struct AxisSpec {
+  std::string label;
+  Unit unit;
+  bool log = false;
+  Interval range; ///< in the unit
+};
+
+/// One coordinate of a curve: a dataset of an HDF5 file, or numbers in the axis unit.
+struct CoordinateSpec {
+  std::string dataset; ///< empty: `numbers` hold the values
+  std::vector<double> numbers;
+  double shift = 0; ///< subtracted first, in SI
+  double sign = 1;
+};
+
+struct CurveSpec {
+  std::string label;
+  std::filesystem::path file;
+  CoordinateSpec x, y;
+  std::size_t component = 0; ///< column of y when it has several
+  std::optional<std::size_t> colour;
+  std::optional<Dash> dash;
+};
+
+struct MarkSpec {
+  double x = 0; ///< in the unit of the x axis
+  std::string label;
+};
+
+struct LinesSpec {
+  AxisSpec x, y;
+  std::string legend; ///< a corner, "below", "none", or "" for the first place free of curves
+  std::vector<CurveSpec> curves;
+  std::vector<MarkSpec> marks;
+};
+
+struct ScaleBarSpec {
+  double length = 0;
+  Unit unit;
+};
+
+struct FieldSpec {
+  std::filesystem::path file;
+  std::optional<double> time; ///< s; nothing: the last step
+  std::string array;
+  std::optional<int> component; ///< nothing: the magnitude
+  std::string label;
+  Unit unit;
+  bool deformed = false, mesh = true;
+  Interval range;             ///< in the unit
+  std::vector<double> window; ///< xmin, xmax, ymin, ymax in m; empty: all
+  std::optional<ScaleBarSpec> scale_bar;
+};
+
+struct FigureSpec;
+struct PanelSpec {
+  int columns = 2;
+  std::vector<FigureSpec> figures;
+};
+
+struct FigureSpec {
+  std::string name, title;
+  int width = 0;       ///< pixels
+  double height = 0;   ///< pixels; 0: chosen
+  std::string letter;  ///< "(a)" within a panel
+  std::variant<LinesSpec, FieldSpec, PanelSpec> content;
+};
+
+/// "(a) title", or what there is of it.
+[[nodiscard]] inline std::string heading(FigureSpec const& figure) {
+  bool const both = !figure.letter.empty() && !figure.title.empty();
+  return figure.letter + (both ? " " : "") + figure.title;
+}
+
+/// Reads and checks a whole spec; paths become relative to its folder.
+/// Throws core::InputError with every problem found.
+[[nodiscard]] std::vector<FigureSpec> read_spec(std::filesystem::path const& file);
+
+} // namespace stiction::postproc
