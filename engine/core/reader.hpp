@@ -38,9 +38,12 @@ public:
 
   /// Fills `target` from the keys that `schema` names.
   void fill(void* target, Schema const& schema);
+  /// Fills a T by its schema; a T with nested tables reads them itself, in `void read_nested(Reader&)`.
   template<class T> T record() {
     T target{};
     fill(&target, T::schema());
+    if constexpr (requires { target.read_nested(*this); })
+      target.read_nested(*this);
     finish();
     return target;
   }

@@ -178,6 +178,13 @@ std::vector<std::string> cell_names() {
   return names;
 }
 
+std::optional<CellKind> kind_named(std::string_view name) {
+  for (auto const& cell : cell_table())
+    if (cell.name == name)
+      return cell.kind;
+  return std::nullopt;
+}
+
 Matrix const& reference_nodes(CellKind kind) {
   return row(kind).reference_nodes;
 }

@@ -1,5 +1,6 @@
 // The table of cell kinds: topology, interpolation and quadrature, one row a kind.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ struct CellInfo {
 [[nodiscard]] std::vector<CellInfo> const& cell_table();
 /// Names of all kinds in the order of CellKind, for schemas and messages.
 [[nodiscard]] std::vector<std::string> cell_names();
+[[nodiscard]] std::optional<CellKind> kind_named(std::string_view name);
 /// Where the nodes lie in the reference cell: triangle (0,0) (1,0) (0,1), square [-1, 1]^2. [nodes, dim]
 [[nodiscard]] Matrix const& reference_nodes(CellKind kind);
 

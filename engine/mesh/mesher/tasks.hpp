@@ -1,0 +1,22 @@
+// The steps of the mesher: build or read a model in gmsh, then take our mesh out of it.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mesh/mesh.hpp"
+
+namespace stiction::mesher {
+
+/// Meshes the outlines of a request in gmsh's current model; named edges become physical curves.
+/// Throws InputError or what gmsh throws.
+void build_geometry(nlohmann::json const& request);
+
+/// Reads the .msh file of a request into gmsh's current model.
+/// Throws InputError when the file is truncated or not a mesh file.
+void import_file(nlohmann::json const& request);
+
+/// The plane mesh of gmsh's current model, lengths times `scale`, with its physical groups as sets.
+/// Throws InputError for meshes that are not plane and for cells of a kind we lack.
+[[nodiscard]] mesh::Mesh extract(double scale);
+
+} // namespace stiction::mesher

@@ -1,0 +1,19 @@
+// Every way to get a mesh, as one choice.
+#pragma once
+#include <variant>
+
+#include "mesh/generators.hpp"
+#include "mesh/gmsh.hpp"
+
+namespace stiction::mesh {
+
+/// What scripts make as mesh.block{...}, mesh.half_disc{...}, mesh.gmsh{...}, mesh.msh_file{...}.
+using Generator = std::variant<BlockOptions, HalfDiscOptions, GmshGeometry, MshFile>;
+
+/// Makes the mesh. Throws InputError when the numbers make no mesh.
+[[nodiscard]] Mesh make(Generator const& generator);
+
+/// The descriptions of all generators, for help and constructors.
+[[nodiscard]] std::vector<core::Schema> generator_schemas();
+
+} // namespace stiction::mesh
