@@ -66,7 +66,9 @@ void draw_ticks(Canvas& canvas, Ticks const& ticks, Scale const& scale, Box cons
   }
 }
 
-double line_height(double size) { return measure("Åg", size).height; }
+double line_height(double size) {
+  return measure("Åg", size).height;
+}
 
 double heading_height(std::string const& heading) {
   return heading.empty() ? 0 : line_height(title_size) + points(3);

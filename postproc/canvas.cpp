@@ -31,10 +31,18 @@ void set_font(vtkTextProperty& property, double size) {
   property.SetFontSize(static_cast<int>(std::lround(points(size))));
 }
 
-Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-Point operator*(double s, Point a) { return {s * a.x, s * a.y}; }
-double length(Point a) { return std::hypot(a.x, a.y); }
+Point operator+(Point a, Point b) {
+  return {a.x + b.x, a.y + b.y};
+}
+Point operator-(Point a, Point b) {
+  return {a.x - b.x, a.y - b.y};
+}
+Point operator*(double s, Point a) {
+  return {s * a.x, s * a.y};
+}
+double length(Point a) {
+  return std::hypot(a.x, a.y);
+}
 Point turned(Point a, double angle) {
   double const c = std::cos(angle), s = std::sin(angle);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
@@ -96,8 +104,7 @@ public:
     painter->InitializeObjectBase();
     return painter;
   }
-  vtkTypeMacro(Painter, vtkAbstractContextItem)
-  bool Paint(vtkContext2D* context) override {
+  vtkTypeMacro(Painter, vtkAbstractContextItem) bool Paint(vtkContext2D* context) override {
     Canvas canvas(*context);
     paint(canvas);
     return true;
@@ -118,7 +125,8 @@ Size measure(std::string const& text, double size) {
   int box[4] = {0, 0, 0, 0};
   if (text.empty())
     return {};
-  bool const measured = vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box, text_dpi);
+  bool const measured =
+      vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(text), box, text_dpi);
   if (!measured)
     throw core::RunError("the font " STICTION_FONT " cannot be used; install fonts-dejavu-core");
   return {static_cast<double>(box[1] - box[0] + 1), static_cast<double>(box[3] - box[2] + 1)};
@@ -138,7 +146,10 @@ void Canvas::text(std::string const& text, Point at, Lettering const& lettering)
   auto const& colour = lettering.colour;
   property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   context_->ApplyTextProp(property);
-  context_->DrawString(static_cast<float>(std::round(at.x)), static_cast<float>(std::round(at.y)), vtkStdString(text));
+  if (lettering.along == Along::centre) // by the capitals, not by the box that has room for descenders
+    at.y -= 0.1 * points(lettering.size);
+  context_->DrawString(static_cast<float>(std::round(at.x)), static_cast<float>(std::round(at.y)),
+                       vtkStdString(text));
 }
 
 void Canvas::fill(Box const& box, Colour colour) {
@@ -175,7 +186,7 @@ void Canvas::disc(Point centre, double radius, Colour colour) {
 void Canvas::stroke(std::vector<Point> const& line, Pen const& pen) {
   if (pen.dash == Dash::points) {
     for (auto const& point : line)
-      disc(point, 1.4 * pen.width, pen.colour);
+      disc(point, 1.3 * pen.width, pen.colour);
     return;
   }
   auto const thin = thinned(line, 0.4);
@@ -229,7 +240,9 @@ void Canvas::clip(Box const& box) {
   context_->GetDevice()->SetClipping(rectangle.data());
 }
 
-void Canvas::unclip() { context_->GetDevice()->EnableClipping(false); }
+void Canvas::unclip() {
+  context_->GetDevice()->EnableClipping(false);
+}
 
 void paint_over(vtkRenderer& renderer, std::function<void(Canvas&)> paint) {
   auto painter = vtkSmartPointer<Painter>::New();

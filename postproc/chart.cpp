@@ -11,7 +11,8 @@ namespace stiction::postproc {
 
 namespace {
 
-Scale scale_of(AxisSpec const& axis, std::vector<Curve> const& curves, double Point::*coordinate, bool tight) {
+Scale scale_of(AxisSpec const& axis, std::vector<Curve> const& curves, double Point::*coordinate,
+               bool tight) {
   if (axis.range)
     return {axis.range->first, axis.range->second, axis.log};
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -64,9 +65,9 @@ void place_marks(Chart& chart) {
   for (auto const& mark : marks) {
     double const fraction = chart.x.fraction(mark.x);
     if (!(fraction >= 0 && fraction <= 1))
-      throw core::InputError(
-          fmt::format("the mark \"{}\" at {:g} lies outside the x axis ({:g} to {:g} {})", mark.label, mark.x,
-                      chart.x.low, chart.x.high, chart.spec.x.unit.word));
+      throw core::InputError(fmt::format("the mark \"{}\" at {:g} lies outside the x axis ({:g} to {:g} {})",
+                                         mark.label, mark.x, chart.x.low, chart.x.high,
+                                         chart.spec.x.unit.word));
     double const x = chart.plot.left + fraction * chart.plot.width, pad = points(edge);
     double const width = measure(mark.label, tick_size).width;
     double const left = std::max(pad, std::min(x - width / 2, chart.picture.width - pad - width));
@@ -87,7 +88,8 @@ void lay_out_up(Chart& chart) {
   double const labels = points(tick_length + tick_gap) + label_extent(chart.x_ticks).height;
   chart.plot.bottom = std::round(pad + legend + line_height(label_size) + points(2) + labels);
   double const marks = chart.mark_rows * line_height(tick_size) + points(2);
-  double const above = pad + heading_height(heading(chart.figure)) + std::max(marks, line_height(tick_size) / 2);
+  double const above =
+      pad + heading_height(heading(chart.figure)) + std::max(marks, line_height(tick_size) / 2);
   double const given = chart.figure.height - chart.plot.bottom - above;
   if (chart.figure.height > 0 && given < points(30))
     throw core::InputError(fmt::format("a height of {:.0f} mm leaves no room for the plot; give more",

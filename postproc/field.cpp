@@ -30,7 +30,7 @@ struct FieldLayout {
   Ticks ticks;
   Size picture;
   Box mesh, bar;
-  double scale_bar = 0;                 ///< its length; 0: none
+  double scale_bar = 0;                        ///< its length; 0: none
   bool more_below = false, more_above = false; ///< values beyond the colours
 };
 
@@ -157,7 +157,7 @@ void add_surface(vtkRenderer& renderer, FieldData const& data, Scale const& scal
 }
 
 /// Lines just in front of the mesh.
-void add_lines(vtkRenderer& renderer, vtkPolyData* lines, Pen const& pen, double lift) {
+void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, double lift) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
   mapper->ScalarVisibilityOff();
@@ -166,8 +166,8 @@ void add_lines(vtkRenderer& renderer, vtkPolyData* lines, Pen const& pen, double
   actor->SetPosition(0, 0, lift);
   auto* property = actor->GetProperty();
   property->LightingOff();
-  property->SetColor(pen.colour.red / 255.0, pen.colour.green / 255.0, pen.colour.blue / 255.0);
-  property->SetLineWidth(static_cast<float>(pen.width));
+  property->SetColor(ink.red / 255.0, ink.green / 255.0, ink.blue / 255.0);
+  property->SetLineWidth(static_cast<float>(width));
   renderer.AddActor(actor);
 }
 
@@ -178,7 +178,7 @@ void add_outline(vtkRenderer& renderer, FieldData const& data, double lift) {
   outline->NonManifoldEdgesOff();
   outline->ManifoldEdgesOff();
   outline->Update();
-  add_lines(renderer, outline->GetOutput(), {ink, points(frame_width), Dash::solid}, lift);
+  add_lines(renderer, outline->GetOutput(), points(frame_width), lift);
 }
 
 /// Looks down the z axis so that the view fills the viewport.
@@ -200,11 +200,10 @@ void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const
   auto const& [mesh, picture] = std::pair(layout.mesh, layout.picture);
   renderer.SetViewport(mesh.left / picture.width, mesh.bottom / picture.height, mesh.right() / picture.width,
                        mesh.top() / picture.height);
-  renderer.SetBackground(1, 1, 1);
   double const lift = 1e-3 * (data.view[1] - data.view[0]);
   add_surface(renderer, data, layout.scale);
   if (layout.spec.mesh)
-    add_lines(renderer, data.edges, {ink, points(mesh_width), Dash::solid}, lift);
+    add_lines(renderer, data.edges, points(mesh_width), lift);
   add_outline(renderer, data, 2 * lift);
   aim(renderer, data);
 }
@@ -212,6 +211,8 @@ void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const
 void draw_words(Canvas& canvas, FieldLayout const& layout) {
   draw_colour_bar(canvas, layout);
   draw_scale_bar(canvas, layout);
+  if (!layout.spec.window.empty()) // a frame says that more lies outside
+    canvas.frame(layout.mesh, {});
   draw_heading(canvas, heading(layout.figure), layout.picture);
 }
 
@@ -222,15 +223,15 @@ Picture draw_field(FigureSpec const& figure, FieldSpec const& field) {
   auto const layout = lay_out(figure, field, data);
   auto const window =
       make_window(static_cast<int>(layout.picture.width), static_cast<int>(layout.picture.height));
-  window->SetNumberOfLayers(2);
-  vtkNew<vtkRenderer> words, mesh;
-  words->SetBackground(1, 1, 1);
-  words->SetLayer(0);
-  mesh->SetLayer(1);
-  window->AddRenderer(words);
-  window->AddRenderer(mesh);
-  paint_over(*words, [&layout](Canvas& canvas) { draw_words(canvas, layout); });
+  vtkNew<vtkRenderer> paper, mesh, words; // from back to front
+  window->SetNumberOfLayers(3);
+  for (int layer = 0; auto* renderer : {paper.Get(), mesh.Get(), words.Get()}) {
+    renderer->SetLayer(layer++);
+    window->AddRenderer(renderer);
+  }
+  paper->SetBackground(1, 1, 1);
   fill_mesh(*mesh, layout, data);
+  paint_over(*words, [&layout](Canvas& canvas) { draw_words(canvas, layout); });
   return shoot(*window);
 }
 

@@ -34,8 +34,8 @@ void check_exists(fs::path const& file) {
 
 /// The file of the step nearest to `time`, or of the last one.
 fs::path step_file(fs::path const& index, std::optional<double> time) {
-  auto const root = vtkSmartPointer<vtkXMLDataElement>::Take(
-      vtkXMLUtilities::ReadElementFromFile(index.string().c_str()));
+  auto const root =
+      vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(index.string().c_str()));
   auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (collection == nullptr)
     throw core::RunError(fmt::format("{}: is not a ParaView collection", index.string()));
@@ -73,8 +73,8 @@ Grid read_grid(fs::path const& file) {
 
 std::string array_names(vtkUnstructuredGrid& grid) {
   std::string names;
-  for (vtkFieldData* data : {static_cast<vtkFieldData*>(grid.GetPointData()),
-                             static_cast<vtkFieldData*>(grid.GetCellData())})
+  for (vtkFieldData* data :
+       {static_cast<vtkFieldData*>(grid.GetPointData()), static_cast<vtkFieldData*>(grid.GetCellData())})
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
       names += fmt::format("{}{}", names.empty() ? "" : ", ",
                            data->GetArrayName(i) != nullptr ? data->GetArrayName(i) : "(unnamed)");
@@ -109,7 +109,8 @@ bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const&
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
     double const value = value_at(*array, i, spec.component) / spec.unit.si.value;
     if (!std::isfinite(value))
-      throw core::RunError(fmt::format("{}: value {} is {}; only finite numbers can be drawn", where, i, value));
+      throw core::RunError(
+          fmt::format("{}: value {} is {}; only finite numbers can be drawn", where, i, value));
     shown->InsertNextValue(value);
   }
   if (on_cells)
@@ -122,9 +123,10 @@ bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const&
 Grid moved(Grid const& grid, fs::path const& file) {
   auto* displacement = grid->GetPointData()->GetArray("displacement");
   if (displacement == nullptr || displacement->GetNumberOfComponents() != 3)
-    throw core::RunError(fmt::format("{}: has no point array \"displacement\" with 3 components, so it cannot "
-                                     "be drawn deformed",
-                                     file.string()));
+    throw core::RunError(
+        fmt::format("{}: has no point array \"displacement\" with 3 components, so it cannot "
+                    "be drawn deformed",
+                    file.string()));
   vtkNew<vtkWarpVector> warp;
   warp->SetInputData(grid);
   warp->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "displacement");
@@ -155,7 +157,8 @@ bool cell_in_view(FieldData const& data, vtkUnstructuredGrid& grid, vtkIdType ce
 }
 
 void set_extremes(FieldData& data, vtkUnstructuredGrid& grid, fs::path const& file) {
-  auto* shown = data.on_cells ? grid.GetCellData()->GetArray("shown") : grid.GetPointData()->GetArray("shown");
+  auto* shown =
+      data.on_cells ? grid.GetCellData()->GetArray("shown") : grid.GetPointData()->GetArray("shown");
   data.low = std::numeric_limits<double>::infinity();
   data.high = -data.low;
   for (vtkIdType i = 0; i < shown->GetNumberOfTuples(); ++i) {

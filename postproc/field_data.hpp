@@ -11,7 +11,7 @@ struct FieldData {
   vtkSmartPointer<vtkPolyData> surface; ///< carries the array "shown", in the unit of the figure
   vtkSmartPointer<vtkPolyData> edges;   ///< all cell edges
   bool on_cells = false;
-  double low = 0, high = 0;  ///< of the values within the window
+  double low = 0, high = 0;      ///< of the values within the window
   double view[4] = {0, 0, 0, 0}; ///< xmin, xmax, ymin, ymax in m
 };
 

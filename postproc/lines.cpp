@@ -38,11 +38,19 @@ void draw_marks(Canvas& canvas, Chart const& chart) {
 
 void draw_curves(Canvas& canvas, Chart const& chart) {
   double const half = points(curve_width) / 2; // a curve along the frame keeps its full width
-  canvas.clip({chart.plot.left - half, chart.plot.bottom - half, chart.plot.width + 2 * half,
-               chart.plot.height + 2 * half});
-  for (auto const& curve : chart.curves)
-    canvas.stroke(chart.pixels(curve.points), curve.pen);
-  canvas.unclip();
+  Box const& plot = chart.plot;
+  Box const wide{plot.left - half, plot.bottom - half, plot.width + 2 * half, plot.height + 2 * half};
+  for (auto const& curve : chart.curves) {
+    auto line = chart.pixels(curve.points);
+    if (curve.pen.dash == Dash::points) { // whole discs, also on the frame
+      std::erase_if(line, [&wide](Point p) { return !wide.contains(p); });
+      canvas.stroke(line, curve.pen);
+      continue;
+    }
+    canvas.clip(wide);
+    canvas.stroke(line, curve.pen);
+    canvas.unclip();
+  }
 }
 
 void draw_titles(Canvas& canvas, Chart const& chart) {
@@ -71,8 +79,8 @@ void draw_legend(Canvas& canvas, Chart const& chart) {
 void draw(Canvas& canvas, Chart const& chart) {
   draw_grid(canvas, chart);
   draw_marks(canvas, chart);
-  draw_curves(canvas, chart);
   canvas.frame(chart.plot, {});
+  draw_curves(canvas, chart);
   draw_ticks(canvas, chart.x_ticks, chart.x, chart.plot, Direction::across);
   draw_ticks(canvas, chart.y_ticks, chart.y, chart.plot, Direction::up);
   draw_titles(canvas, chart);

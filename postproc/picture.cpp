@@ -12,8 +12,12 @@
 
 namespace stiction::postproc {
 
-int width_of(Picture const& picture) { return picture->GetDimensions()[0]; }
-int height_of(Picture const& picture) { return picture->GetDimensions()[1]; }
+int width_of(Picture const& picture) {
+  return picture->GetDimensions()[0];
+}
+int height_of(Picture const& picture) {
+  return picture->GetDimensions()[1];
+}
 
 namespace {
 

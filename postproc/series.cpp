@@ -97,8 +97,8 @@ Column read_column(std::filesystem::path const& file, std::string const& name, s
 void check_finite(std::vector<double> const& values, std::string const& where) {
   for (std::size_t row = 0; row < values.size(); ++row)
     if (!std::isfinite(values[row]))
-      throw core::RunError(fmt::format("{}: value {} is {}; only finite numbers can be drawn", where, row + 1,
-                                       values[row]));
+      throw core::RunError(
+          fmt::format("{}: value {} is {}; only finite numbers can be drawn", where, row + 1, values[row]));
 }
 
 std::vector<double> load_coordinate(CurveSpec const& curve, CoordinateSpec const& spec, AxisSpec const& axis,
@@ -113,9 +113,9 @@ std::vector<double> load_coordinate(CurveSpec const& curve, CoordinateSpec const
   if (!unit)
     throw core::RunError(fmt::format("{}: its unit \"{}\" is not known", where, column.unit));
   if (unit->dimension != axis.unit.si.dimension)
-    throw core::InputError(fmt::format("{} is in {} [{}], but its axis \"{}\" is in {} [{}]", where, column.unit,
-                                       core::to_string(unit->dimension), axis.label, axis.unit.word,
-                                       core::to_string(axis.unit.si.dimension)));
+    throw core::InputError(fmt::format("{} is in {} [{}], but its axis \"{}\" is in {} [{}]", where,
+                                       column.unit, core::to_string(unit->dimension), axis.label,
+                                       axis.unit.word, core::to_string(axis.unit.si.dimension)));
   check_finite(column.values, where);
   for (auto& value : column.values)
     value = spec.sign * (value * unit->value - spec.shift) / axis.unit.si.value;

@@ -78,7 +78,8 @@ AxisSpec read_axis(Reader reader) {
   axis.log = reader.flag_or("log", false);
   axis.range = interval_at(reader, "range");
   if (axis.log && axis.range && axis.range->first <= 0)
-    reader.complain_at("range", fmt::format("starts at {:g}; a logarithmic axis wants > 0", axis.range->first));
+    reader.complain_at("range",
+                       fmt::format("starts at {:g}; a logarithmic axis wants > 0", axis.range->first));
   reader.finish();
   return axis;
 }
@@ -125,8 +126,8 @@ CurveSpec read_curve(Reader reader, std::filesystem::path const& folder) {
   curve.dash = dash_at(reader);
   bool const numbers = curve.x.dataset.empty() && curve.y.dataset.empty();
   if (numbers && curve.x.numbers.size() != curve.y.numbers.size())
-    reader.complain_at("y", fmt::format("has {} numbers but x has {}", curve.y.numbers.size(),
-                                        curve.x.numbers.size()));
+    reader.complain_at(
+        "y", fmt::format("has {} numbers but x has {}", curve.y.numbers.size(), curve.x.numbers.size()));
   reader.finish();
   return curve;
 }
@@ -135,8 +136,8 @@ LinesSpec read_lines(Reader& reader, std::filesystem::path const& folder) {
   LinesSpec lines;
   lines.x = read_axis(reader.child("x"));
   lines.y = read_axis(reader.child("y"));
-  lines.legend = choice(
-      reader, "legend", {"top right", "top left", "bottom right", "bottom left", "below", "none"}, "");
+  lines.legend =
+      choice(reader, "legend", {"top right", "top left", "bottom right", "bottom left", "below", "none"}, "");
   for (auto& curve : reader.children("curves"))
     lines.curves.push_back(read_curve(curve, folder));
   if (lines.curves.empty())
@@ -207,7 +208,8 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
   figure.name = reader.text("name", in_panel ? Need::optional : Need::required);
   bool const is_file_name = figure.name.find_first_of("/\\") == std::string::npos && figure.name[0] != '.';
   if (!is_file_name)
-    reader.complain_at("name", fmt::format("is \"{}\"; a plain file name is wanted, without folders", figure.name));
+    reader.complain_at("name",
+                       fmt::format("is \"{}\"; a plain file name is wanted, without folders", figure.name));
   figure.title = reader.text("title", Need::optional);
   std::string const kind = reader.text("kind");
   if (in_panel && kind == "panel")

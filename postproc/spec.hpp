@@ -82,9 +82,9 @@ struct PanelSpec {
 
 struct FigureSpec {
   std::string name, title;
-  int width = 0;       ///< pixels
-  double height = 0;   ///< pixels; 0: chosen
-  std::string letter;  ///< "(a)" within a panel
+  int width = 0;      ///< pixels
+  double height = 0;  ///< pixels; 0: chosen
+  std::string letter; ///< "(a)" within a panel
   std::variant<LinesSpec, FieldSpec, PanelSpec> content;
 };
 

@@ -50,7 +50,9 @@ char const* raised(char digit) {
   static constexpr char const* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return digit == '-' ? "⁻" : digits[digit - '0'];
 }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
 } // namespace
 
 std::string superscript(int exponent) {

@@ -8,8 +8,12 @@ namespace stiction::postproc {
 
 /// Pixels of a length in print, at 300 dots per inch.
 inline constexpr int dots_per_inch = 300;
-constexpr double points(double length) { return length * dots_per_inch / 72.0; }
-constexpr double millimetres(double length) { return length * dots_per_inch / 25.4; }
+constexpr double points(double length) {
+  return length * dots_per_inch / 72.0;
+}
+constexpr double millimetres(double length) {
+  return length * dots_per_inch / 25.4;
+}
 
 /// What VTK is told, so that its text sizes are whole pixels: at 72 dots per inch a point is a pixel.
 inline constexpr int text_dpi = 72;
@@ -27,7 +31,8 @@ struct Colour {
 inline constexpr Colour black{0, 0, 0}, white{255, 255, 255}, ink{38, 38, 38}, grid_grey{222, 222, 222},
     mark_grey{110, 110, 110};
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), the pale yellow left out; repeats after 7.
+/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), the pale yellow left out; repeats
+/// after 7.
 [[nodiscard]] Colour palette(std::size_t index);
 inline constexpr std::size_t palette_size = 7;
 

@@ -71,8 +71,9 @@ Ticks log_ticks(Scale const& scale, int wanted) {
       bool const major = digit == 1 && (decade - first) % every == 0;
       bool const extra = short_axis && (digit == 2 || digit == 5);
       std::string const base = "10" + superscript(decade);
-      result.ticks.push_back(
-          {value, major ? base : extra ? fmt::format("{}·{}", digit, base) : std::string()});
+      result.ticks.push_back({value, major   ? base
+                                     : extra ? fmt::format("{}·{}", digit, base)
+                                             : std::string()});
     }
   return result;
 }

@@ -24,16 +24,31 @@ bool make_context_current() {
   if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE ||
       eglBindAPI(EGL_OPENGL_API) == EGL_FALSE)
     return false;
-  EGLint const wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                           EGL_RED_SIZE,     8,               EGL_GREEN_SIZE,      8,
-                           EGL_BLUE_SIZE,    8,               EGL_ALPHA_SIZE,      8,
-                           EGL_DEPTH_SIZE,   24,              EGL_NONE};
+  EGLint const wanted[] = {EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_RED_SIZE,
+                           8,
+                           EGL_GREEN_SIZE,
+                           8,
+                           EGL_BLUE_SIZE,
+                           8,
+                           EGL_ALPHA_SIZE,
+                           8,
+                           EGL_DEPTH_SIZE,
+                           24,
+                           EGL_NONE};
   EGLConfig config = nullptr;
   EGLint found = 0;
   if (eglChooseConfig(display, wanted, &config, 1, &found) == EGL_FALSE || found == 0)
     return false;
-  EGLint const version[] = {EGL_CONTEXT_MAJOR_VERSION,       3, EGL_CONTEXT_MINOR_VERSION, 2,
-                            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+  EGLint const version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                            3,
+                            EGL_CONTEXT_MINOR_VERSION,
+                            2,
+                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                             EGL_NONE};
   EGLContext const context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
   return context != EGL_NO_CONTEXT &&
@@ -49,8 +64,9 @@ public:
   }
   vtkTypeMacro(EglWindow, vtkGenericOpenGLRenderWindow)
 
-  /// The loader reports a missing GLX display after it has loaded all entry points: that one is not an error.
-  void OpenGLInitContext() override {
+      /// The loader reports a missing GLX display after it has loaded all entry points: that one is not an
+      /// error.
+      void OpenGLInitContext() override {
     if (Initialized)
       return;
     int const warnings = vtkObject::GetGlobalWarningDisplay();

@@ -22,7 +22,8 @@ namespace {
 
 void write_dataset(hid_t file, std::string const& name, std::vector<double> const& values, hsize_t columns,
                    std::string const& unit) {
-  hsize_t const rows = values.size() / columns, extent[2] = {rows, columns}, most[2] = {H5S_UNLIMITED, columns};
+  hsize_t const rows = values.size() / columns, extent[2] = {rows, columns},
+                most[2] = {H5S_UNLIMITED, columns};
   hsize_t const chunk[2] = {64, columns};
   int const rank = columns == 1 ? 1 : 2;
   hid_t const space = H5Screate_simple(rank, extent, most);
@@ -46,7 +47,8 @@ void write_dataset(hid_t file, std::string const& name, std::vector<double> cons
 }
 
 /// A block of nx by ny cells whose nodes are placed by `place(a, b)`, a and b in [0, 1].
-template<class Place> void add_block(vtkUnstructuredGrid& grid, vtkPoints& points, int nx, int ny, Place place) {
+template<class Place>
+void add_block(vtkUnstructuredGrid& grid, vtkPoints& points, int nx, int ny, Place place) {
   vtkIdType const first = points.GetNumberOfPoints();
   for (int j = 0; j <= ny; ++j)
     for (int i = 0; i <= nx; ++i) {

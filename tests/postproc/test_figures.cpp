@@ -185,7 +185,7 @@ TEST_CASE("fields are drawn deformed with mesh and colour bar") {
   CHECK(image.width() == single_column);
   CHECK(image.white_rim());
   CHECK(image.colours() > 500);
-  CHECK(image.count({68, 1, 84}) > 1000);               // the lowest colour: far from the contact
+  CHECK(image.count({68, 1, 84}) > 1000);                  // the lowest colour: far from the contact
   CHECK(image.count({253, 231, 37}, {0, 1, 0, 0.4}) > 20); // the end of the bar
 }
 
@@ -239,12 +239,14 @@ TEST_CASE("what the files cannot give ends with 1 and its name, and leaves no pi
   auto const dataset = draw("dataset", simple_lines(R"("file":"case0/series.h5","y":"/crown/gamma")", "1"));
   CHECK(dataset.code == 1);
   CHECK(dataset.messages.find("/crown/gamma") != std::string::npos);
-  auto const broken = draw("broken", simple_lines(R"("file":"case0/series.h5","y":"/crown/broken")", "1") + "," + beta_lines);
+  auto const broken =
+      draw("broken", simple_lines(R"("file":"case0/series.h5","y":"/crown/broken")", "1") + "," + beta_lines);
   CHECK(broken.code == 1);
   CHECK(broken.messages.find("value 6 is nan") != std::string::npos);
   CHECK_FALSE(fs::exists(work / "broken/it.png"));
   CHECK(fs::exists(work / "broken/beta.png")); // the others are drawn all the same
-  auto const array = draw("array", R"({"name":"it","kind":"field","file":"case0/fields.pvd","array":"misses"})");
+  auto const array =
+      draw("array", R"({"name":"it","kind":"field","file":"case0/fields.pvd","array":"misses"})");
   CHECK(array.code == 1);
   CHECK(array.messages.find("von_mises") != std::string::npos);
   samples::write_text(work / "torn.vtu", "<VTKFile type=\"UnstructuredGrid\"><Unstr");
