@@ -9,6 +9,10 @@ namespace stiction::record::hdf5 {
 
 namespace {
 
+/// HDF5 may fail to close a file whose disk is full, and then must not try again, and crash, at exit. Said
+/// before its first use, that is before main.
+[[maybe_unused]] bool const no_closing_at_exit = H5dont_atexit() >= 0;
+
 thread_local int reason_number = 0; ///< errno of the last failed call, 0 when it had none
 
 /// HDF5 words a failed system call as "..., errno = 28, error message = ...".
@@ -37,8 +41,6 @@ bool write_value(hid_t object, std::string const& name, hid_t type, void const* 
 } // namespace
 
 void keep_reasons() {
-  static bool const once = H5dont_atexit() >= 0; // a file given up on a full disk must not be closed at exit
-  (void)once;
   H5Eset_auto2(H5E_DEFAULT, keep_reason, nullptr);
 }
 

@@ -1,5 +1,5 @@
 // Replaces calls of the C library for the whole test executable; shared libraries resolve to these too.
-#include "intercept.hpp"
+#include "record/intercept.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "folder.hpp"
-#include "intercept.hpp"
+#include "record/intercept.hpp"
 
 using namespace stiction;
 using record::Series;

@@ -1,0 +1,71 @@
+// Bodies put into frames, and the list of frames over time.
+#include "record/fields.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "record/file.hpp"
+
+namespace stiction::record {
+
+namespace {
+
+/// "000123.vtu": only such files are ours to remove.
+bool is_frame(std::filesystem::path const& path) {
+  std::string const stem = path.stem().string();
+  return path.extension() == ".vtu" && stem.size() == 6 &&
+         stem.find_first_not_of("0123456789") == std::string::npos;
+}
+
+void remove_frames(std::filesystem::path const& folder) {
+  std::error_code error; // a frame that cannot be removed is overwritten or reported when written
+  std::vector<std::filesystem::path> frames;
+  for (auto const& entry : std::filesystem::directory_iterator(folder, error))
+    if (is_frame(entry.path()))
+      frames.push_back(entry.path());
+  for (auto const& frame : frames)
+    std::filesystem::remove(frame, error);
+}
+
+} // namespace
+
+std::size_t FieldFrame::cell_count() const {
+  std::size_t count = 0;
+  for (auto const& block : blocks)
+    count += block.nodes.size() / static_cast<std::size_t>(mesh::info(block.kind).nodes);
+  return count;
+}
+
+void add_body(FieldFrame& frame, mesh::Mesh const& mesh) {
+  auto const first = static_cast<Index>(frame.points.rows());
+  double const body = frame.cell_body.empty() ? 0 : frame.cell_body.back() + 1;
+  frame.points.conservativeResize(first + mesh.nodes.rows(), 3);
+  frame.points.bottomRows(mesh.nodes.rows()).setZero();
+  frame.points.block(first, 0, mesh.nodes.rows(), mesh.nodes.cols()) = mesh.nodes;
+  for (auto block : mesh.blocks) {
+    for (Index& node : block.nodes)
+      node += first;
+    frame.blocks.push_back(std::move(block));
+  }
+  frame.cell_body.resize(frame.cell_count(), body);
+}
+
+FieldSeries::FieldSeries(std::filesystem::path case_folder) : folder_(std::move(case_folder)) {
+  prepare_output(folder_ / "fields");
+  std::error_code ignored;
+  std::filesystem::remove(folder_ / "fields.pvd", ignored); // first: it must not list what is gone
+  remove_frames(folder_ / "fields");
+}
+
+void FieldSeries::write(FieldFrame const& frame) {
+  std::string const name = fmt::format("fields/{:06}.vtu", count_);
+  write_vtu(folder_ / name, frame);
+  entries_ += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, name);
+  replace_file(folder_ / "fields.pvd",
+               fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+                           "byte_order=\"LittleEndian\">\n<Collection>\n{}</Collection>\n</VTKFile>\n",
+                           entries_));
+  ++count_;
+}
+
+} // namespace stiction::record

@@ -1,0 +1,54 @@
+// Fields over a mesh as VTK files: one .vtu a moment, and a .pvd that lists them by time.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/types.hpp"
+#include "mesh/mesh.hpp"
+
+namespace stiction::record {
+
+/// Values of all points or of all cells, point after point.
+struct FieldArray {
+  std::string name;
+  std::string unit;           ///< stored as VTK's UNITS_LABEL
+  int components = 1;         ///< 1, 3 (vector) or 6 (symmetric tensor, VTK's order XX YY ZZ XY YZ XZ)
+  std::vector<double> values; ///< [points or cells, components]
+  bool double_precision = false;
+};
+
+/// What is drawn of one moment. Cells count through `blocks` in their order.
+struct FieldFrame {
+  double time = 0;                 ///< s
+  Matrix points = Matrix(0, 3);    ///< [points, 3], m, undeformed
+  std::vector<mesh::Block> blocks; ///< nodes are rows of `points`
+  std::vector<FieldArray> point_arrays, cell_arrays;
+  std::vector<double> cell_body; ///< [cells], number of the body; written as cell array "body"
+
+  [[nodiscard]] std::size_t cell_count() const;
+};
+
+/// Appends the points and cells of a mesh as the next body. Its points follow those already there.
+void add_body(FieldFrame& frame, mesh::Mesh const& mesh);
+
+/// Writes one frame as a zlib-compressed binary .vtu that appears whole or not at all. Array sizes that do
+/// not fit the frame are a core::Bug; a file that cannot be written is a core::RunError.
+void write_vtu(std::filesystem::path const& path, FieldFrame const& frame);
+
+/// The frames of one case: fields/000000.vtu, ... and fields.pvd, complete after every write. Frames of an
+/// earlier run in the same folder are removed first.
+class FieldSeries {
+public:
+  explicit FieldSeries(std::filesystem::path case_folder);
+  void write(FieldFrame const& frame);
+  [[nodiscard]] std::size_t frames() const { return count_; }
+
+private:
+  std::filesystem::path folder_;
+  std::string entries_; ///< of the .pvd
+  std::size_t count_ = 0;
+};
+
+} // namespace stiction::record

@@ -1,0 +1,50 @@
+// What program, libraries and processor a run was made with.
+#include <Eigen/Core>
+#include <SuiteSparse_config.h>
+#include <cholmod.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <hdf5.h>
+#include <zlib.h>
+
+#include "core/build_identity.hpp"
+#include "record/manifest.hpp"
+
+namespace stiction::record {
+
+namespace {
+
+std::string dotted(int major, int minor, int patch) {
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
+nlohmann::json libraries() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return {
+      {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"suitesparse", dotted(SUITESPARSE_MAIN_VERSION, SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION)},
+      {"cholmod", dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION)},
+      {"hdf5", fmt::format("{}.{}.{}", major, minor, release)},
+      {"zlib", zlibVersion()}};
+}
+
+/// "model name" of /proc/cpuinfo, "unknown" elsewhere.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (auto const colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return line.substr(colon + 2);
+  return "unknown";
+}
+
+} // namespace
+
+nlohmann::json build_identity() {
+  auto const& identity = core::build_identity();
+  return {{"version", identity.version}, {"commit", identity.commit},         {"compiler", identity.compiler},
+          {"flags", identity.flags},     {"build_type", identity.build_type}, {"libraries", libraries()},
+          {"processor", processor()}};
+}
+
+} // namespace stiction::record
