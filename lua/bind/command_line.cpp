@@ -1,0 +1,178 @@
+// The commands and their options, described to CLI11.
+#include "bind/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+
+#include "core/schema.hpp"
+
+namespace stiction::bind {
+
+namespace {
+
+constexpr char const* closing = "STUDY is a folder with study.lua, or a .lua file. Exit codes: 0 all held; 1 "
+                                "a case failed, a check did not\n"
+                                "hold, or the run was stopped; 2 bad input.";
+
+/// Adds the options of each command; what is given lands in `line`.
+class Commands {
+public:
+  Commands(CLI::App& app, CommandLine& line) : app_(app), line_(line) {}
+  void add_all();
+
+private:
+  CLI::App& command(std::string const& name, std::string const& meaning) {
+    auto* const sub = app_.add_subcommand(name, meaning);
+    sub->footer(closing);
+    sub->callback([this, name] { line_.command = name; });
+    return *sub;
+  }
+  void flag(CLI::App& sub, std::string const& name, std::string const& meaning) {
+    sub.add_flag_callback(
+        "--" + name, [this, name] { line_.options[name] = true; }, meaning);
+  }
+  /// An option or, without dashes in `name`, a positional word; `type` names its value in the help.
+  template<class T>
+  CLI::Option* value(CLI::App& sub, std::string const& name, std::string const& type,
+                     std::string const& meaning) {
+    auto const key = name.substr(name.find_first_not_of('-'));
+    auto const keep = [this, key](T const& given) { line_.options[key] = given; };
+    return sub.add_option_function<T>(name, keep, meaning)->type_name(type);
+  }
+  void study_options(CLI::App& sub) {
+    flag(sub, "quick", "The study's quick form: fewer cases, coarser");
+    value<std::vector<std::string>>(sub, "--set", "NAME=VALUE",
+                                    "Replace a given, chosen or swept value, e.g. --set 'radius=5 mm'")
+        ->expected(1)
+        ->take_all();
+    flag(sub, "trust", "Let the script open files and start programs (io, os)");
+  }
+  CLI::Option* study(CLI::App& sub) {
+    return value<std::string>(sub, "study", "STUDY", "Folder or .lua file");
+  }
+  CLI::Option* out(CLI::App& sub) {
+    return value<std::string>(sub, "--out", "DIR", "Output folder (default: out/<study>)");
+  }
+  CLI::Option* one_case(CLI::App& sub) {
+    return value<std::string>(sub, "--case", "ID", "Only the case of this name");
+  }
+  void add_run();
+  void add_others();
+  void add_internal();
+
+  CLI::App& app_;
+  CommandLine& line_;
+};
+
+void Commands::add_run() {
+  auto& run = command("run", "Run the cases of a study, check them, draw its figures");
+  study(run)->required();
+  study_options(run);
+  one_case(run);
+  flag(run, "list", "List the cases and whether they are done; run nothing");
+  value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(run);
+  flag(run, "force", "Run finished cases again");
+  flag(run, "no-figures", "Draw no figures");
+}
+
+void Commands::add_others() {
+  auto& figures = command("figures", "Draw a study's figures again from its output");
+  study(figures)->required();
+  study_options(figures);
+  out(figures);
+  auto& explain = command("explain", "Show what a study asks, assumes and runs");
+  study(explain)->required();
+  study_options(explain);
+  one_case(explain);
+  auto& solve = command("solve", "Solve a saved contact problem again");
+  value<std::string>(solve, "file", "FILE", "Contact problem saved by a run (HDF5)")->required();
+  value<std::string>(solve, "--with", "SOLVER", "Contact solver: a kind of 'stiction help solver'");
+  value<double>(solve, "--tolerance", "NUMBER", "Natural-map residual to reach");
+  auto& bench = command("bench", "Time one case of a study (default: the first), phase by phase");
+  study(bench);
+  study_options(bench);
+  one_case(bench);
+  flag(bench, "json", "Print JSON instead of a table");
+  auto& help = command("help", "Explain commands, studies, units, and everything a scene can hold");
+  value<std::string>(help, "topic", "TOPIC", "E.g. study, units, material, rcc");
+}
+
+void Commands::add_internal() {
+  auto& one = command("case", "");
+  one.group("");
+  study(one)->required();
+  study_options(one);
+  one_case(one)->required();
+  out(one)->required();
+  auto& test = command("luatest", "");
+  test.group("");
+  value<std::string>(test, "file", "FILE", "Lua file of tests")->required();
+}
+
+void Commands::add_all() {
+  add_run();
+  add_others();
+  add_internal();
+}
+
+std::string meant(std::string const& word, std::vector<std::string> const& known) {
+  auto const near = core::nearest(word, known);
+  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
+}
+
+std::vector<std::string> option_names(CLI::App const& app) {
+  std::vector<std::string> names;
+  for (auto const* sub : app.get_subcommands())
+    for (auto const* option : sub->get_options())
+      if (!option->get_lnames().empty())
+        names.push_back("--" + option->get_lnames().front());
+  return names;
+}
+
+/// One message for a wrong command line; CLI11's own where it says enough.
+std::string complaint(CLI::App const& app, CLI::ParseError const& error, char const* const* words) {
+  auto const used = app.get_subcommands();
+  if (used.empty()) {
+    std::vector<std::string> known;
+    for (auto const* sub : app.get_subcommands([](CLI::App const* s) { return !s->get_group().empty(); }))
+      known.push_back(sub->get_name());
+    return fmt::format("unknown command '{}'{}", words[1], meant(words[1], known));
+  }
+  auto const extras = app.remaining(true);
+  if (dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr && !extras.empty())
+    return fmt::format("{}: unexpected '{}'{}", used[0]->get_name(), extras[0],
+                       meant(extras[0], option_names(app)));
+  return fmt::format("{}: {}", used[0]->get_name(), error.what());
+}
+
+} // namespace
+
+CommandLine parse_command_line(int count, char const* const* words) {
+  CommandLine line;
+  CLI::App app("Stiction: adhesive frictional contact of soft bodies.", "stiction");
+  app.footer("'stiction COMMAND --help' lists a command's options. Also: 'stiction test [--all]'.");
+  app.set_version_flag("--version", STICTION_VERSION);
+  app.require_subcommand(1);
+  Commands(app, line).add_all();
+  if (count < 2) {
+    std::cout << app.help();
+    line.code = 2;
+    return line;
+  }
+  try {
+    app.parse(count, words);
+  } catch (CLI::Success const& answer) {
+    app.exit(answer, std::cout, std::cerr);
+    line.command.clear();
+  } catch (CLI::ParseError const& error) {
+    line.command.clear();
+    line.code = 2;
+    std::cerr << "stiction: " << complaint(app, error, words) << "\n";
+  }
+  return line;
+}
+
+} // namespace stiction::bind

@@ -1,0 +1,142 @@
+// Files and folders for the Lua library: read, write whole, make, list, hash.
+#include "bind/engine.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <unistd.h>
+
+#include "bind/push.hpp"
+#include "bind/wrap.hpp"
+
+namespace stiction::bind {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pushes nil and the reason, the way Lua reports what may well fail.
+int refuse(lua_State* lua, std::string const& reason) {
+  lua_pushnil(lua);
+  push(lua, reason);
+  return 2;
+}
+
+/// read_file(path) -> text, or nil and the reason
+int read_file(lua_State* lua) {
+  auto const path = text_at(lua, 1);
+  std::ifstream file(path, std::ios::binary);
+  if (!file || fs::is_directory(path))
+    return refuse(lua, fmt::format("cannot read {}", path));
+  push(lua, std::string(std::istreambuf_iterator<char>(file), {}));
+  return 1;
+}
+
+/// write_file(path, text): the file is replaced as a whole or not at all. Fails with kind "run".
+int write_file(lua_State* lua) {
+  auto const path = text_at(lua, 1);
+  auto const text = text_at(lua, 2);
+  auto const draft = fmt::format("{}.{}.part", path, getpid());
+  std::ofstream file(draft, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  std::error_code failed;
+  if (file)
+    fs::rename(draft, path, failed);
+  if (!file || failed) {
+    fs::remove(draft, failed);
+    throw core::RunError(fmt::format("cannot write {}: is the folder writable, the disk full?", path));
+  }
+  return 0;
+}
+
+/// make_folder(path) -> true, or nil and the reason; the folder is tried by writing into it
+int make_folder(lua_State* lua) {
+  auto const path = text_at(lua, 1);
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed)
+    return refuse(lua, fmt::format("cannot make the folder {}: {}", path, failed.message()));
+  auto const trial = fs::path(path) / fmt::format(".trial.{}", getpid());
+  if (!std::ofstream(trial))
+    return refuse(lua, fmt::format("cannot write into the folder {}", path));
+  fs::remove(trial, failed);
+  push(lua, true);
+  return 1;
+}
+
+/// kind_of_path(path) -> "file", "folder" or nil
+int kind_of_path(lua_State* lua) {
+  std::error_code failed;
+  auto const status = fs::status(text_at(lua, 1), failed);
+  if (!fs::exists(status))
+    return 0;
+  push(lua, fs::is_directory(status) ? "folder" : "file");
+  return 1;
+}
+
+/// absolute(path) -> the path without links, "." and ".."
+int absolute(lua_State* lua) {
+  push(lua, fs::weakly_canonical(fs::absolute(text_at(lua, 1))).string());
+  return 1;
+}
+
+/// list(path, deep) -> sorted paths of the files (deep: in all subfolders; else: files and folders) below
+/// path
+int list(lua_State* lua) {
+  auto const path = text_at(lua, 1);
+  std::vector<std::string> names;
+  std::error_code failed;
+  if (lua_toboolean(lua, 2) != 0) {
+    for (auto const& entry : fs::recursive_directory_iterator(path, failed))
+      if (entry.is_regular_file())
+        names.push_back(entry.path().string());
+  } else {
+    for (auto const& entry : fs::directory_iterator(path, failed))
+      names.push_back(entry.path().string());
+  }
+  std::sort(names.begin(), names.end());
+  push(lua, names);
+  return 1;
+}
+
+/// remove(path): a file, or a folder with all it holds
+int remove(lua_State* lua) {
+  std::error_code failed;
+  fs::remove_all(text_at(lua, 1), failed);
+  if (failed)
+    throw core::RunError(fmt::format("cannot remove {}: {}", text_at(lua, 1), failed.message()));
+  return 0;
+}
+
+/// hash(text) -> 16 hexadecimal digits (FNV-1a, 64 bits): tells contents apart, keeps no secrets
+int hash(lua_State* lua) {
+  std::uint64_t sum = 14695981039346656037U;
+  for (unsigned char const c : text_at(lua, 1))
+    sum = (sum ^ c) * 1099511628211U;
+  push(lua, fmt::format("{:016x}", sum));
+  return 1;
+}
+
+/// program() -> path of this executable
+int program(lua_State* lua) {
+  push(lua, fs::read_symlink("/proc/self/exe").string());
+  return 1;
+}
+
+} // namespace
+
+void add_file_functions(lua_State* lua) {
+  add<read_file>(lua, "read_file");
+  add<write_file>(lua, "write_file");
+  add<make_folder>(lua, "make_folder");
+  add<kind_of_path>(lua, "kind_of_path");
+  add<absolute>(lua, "absolute");
+  add<list>(lua, "list");
+  add<remove>(lua, "remove");
+  add<hash>(lua, "hash");
+  add<program>(lua, "program");
+}
+
+} // namespace stiction::bind

@@ -1,0 +1,66 @@
+// The program: command line to Lua, error values to exit codes.
+#include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+
+#include "bind/command_line.hpp"
+#include "bind/interrupt.hpp"
+#include "bind/push.hpp"
+#include "bind/state.hpp"
+#include "bind/trace.hpp"
+#include "bind/wrap.hpp"
+
+namespace {
+
+using namespace stiction;
+
+void push_options(lua_State* lua, bind::CommandLine const& line) {
+  lua_newtable(lua);
+  for (auto const& [name, option] : line.options)
+    std::visit([&](auto const& value) { bind::set(lua, name.c_str(), value); }, option);
+}
+
+std::string field(lua_State* lua, char const* name) {
+  lua_getfield(lua, -1, name);
+  std::string const text = lua_isstring(lua, -1) != 0 ? bind::text_at(lua, -1) : "";
+  lua_pop(lua, 1);
+  return text;
+}
+
+/// Prints the error value on top of the stack; its exit code.
+int report(lua_State* lua) {
+  auto const kind = field(lua, "kind");
+  std::cerr << fmt::format("stiction: {}{}\n", field(lua, "message"), field(lua, "trace"));
+  return kind == "input" || kind == "script" ? 2 : 1;
+}
+
+/// Calls require("stiction.cli")(command, options), which returns the exit code.
+int call_library(lua_State* lua, bind::CommandLine const& line) {
+  lua_pushcfunction(lua, bind::on_error);
+  lua_getglobal(lua, "require");
+  lua_pushliteral(lua, "stiction.cli");
+  if (lua_pcall(lua, 1, 1, 1) != LUA_OK)
+    return report(lua);
+  bind::push(lua, line.command);
+  push_options(lua, line);
+  if (lua_pcall(lua, 2, 1, 1) != LUA_OK)
+    return report(lua);
+  return static_cast<int>(lua_tointeger(lua, -1));
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  try {
+    setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    auto const line = bind::parse_command_line(count, words);
+    if (line.command.empty())
+      return line.code;
+    bind::watch_signals();
+    auto const state = bind::make_state(line.options.contains("trust"));
+    return call_library(state.get(), line);
+  } catch (std::exception const& error) {
+    std::cerr << "stiction: " << error.what() << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,158 @@
+// Starting, reading and ending child processes.
+#include "bind/process.hpp"
+
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+#include "core/error.hpp"
+
+extern char** environ;
+
+namespace stiction::bind {
+
+namespace {
+
+constexpr int message_descriptor = 3;
+
+/// A pipe whose ends close on exec; dup2 in the child makes the copies that stay.
+struct Pipe {
+  int ends[2] = {-1, -1};
+  Pipe() {
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw core::RunError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
+  }
+  Pipe(Pipe const&) = delete;
+  Pipe& operator=(Pipe const&) = delete;
+  ~Pipe() {
+    for (int const end : ends)
+      if (end >= 0)
+        close(end);
+  }
+  int take_reader() {
+    int const reader = std::exchange(ends[0], -1);
+    fcntl(reader, F_SETFL, O_NONBLOCK);
+    return reader;
+  }
+};
+
+struct Actions {
+  posix_spawn_file_actions_t files{};
+  posix_spawnattr_t attributes{};
+  Actions(Pipe const& messages, Pipe const& prints) {
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, messages.ends[1], message_descriptor);
+    posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDERR_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  }
+  Actions(Actions const&) = delete;
+  Actions& operator=(Actions const&) = delete;
+  ~Actions() {
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attributes);
+  }
+};
+
+std::vector<std::string> environment_with(std::vector<std::string> const& variables) {
+  std::vector<std::string> all = variables; // the first of two with one name counts
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    all.emplace_back(*entry);
+  return all;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> list;
+  for (auto& word : words)
+    list.push_back(word.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+} // namespace
+
+Process::Process(std::vector<std::string> words, std::vector<std::string> const& variables) {
+  core::expect(!words.empty(), "a program to start");
+  Pipe messages, prints;
+  Actions const actions(messages, prints);
+  auto environment = environment_with(variables);
+  int const failed = posix_spawnp(&id_, words[0].c_str(), &actions.files, &actions.attributes,
+                                  pointers(words).data(), pointers(environment).data());
+  if (failed != 0)
+    throw core::RunError(fmt::format("cannot start {}: {}", words[0], std::strerror(failed)));
+  messages_.descriptor = messages.take_reader();
+  prints_.descriptor = prints.take_reader();
+}
+
+Process::~Process() {
+  if (!code_) {
+    signal(SIGKILL);
+    waitpid(id_, nullptr, 0);
+  }
+  messages_.close();
+  prints_.close();
+}
+
+void Process::Stream::close() {
+  if (descriptor >= 0)
+    ::close(std::exchange(descriptor, -1));
+}
+
+void Process::Stream::read() {
+  char buffer[4096];
+  while (descriptor >= 0) {
+    auto const count = ::read(descriptor, buffer, sizeof buffer);
+    if (count > 0)
+      text.append(buffer, static_cast<std::size_t>(count));
+    else if (count == 0)
+      close();
+    else if (errno != EINTR)
+      return; // nothing more for now
+  }
+}
+
+void Process::collect() {
+  int status = 0;
+  if (!code_ && waitpid(id_, &status, WNOHANG) == id_)
+    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  messages_.read();
+  prints_.read();
+}
+
+void Process::signal(int number) const {
+  if (!code_)
+    kill(id_, number);
+}
+
+std::vector<int> Process::descriptors() const {
+  std::vector<int> open;
+  for (auto const* stream : {&messages_, &prints_})
+    if (stream->descriptor >= 0)
+      open.push_back(stream->descriptor);
+  return open;
+}
+
+std::vector<std::string> Process::take_lines() {
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  for (auto end = messages_.text.find('\n'); end != std::string::npos;
+       end = messages_.text.find('\n', start)) {
+    lines.push_back(messages_.text.substr(start, end - start));
+    start = end + 1;
+  }
+  messages_.text.erase(0, start);
+  return lines;
+}
+
+std::string Process::take_text() {
+  return std::exchange(prints_.text, {});
+}
+
+} // namespace stiction::bind

@@ -1,0 +1,41 @@
+// A child process with its two streams: messages on descriptor 3, whatever it prints on 1 and 2.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace stiction::bind {
+
+class Process {
+public:
+  /// Starts `words` in its own process group with `variables` ("NAME=value") added to the environment.
+  /// Throws RunError if it cannot be started.
+  Process(std::vector<std::string> words, std::vector<std::string> const& variables);
+  Process(Process const&) = delete;
+  Process& operator=(Process const&) = delete;
+  ~Process();
+
+  /// Reads what has come, without waiting; notes the end of the process.
+  void collect();
+  void signal(int number) const;
+  [[nodiscard]] std::vector<int> descriptors() const;  ///< still open, for poll
+  [[nodiscard]] std::vector<std::string> take_lines(); ///< complete messages since the last call
+  [[nodiscard]] std::string take_text();               ///< what it printed since the last call
+  /// Exit code, or 128 + signal number; nothing while it runs.
+  [[nodiscard]] std::optional<int> code() const { return code_; }
+
+private:
+  struct Stream {
+    int descriptor = -1;
+    std::string text;
+    void read();
+    void close();
+  };
+  pid_t id_ = 0;
+  Stream messages_, prints_;
+  std::optional<int> code_;
+};
+
+} // namespace stiction::bind

@@ -1,0 +1,112 @@
+// Child processes for the Lua library: spawn, wait for news, stop; and the child's own side.
+#include "bind/engine.hpp"
+
+#include <cmath>
+#include <csignal>
+#include <new>
+#include <poll.h>
+#include <unistd.h>
+
+#include "bind/interrupt.hpp"
+#include "bind/process.hpp"
+#include "bind/push.hpp"
+#include "bind/wrap.hpp"
+
+namespace stiction::bind {
+
+namespace {
+
+constexpr char const* process_metatable = "stiction.process";
+
+Process& process_at(lua_State* lua, int index) {
+  return *static_cast<Process*>(luaL_checkudata(lua, index, process_metatable));
+}
+
+int end_process(lua_State* lua) {
+  process_at(lua, 1).~Process();
+  return 0;
+}
+
+/// spawn(words, variables) -> process; it dies with its value
+int spawn(lua_State* lua) {
+  auto const words = texts_at(lua, 1);
+  auto const variables = texts_at(lua, 2);
+  void* const room = lua_newuserdatauv(lua, sizeof(Process), 0);
+  new (room) Process(words, variables);
+  if (luaL_newmetatable(lua, process_metatable) != 0)
+    add<end_process>(lua, "__gc");
+  lua_setmetatable(lua, -2);
+  return 1;
+}
+
+/// await(processes, seconds): returns when one of them has news, or when the time is up
+int await(lua_State* lua) {
+  luaL_checktype(lua, 1, LUA_TTABLE);
+  std::vector<pollfd> polls;
+  auto const count = luaL_len(lua, 1);
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_geti(lua, 1, i);
+    for (int const descriptor : process_at(lua, -1).descriptors())
+      polls.push_back({descriptor, POLLIN, 0});
+    lua_pop(lua, 1);
+  }
+  poll(polls.data(), polls.size(), static_cast<int>(std::ceil(1000 * luaL_checknumber(lua, 2))));
+  return 0;
+}
+
+/// collect(process) -> messages (list of lines), what it printed, exit code or nil
+int collect(lua_State* lua) {
+  auto& process = process_at(lua, 1);
+  process.collect();
+  push(lua, process.take_lines());
+  push(lua, process.take_text());
+  if (process.code())
+    push(lua, *process.code());
+  else
+    lua_pushnil(lua);
+  return 3;
+}
+
+/// terminate(process), kill(process)
+int terminate(lua_State* lua) {
+  process_at(lua, 1).signal(SIGTERM);
+  return 0;
+}
+
+int kill_process(lua_State* lua) {
+  process_at(lua, 1).signal(SIGKILL);
+  return 0;
+}
+
+/// follow_parent(): this process ends with the one that started it
+int follow(lua_State*) {
+  follow_parent();
+  return 0;
+}
+
+/// tell_parent(line): one message to the process that started this one
+int tell_parent(lua_State* lua) {
+  auto const line = text_at(lua, 1) + "\n";
+  for (std::size_t sent = 0; sent < line.size();) {
+    auto const count = ::write(3, line.data() + sent, line.size() - sent);
+    if (count > 0)
+      sent += static_cast<std::size_t>(count);
+    else if (errno != EINTR)
+      return 0; // nobody listens: the case is run by hand
+  }
+  return 0;
+}
+
+} // namespace
+
+void add_process_functions(lua_State* lua) {
+  add<spawn>(lua, "spawn");
+  add<await>(lua, "await");
+  add<collect>(lua, "collect");
+  add<terminate>(lua, "terminate");
+  add<kill_process>(lua, "kill");
+  add<follow>(lua, "follow_parent");
+  add<tell_parent>(lua, "tell_parent");
+}
+
+} // namespace stiction::bind

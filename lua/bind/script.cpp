@@ -1,0 +1,64 @@
+// Loading the user's files and telling where their calls come from.
+#include "bind/engine.hpp"
+
+#include "bind/push.hpp"
+#include "bind/state.hpp"
+#include "bind/trace.hpp"
+#include "bind/wrap.hpp"
+
+namespace stiction::bind {
+
+namespace {
+
+/// load_script(text, name, environment) -> function; messages call the file `name`. Text only, no bytecode.
+int load_script(lua_State* lua) {
+  auto const text = text_at(lua, 1);
+  auto const name = "@" + text_at(lua, 2);
+  if (luaL_loadbufferx(lua, text.data(), text.size(), name.c_str(), "t") != LUA_OK)
+    return lua_error(lua);
+  lua_pushvalue(lua, 3);
+  lua_setupvalue(lua, -2, 1);
+  return 1;
+}
+
+/// where() -> "study.lua:12" of the innermost function of the user's, or ""
+int where(lua_State* lua) {
+  push(lua, user_place(lua));
+  return 1;
+}
+
+/// call(function, ...) -> true and results, or false and an error value with its trace
+int call(lua_State* lua) {
+  lua_pushcfunction(lua, on_error);
+  lua_insert(lua, 1);
+  bool const held = lua_pcall(lua, lua_gettop(lua) - 2, LUA_MULTRET, 1) == LUA_OK;
+  push(lua, held);
+  lua_replace(lua, 1);
+  return lua_gettop(lua);
+}
+
+/// part(table) -> "material.blatz_ko" of what a constructor made, or ""
+int part(lua_State* lua) {
+  luaL_checktype(lua, 1, LUA_TTABLE);
+  if (luaL_getmetafield(lua, 1, "tag") == LUA_TNIL)
+    push(lua, "");
+  return 1;
+}
+
+/// library_root() -> folder of the Lua library
+int root(lua_State* lua) {
+  push(lua, library_root());
+  return 1;
+}
+
+} // namespace
+
+void add_script_functions(lua_State* lua) {
+  add<load_script>(lua, "load_script");
+  add<where>(lua, "where");
+  add<call>(lua, "call");
+  add<part>(lua, "part");
+  add<root>(lua, "library_root");
+}
+
+} // namespace stiction::bind

@@ -1,0 +1,149 @@
+-- A case that has run: its parameters, histories and results; and the list of all cases.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
+local units = require "stiction.units"
+
+local case_module = {}
+
+local Case = {}
+
+local function column(case, name, component)
+  local values, unit = engine.series_column(case.history, name, component)
+  if not values then
+    local known = engine.series_columns(case.history)
+    fault.script("case %s has no series '%s'%s; series: %s", case.id, name, fault.meant(name, known),
+      table.concat(known, ", "))
+  end
+  return values, unit
+end
+
+--- Values of a history over `time`, SI; component (1, 2, ...) of a vector-valued one. Also its unit.
+function Case:series(group, name, component)
+  return column(self, group .. "/" .. name, component)
+end
+
+--- Largest value of a history, and its time.
+function Case:max(group, name, component)
+  local value, at = numeric.max((self:series(group, name, component)))
+  return value, self.time[at]
+end
+
+--- Smallest value of a history, and its time.
+function Case:min(group, name, component)
+  local value, at = numeric.min((self:series(group, name, component)))
+  return value, self.time[at]
+end
+
+--- Value of a history at a time (number in s, or a quantity), interpolated.
+function Case:at(time, group, name, component)
+  return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
+end
+
+local lazy = {
+  history = function(case)
+    return engine.read_series(case.folder .. "/series.h5")
+  end,
+  time = function(case)
+    return engine.series_time(case.history)
+  end,
+}
+
+local case_meta = {
+  __index = function(case, name)
+    if Case[name] then
+      return Case[name]
+    elseif lazy[name] then
+      local value = lazy[name](case)
+      rawset(case, name, value)
+      return value
+    end
+    fault.script("a case has no '%s'; it has id, p, results, time, series, max, min, at", tostring(name))
+  end,
+}
+
+--- {id =, p =, folder =, results = (later)}; histories are read when asked for.
+function case_module.new(id, p, folder)
+  return setmetatable({ id = id, p = p, folder = folder }, case_meta)
+end
+
+local function result_number(entry, value)
+  if units.is_quantity(value) then
+    value = value:to(entry.unit) * engine.parse_unit(entry.unit)
+  end
+  if type(value) ~= "number" then
+    fault.input("result %s must be a number, not a %s", entry.name, type(value))
+  end
+  return value
+end
+
+--- Results of a case by name, plain SI numbers.
+function case_module.compute(study, case)
+  local results = {}
+  for _, entry in ipairs(study.results) do
+    results[entry.name] = result_number(entry, entry.compute(case, case.p))
+  end
+  return results
+end
+
+local function close(a, b)
+  if units.is_quantity(a) or units.is_quantity(b) then
+    return units.same_dimension(a, b) and close(a.si, b.si)
+  elseif type(a) == "number" and type(b) == "number" then
+    return math.abs(a - b) <= 1e-9 * math.max(math.abs(a), math.abs(b))
+  end
+  return a == b
+end
+
+local function agrees(case, wanted)
+  for _, name in ipairs(ordered.keys(wanted)) do
+    if not close(case.p[name], wanted[name]) then
+      return false
+    end
+  end
+  return true
+end
+
+local Cases = {}
+Cases.__index = Cases
+
+--- The cases whose parameters are as given: cases:where{ mu = 0.4 }.
+function Cases:where(wanted)
+  local kept = {}
+  for _, case in ipairs(self) do
+    if agrees(case, wanted) then
+      kept[#kept + 1] = case
+    end
+  end
+  return case_module.list(kept, self.quick)
+end
+
+--- The one case with these parameters, nil if there is none (the quick form has fewer).
+function Cases:find(wanted)
+  local kept = self:where(wanted)
+  if #kept > 1 then
+    fault.script("%d cases fit, not one; name more parameters", #kept)
+  end
+  return kept[1]
+end
+
+--- One result of every case, as a list.
+function Cases:values(name)
+  local list = {}
+  for i, case in ipairs(self) do
+    list[i] = case.results[name]
+  end
+  return list
+end
+
+--- List of cases with where, find, values and the flag `quick`.
+function case_module.list(cases, quick)
+  local list = { quick = quick or false }
+  for i, case in ipairs(cases) do
+    list[i] = case
+  end
+  return setmetatable(list, Cases)
+end
+
+return case_module

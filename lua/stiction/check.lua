@@ -1,0 +1,105 @@
+-- The checks of a study: each a name, a value, what was expected, and whether it held.
+local fault = require "stiction.fault"
+local units = require "stiction.units"
+
+local check = {}
+
+local function number(x)
+  x = units.si(x)
+  return type(x) == "number" and x or nil
+end
+
+--- The recorder that `check(cases, check)` receives, and the list it fills.
+function check.recorder()
+  local list, recorder, seen = {}, {}, {}
+
+  local function record(name, value, expected, tolerance, pass)
+    if type(name) ~= "string" or seen[name] then
+      fault.script("every check needs a name of its own; got '%s'", tostring(name))
+    end
+    seen[name] = true
+    list[#list + 1] = { name = name, value = value, expected = expected, tolerance = tolerance, pass = pass }
+    return pass
+  end
+
+  --- |value - expected| <= tolerance; numbers in SI or quantities.
+  function recorder.equal(name, value, expected, tolerance)
+    local v, e, t = number(value), number(expected), number(tolerance)
+    if not e or not t then
+      fault.script("check '%s' needs an expected number and a tolerance", tostring(name))
+    end
+    return record(name, v, e, t, v ~= nil and math.abs(v - e) <= t)
+  end
+
+  --- |value - expected| <= relative |expected|
+  function recorder.close(name, value, expected, relative)
+    local e, r = number(expected), number(relative)
+    if not e or not r then
+      fault.script("check '%s' needs an expected number and a relative tolerance", tostring(name))
+    end
+    return recorder.equal(name, value, e, r * math.abs(e))
+  end
+
+  --- low <= value <= high, written down as the middle and half the width.
+  function recorder.within(name, value, low, high)
+    local v, l, h = number(value), number(low), number(high)
+    if not l or not h or l > h then
+      fault.script("check '%s' needs two bounds, low <= high", tostring(name))
+    end
+    return record(name, v, (l + h) / 2, (h - l) / 2, v ~= nil and l <= v and v <= h)
+  end
+
+  --- A statement.
+  function recorder.holds(name, held)
+    return record(name, held and true or false, true, 0, held and true or false)
+  end
+
+  local function largest_drop(name, values, sign)
+    local drop = -math.huge
+    for i = 2, #values do
+      local step = sign * (units.si(values[i - 1]) - units.si(values[i]))
+      drop = math.max(drop, step)
+    end
+    if #values < 2 then
+      fault.script("check '%s' needs at least two values", tostring(name))
+    end
+    return drop
+  end
+
+  --- No value is below the one before it by more than the tolerance; the value is the largest such drop.
+  function recorder.non_decreasing(name, values, tolerance)
+    local drop, t = math.max(0, largest_drop(name, values, 1)), number(tolerance or 0)
+    return record(name, drop, 0, t, drop <= t)
+  end
+
+  --- The same, downwards.
+  function recorder.non_increasing(name, values, tolerance)
+    local rise, t = math.max(0, largest_drop(name, values, -1)), number(tolerance or 0)
+    return record(name, rise, 0, t, rise <= t)
+  end
+
+  --- Every value exceeds the one before it; the value is the smallest rise.
+  function recorder.increasing(name, values)
+    local rise = -largest_drop(name, values, 1)
+    return record(name, rise, 0, 0, rise > 0)
+  end
+
+  setmetatable(recorder, {
+    __index = function(_, name)
+      fault.script("there is no check.%s%s", tostring(name),
+        fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing" }))
+    end,
+  })
+  return recorder, list
+end
+
+--- Runs a study's checks on its cases.
+function check.run(study, cases)
+  local recorder, list = check.recorder()
+  if study.check then
+    study.check(cases, recorder)
+  end
+  return list
+end
+
+return check

@@ -1,0 +1,76 @@
+-- stiction bench: one case of a study timed phase by phase.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local jobs = require "stiction.jobs"
+local ordered = require "stiction.ordered"
+local output = require "stiction.output"
+local report = require "stiction.report"
+local study_module = require "stiction.study"
+local sweep = require "stiction.sweep"
+
+local default_study = "studies/paper/plate_on_cylinder"
+
+local function measure(options, case, folder)
+  local found
+  local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
+    trust = options.trust, jobs = 1, quiet = true }
+  local stopped = jobs.run({ case }, settings, function(_, result)
+    found = result
+  end)
+  if stopped then
+    fault.run("stopped by the user")
+  elseif found.bad_input then
+    fault.input("%s", found.reason)
+  elseif found.verdict ~= "finished" then
+    fault.run("%s: %s: %s", case.id, found.verdict, found.reason)
+  end
+  return found
+end
+
+local function show_phases(result)
+  local rows, known = { { "phase", "s", "%" } }, 0
+  local function add(name, seconds)
+    rows[#rows + 1] = { name, ("%.3f"):format(seconds), ("%.1f"):format(100 * seconds / result.seconds) }
+  end
+  for _, name in ipairs(ordered.keys(result.phases)) do
+    known = known + result.phases[name]
+    add(name, result.phases[name])
+  end
+  add("other", result.seconds - known)
+  add("all", result.seconds)
+  report.table(rows)
+end
+
+local function show_counters(result)
+  local rows = {}
+  for _, name in ipairs { "steps", "iterations", "factorizations", "cuts" } do
+    rows[#rows + 1] = { name, ("%d"):format(result[name]) }
+  end
+  for _, name in ipairs(ordered.keys(result.counters)) do
+    rows[#rows + 1] = { name, ("%.6g"):format(result.counters[name]) }
+  end
+  report.line()
+  report.table(rows)
+end
+
+return function(options)
+  options.study = options.study or default_study
+  local study = study_module.load(options.study, options.trust)
+  local cases = sweep.cases(study, options)
+  local case = options.case and sweep.find(cases, options.case) or cases[1]
+  local folder = "out/bench/" .. study.name
+  output.prepare(folder)
+  local result = measure(options, case, folder)
+  if options.json then
+    engine.write(engine.encode_json({
+      study = study.name, case = case.id, seconds = result.seconds, steps = result.steps,
+      iterations = result.iterations, factorizations = result.factorizations, cuts = result.cuts,
+      phases = result.phases, counters = result.counters,
+    }, 2) .. "\n")
+  else
+    report.line("%s, case %s", study.title, case.id)
+    show_phases(result)
+    show_counters(result)
+  end
+  return 0
+end

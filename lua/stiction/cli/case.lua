@@ -1,0 +1,76 @@
+-- One case of a sweep, run in a process of its own for `stiction run`.
+local case_module = require "stiction.case"
+local engine = require "stiction.engine"
+local ordered = require "stiction.ordered"
+local output = require "stiction.output"
+local study_module = require "stiction.study"
+local sweep = require "stiction.sweep"
+
+local between_messages = 0.1 -- s
+
+local function tell(message)
+  engine.tell_parent(engine.encode_json(message))
+end
+
+--- Parameters of one section with their notes, for the manifest.
+local function section_of(p, names, notes)
+  local plain, section = output.plain(p), setmetatable({}, { json = "object" })
+  for _, name in ipairs(names) do
+    local note = notes[name] and notes[name].note
+    local value = plain[name]
+    if type(value) ~= "table" then
+      value = { value = value, unit = type(value) == "number" and "1" or nil }
+    end
+    section[name] = { value = value.value, unit = value.unit, note = note }
+  end
+  return section
+end
+
+local function manifest(study, case, names, options)
+  return engine.encode_json {
+    study = study.name, title = study.title, question = study.question, version = engine.version,
+    quick = options.quick or false, set = options.set or {},
+    given = section_of(case.p, ordered.keys(study.given), study.given),
+    chosen = section_of(case.p, ordered.keys(study.chosen), study.chosen),
+    swept = section_of(case.p, names, {}),
+  }
+end
+
+local function progress_teller()
+  local last = 0
+  return function(progress)
+    local now = engine.clock()
+    if now - last >= between_messages then
+      last = now
+      tell { progress = progress }
+    end
+  end
+end
+
+local function run(options)
+  local study = study_module.load(options.study, options.trust)
+  local cases, names = sweep.cases(study, options)
+  local case = sweep.find(cases, options.case)
+  local folder = output.case_folder(options.out, case)
+  engine.remove(output.result_file(options.out, case))
+  local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
+  local result = engine.run(study.scene(case.p), settings, progress_teller())
+  if result.verdict == "finished" then
+    result.results = case_module.compute(study, case_module.new(case.id, case.p, folder))
+  end
+  result.case, result.parameters = case.id, output.plain(case.p)
+  result.fingerprint = output.fingerprinter(study)(case)
+  output.write_result(options.out, case, result)
+  tell { ended = result }
+  return result.verdict == "finished" and 0 or 1
+end
+
+return function(options)
+  engine.follow_parent()
+  local held, value = engine.call(run, options)
+  if held then
+    return value
+  end
+  tell { fault = tostring(value) .. (value.trace or "") }
+  error(value, 0)
+end

@@ -1,0 +1,122 @@
+-- stiction help: everything a scene can hold, from the engine's own descriptions; and how a study is written.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local pages = require "stiction.cli.pages"
+local report = require "stiction.report"
+
+local function find(list, name)
+  for _, entry in ipairs(list) do
+    if entry.name == name then
+      return entry
+    end
+  end
+end
+
+local function show_parameter(parameter)
+  local words = { parameter.name }
+  if parameter.kind == "nested" then
+    words[2] = ("a %s"):format(parameter.unit)
+  elseif parameter.kind == "choice" then
+    words[2] = "one of " .. table.concat(parameter.choices, ", ")
+  elseif parameter.kind == "number" or parameter.kind == "integer" then
+    words[2] = parameter.range .. (parameter.kind == "integer" and ", whole" or "")
+  elseif parameter.kind == "numbers" then
+    words[2] = "list of numbers" .. (parameter.unit ~= "1" and " in " .. parameter.unit or "")
+  else
+    words[2] = parameter.kind
+  end
+  words[3] = parameter.required and "required" or parameter.default and "default " .. parameter.default or "optional"
+  report.line("    %s: %s; %s", words[1], words[2], words[3])
+  report.line("%s", report.wrapped(parameter.meaning, "        "))
+end
+
+local function show_kind(category, kind)
+  local call = kind.name == category.name and #category.kinds == 1 and kind.name or category.name .. "." .. kind.name
+  report.line("%s{ ... }", call)
+  report.line("%s", report.wrapped(kind.meaning, "    "))
+  if kind.source ~= "" then
+    report.line("%s", report.wrapped("Source: " .. kind.source, "    "))
+  end
+  for _, parameter in ipairs(kind.parameters) do
+    show_parameter(parameter)
+  end
+end
+
+local function show_category(category)
+  report.line("%s: %s", category.name, category.meaning)
+  for _, kind in ipairs(category.kinds) do
+    report.line()
+    show_kind(category, kind)
+  end
+end
+
+local function show_units()
+  local rows = { { "unit", "in SI", "" } }
+  for _, word in ipairs(engine.unit_words()) do
+    local factor, metre, kilogram, second = engine.parse_unit(word)
+    rows[#rows + 1] = { word, ("%g"):format(factor), engine.dimension_text(metre, kilogram, second) }
+  end
+  report.line("%s", pages.units)
+  report.table(rows)
+end
+
+local function show_overview(catalog)
+  report.line("%s\nParts of a scene:", pages.overview)
+  for _, category in ipairs(catalog) do
+    local kinds = {}
+    for i, kind in ipairs(category.kinds) do
+      kinds[i] = kind.name
+    end
+    local alone = #kinds == 1 and kinds[1] == category.name
+    report.line("  %s: %s%s", category.name, category.meaning, alone and "" or " (" .. table.concat(kinds, ", ") .. ")")
+  end
+end
+
+--- Shows every kind called `topic`; false if there is none.
+local function show_kinds(catalog, topic)
+  local found = false
+  for _, category in ipairs(catalog) do
+    local kind = find(category.kinds, topic)
+    if kind then
+      show_kind(category, kind)
+      found = true
+    end
+  end
+  return found
+end
+
+local function known_topics(catalog)
+  local topics = { "units", "study", "commands" }
+  for _, category in ipairs(catalog) do
+    topics[#topics + 1] = category.name
+    for _, kind in ipairs(category.kinds) do
+      topics[#topics + 1] = kind.name
+    end
+  end
+  return topics
+end
+
+--- "materials" and "bodies" mean material and body.
+local function singular(topic)
+  return (topic:gsub("ies$", "y"):gsub("s$", ""))
+end
+
+return function(options)
+  local catalog, topic = engine.catalog(), options.topic
+  topic = topic and (topic:match("^[%w_]+%.([%w_]+)$") or topic)
+  if not topic then
+    show_overview(catalog)
+  elseif topic == "units" then
+    show_units()
+  elseif pages[topic] then
+    report.line("%s", pages[topic])
+  else
+    local category = find(catalog, topic) or find(catalog, singular(topic))
+    if category then
+      show_category(category)
+    elseif not show_kinds(catalog, topic) then
+      fault.input("there is no help on '%s'%s", options.topic, fault.meant(topic, known_topics(catalog)))
+    end
+  end
+  return 0
+end

@@ -1,0 +1,64 @@
+-- Help pages that no schema can tell.
+local pages = {}
+
+pages.overview = [[
+stiction run STUDY        run a study's cases, checks and figures
+stiction help TOPIC       topics: commands, study, units, any part below or any of its kinds
+]]
+
+pages.commands = [[
+run STUDY      run the cases of a study, check them, draw its figures
+figures STUDY  draw the figures again from the output
+explain STUDY  what a study asks, assumes and runs
+solve FILE     solve a saved contact problem again, with any solver
+bench [STUDY]  time one case, phase by phase
+help [TOPIC]   this help
+test [--all]   build and run the tests
+
+STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.
+Exit codes: 0 all held; 1 a case failed, a check did not hold, or the run was stopped; 2 bad input.
+Output of run, below out/<study> or --out DIR: summary.csv, checks.json, figures.json, figures/, and a
+folder per case with series.h5, fields.pvd, manifest.json, result.json.]]
+
+pages.units = [[
+local units = stiction.units; local mm, ms = units.mm, units.ms
+5*mm, 20*units.J/units.m^2 and 20*units("J/m^2") are quantities: arithmetic checks their dimensions, a
+quotient of like quantities is a plain number. q:to("mm") gives the plain number, q:abs() the magnitude.
+]]
+
+pages.study = [[
+local stiction = require "stiction"
+local mm, s = stiction.units.mm, stiction.units.s
+
+return stiction.study {
+  title = "What it is", question = "What it asks",
+  given = { radius = 5*mm },                          -- stated by the source
+  chosen = { step = {0.01*s, "halving it changes nothing"} },   -- ours, each with its reason
+  sweep = { mu = {0, 0.2} },                          -- all combinations; or {{"v", {...}}, {"mu", {...}}} to fix
+                                                      -- the order; or a list of cases {{mu = 0}, {mu = 0.2}}
+  case_id = function(p) return "..." end,             -- optional; else like mu0.2
+  scene = function(p) return stiction.scene{ ... } end,         -- p: all values above by name
+  results = {                                         -- by name, or a list of {name = ..., ...} to fix the order
+    peak = { unit = "Pa", meaning = "Largest pressure",
+      function(run, p) return run:max("crown", "pressure") end },
+  },
+  quick = { sweep = {mu = {0}}, set = {step = 0.1*s} },         -- what --quick changes
+  check = function(cases, check)
+    check.close("peak at mu 0", cases:find{mu = 0}.results.peak, 30e3, 0.02)
+  end,
+  figures = function(cases) return { stiction.figure.lines{ ... } } end,
+}
+
+run:  id, p, time (list, s); series(group, name, component) -> list, unit; max(group, name) and min -> value,
+      time; at(time, group, name). All numbers SI. stiction.numeric: max, min, extreme, argmax, argmin,
+      interpolate(xs, ys, x), first_where(list, test, start), integral(xs, ys), map(list, f).
+cases: a list; cases:find{mu = 0} (nil if absent), cases:where{...}, cases:values("peak"), cases.quick;
+      each case is a run with results by name.
+check: equal(name, value, expected, tolerance), close(name, value, expected, relative), within(name, value,
+      low, high), holds(name, flag), non_decreasing(name, list, tolerance), non_increasing, increasing(name, list).
+figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, legend, curves = {{label, case or
+      file, x, y = "group/name" or list, x_shift, y_shift, y_sign, component, colour, style}}, marks = {{x, label}}},
+      field{name, case, time, array, unit, label, deformed, range, window, window_unit, mesh, scale_bar},
+      panel{name, columns, figures}. Plain numbers are SI; quantities may stand wherever numbers have units.]]
+
+return pages

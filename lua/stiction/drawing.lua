@@ -1,0 +1,38 @@
+-- Hands a study's figures to the figure program.
+local engine = require "stiction.engine"
+local figure = require "stiction.figure"
+local jobs = require "stiction.jobs"
+local report = require "stiction.report"
+
+local drawing = {}
+
+--- The figure program: beside this one when installed, in its build folder otherwise.
+local function find_program()
+  local folder = engine.program():match("^(.*)/[^/]+$")
+  for _, path in ipairs { folder .. "/stiction-figures", folder .. "/../../postproc/stiction-figures" } do
+    if engine.kind_of_path(path) == "file" then
+      return path
+    end
+  end
+end
+
+--- Writes figures.json and draws into figures/; false if the figure program failed.
+function drawing.draw(study, cases, folder)
+  if not study.figures then
+    return true
+  end
+  local spec = folder .. "/figures.json"
+  engine.write_file(spec, engine.encode_json(figure.spec(study, cases), 2) .. "\n")
+  local program = find_program()
+  if not program then
+    report.line("figures: not drawn, the figure program was not built; %s says what they show", spec)
+    return true
+  end
+  local code, text = jobs.program { program, spec, "--out", folder .. "/figures" }
+  if code ~= 0 then
+    engine.complain(("stiction: the figure program failed (exit code %d):\n%s\n"):format(code, text))
+  end
+  return code == 0
+end
+
+return drawing

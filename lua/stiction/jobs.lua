@@ -1,0 +1,146 @@
+-- Cases as child processes of this program, several at a time.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local progress = require "stiction.progress"
+
+local jobs = {}
+
+local patience = 15 -- s that a child told to stop may take to close its files
+
+--- Command line of the child that runs one case.
+local function words_for(case, options)
+  local words = { engine.program(), "case", options.study, "--case", case.id, "--out", options.folder }
+  if options.quick then
+    words[#words + 1] = "--quick"
+  end
+  if options.trust then
+    words[#words + 1] = "--trust"
+  end
+  for _, setting in ipairs(options.set or {}) do
+    words[#words + 1] = "--set"
+    words[#words + 1] = setting
+  end
+  return words
+end
+
+local function start(pool, case)
+  local process = engine.spawn(words_for(case, pool.options), { "OPENBLAS_NUM_THREADS=1" })
+  pool.running[#pool.running + 1] = { case = case, process = process, text = "", noted = engine.clock() }
+end
+
+local function read_message(job, line)
+  local message = engine.decode_json(line) or {}
+  job.progress = message.progress or job.progress
+  job.ended = message.ended or job.ended
+  job.fault = message.fault or job.fault
+end
+
+--- Hands complete lines of what the script printed on.
+local function show_text(pool, job, text)
+  job.text = job.text .. text
+  for line in job.text:gmatch("([^\n]*)\n") do
+    pool.display:note(job.case.id .. ": " .. line)
+  end
+  job.text = job.text:match("[^\n]*$")
+end
+
+local function outcome(job, code)
+  if job.fault then
+    return { verdict = "bad input", reason = job.fault, bad_input = code == 2 }
+  elseif job.ended then
+    return job.ended
+  end
+  local how = code > 128 and ("by signal %d"):format(code - 128) or ("with exit code %d"):format(code)
+  return { verdict = "crashed", reason = ("its process ended %s%s"):format(how, job.text ~= "" and ": " .. job.text or "") }
+end
+
+--- Reads news of every running job; jobs that have ended leave the list.
+local function gather(pool, on_end)
+  local still = {}
+  for _, job in ipairs(pool.running) do
+    local lines, text, code = engine.collect(job.process)
+    for _, line in ipairs(lines) do
+      read_message(job, line)
+    end
+    show_text(pool, job, text)
+    if code then
+      on_end(job.case, outcome(job, code))
+    else
+      still[#still + 1] = job
+    end
+  end
+  pool.running = still
+end
+
+local function await(pool)
+  local processes = {}
+  for i, job in ipairs(pool.running) do
+    processes[i] = job.process
+  end
+  engine.await(processes, 0.2)
+end
+
+local function stop_all(pool, on_end)
+  for _, job in ipairs(pool.running) do
+    engine.terminate(job.process)
+  end
+  local deadline = engine.clock() + patience
+  while #pool.running > 0 and engine.clock() < deadline do
+    await(pool)
+    gather(pool, on_end)
+  end
+  for _, job in ipairs(pool.running) do
+    engine.kill(job.process)
+    on_end(job.case, { verdict = "stopped", reason = "it did not end in time" })
+  end
+  pool.running = {}
+end
+
+--- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
+--- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress).
+function jobs.run(cases, options, on_end)
+  local pool = { options = options, running = {}, display = progress.display(options.quiet) }
+  local next_case, bad = 1, false
+  local function ended(case, result)
+    bad = bad or result.bad_input
+    pool.display:note(("%s  %s%s"):format(case.id, result.verdict,
+      result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""))
+    on_end(case, result)
+  end
+  while (next_case <= #cases and not bad) or #pool.running > 0 do
+    while next_case <= #cases and #pool.running < options.jobs and not bad do
+      if not pool.display.width then
+        pool.display:note(("%s  started (%d of %d)"):format(cases[next_case].id, next_case, #cases))
+      end
+      start(pool, cases[next_case])
+      next_case = next_case + 1
+    end
+    await(pool)
+    if engine.stopped() then
+      stop_all(pool, ended)
+      pool.display:finish()
+      return "stopped"
+    end
+    gather(pool, ended)
+    pool.display:update(pool.running)
+  end
+  pool.display:finish()
+end
+
+--- Runs a program to its end and returns its exit code and what it printed.
+function jobs.program(words)
+  local process, printed = engine.spawn(words, {}), {}
+  while true do
+    engine.await({ process }, 0.2)
+    local _, text, code = engine.collect(process)
+    printed[#printed + 1] = text
+    if code then
+      return code, table.concat(printed)
+    elseif engine.stopped() then
+      engine.terminate(process)
+      fault.run("stopped by the user")
+    end
+  end
+end
+
+return jobs

@@ -1,0 +1,92 @@
+-- Small tools on histories: lists of numbers over a list of times.
+local fault = require "stiction.fault"
+
+local numeric = {}
+
+local function best(values, better)
+  if #values == 0 then
+    fault.script("this list is empty: it has no largest or smallest element")
+  end
+  local at = 1
+  for i = 2, #values do
+    if better(values[i], values[at]) then
+      at = i
+    end
+  end
+  return values[at], at
+end
+
+--- Largest value and its position (the first of equals).
+function numeric.max(values)
+  return best(values, function(a, b) return a > b end)
+end
+
+--- Smallest value and its position.
+function numeric.min(values)
+  return best(values, function(a, b) return a < b end)
+end
+
+--- Value of largest magnitude, with its sign, and its position.
+function numeric.extreme(values)
+  return best(values, function(a, b) return math.abs(a) > math.abs(b) end)
+end
+
+function numeric.argmax(values)
+  return select(2, numeric.max(values))
+end
+
+function numeric.argmin(values)
+  return select(2, numeric.min(values))
+end
+
+--- Piecewise linear y(x), xs ascending; held constant outside.
+function numeric.interpolate(xs, ys, x)
+  if #xs == 0 or #xs ~= #ys then
+    fault.script("interpolate needs two lists of one length, not %d and %d", #xs, #ys)
+  end
+  if x <= xs[1] then
+    return ys[1]
+  end
+  local low, high = 1, #xs
+  if x >= xs[high] then
+    return ys[high]
+  end
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if xs[middle] <= x then
+      low = middle
+    else
+      high = middle
+    end
+  end
+  return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
+end
+
+--- First position whose value satisfies the test, from `start` on (default 1); nil if none does.
+function numeric.first_where(values, test, start)
+  for i = start or 1, #values do
+    if test(values[i]) then
+      return i
+    end
+  end
+end
+
+--- Integral of y over x by trapezia.
+function numeric.integral(xs, ys)
+  local sum = 0
+  for i = 2, #xs do
+    sum = sum + 0.5 * (ys[i] + ys[i - 1]) * (xs[i] - xs[i - 1])
+  end
+  return sum
+end
+
+--- test(a[i]) for every element, as a new list.
+function numeric.map(values, f)
+  local list = {}
+  for i, value in ipairs(values) do
+    list[i] = f(value)
+  end
+  return list
+end
+
+return numeric

@@ -1,0 +1,118 @@
+-- A study's output folder: case folders with their finished mark, the summary, the checks.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local loader = require "stiction.loader"
+local ordered = require "stiction.ordered"
+local units = require "stiction.units"
+
+local output = {}
+
+--- Default folder, or the one asked for.
+function output.folder(study, options)
+  return options.out or "out/" .. study.name
+end
+
+function output.case_folder(folder, case)
+  return folder .. "/" .. case.id
+end
+
+--- Makes the folder; bad input if that fails or nothing can be written there.
+function output.prepare(folder)
+  local made, reason = engine.make_folder(folder)
+  if not made then
+    fault.input("%s; choose another folder with --out", reason)
+  end
+end
+
+local function hash_of_files(files)
+  local hashes = {}
+  for i, file in ipairs(files) do
+    hashes[i] = engine.hash(engine.read_file(file) or "")
+  end
+  return engine.hash(table.concat(hashes, " "))
+end
+
+--- Parameters as plain values for JSON: SI numbers with their dimension.
+function output.plain(parameters)
+  local plain = setmetatable({}, { json = "object" })
+  for _, name in ipairs(ordered.keys(parameters)) do
+    local value = parameters[name]
+    if units.is_quantity(value) then
+      plain[name] = { value = value.si, unit = engine.dimension_text(value.metre, value.kilogram, value.second) }
+    else
+      plain[name] = value
+    end
+  end
+  return plain
+end
+
+--- Function giving the fingerprint of a case: of the study's files, the library, the program, the parameters.
+function output.fingerprinter(study)
+  local library = engine.list(engine.library_root() .. "/stiction", true)
+  local fixed = hash_of_files(loader.contents(study.source)) .. hash_of_files(library)
+    .. hash_of_files { engine.program() }
+  return function(case)
+    return engine.hash(fixed .. case.id .. engine.encode_json(output.plain(case.p)))
+  end
+end
+
+function output.result_file(folder, case)
+  return output.case_folder(folder, case) .. "/result.json"
+end
+
+--- What a case left behind, nil if it never ended.
+function output.read_result(folder, case)
+  local text = engine.read_file(output.result_file(folder, case))
+  return text and engine.decode_json(text)
+end
+
+function output.write_result(folder, case, result)
+  engine.write_file(output.result_file(folder, case), engine.encode_json(result, 2) .. "\n")
+end
+
+--- True if the case ended well with this fingerprint.
+function output.is_done(result, fingerprint)
+  return result ~= nil and result.verdict == "finished" and result.fingerprint == fingerprint
+end
+
+local function csv_word(value)
+  value = units.si(value)
+  if type(value) == "number" then
+    return math.type(value) == "integer" and tostring(value) or engine.number_text(value)
+  end
+  local text = value == nil and "" or tostring(value)
+  return text:find('[,"\n]') and '"' .. text:gsub('"', '""') .. '"' or text
+end
+
+--- summary.csv: one row per case with a result; SI.
+function output.write_summary(folder, study, names, rows)
+  local head = { "case" }
+  for _, name in ipairs(names) do
+    head[#head + 1] = name
+  end
+  for _, entry in ipairs(study.results) do
+    head[#head + 1] = entry.name
+  end
+  table.move({ "verdict", "steps", "iterations", "seconds" }, 1, 4, #head + 1, head)
+  local lines = { table.concat(head, ",") }
+  for _, row in ipairs(rows) do
+    local words = { row.case.id }
+    for _, name in ipairs(names) do
+      words[#words + 1] = csv_word(row.case.p[name])
+    end
+    for _, entry in ipairs(study.results) do
+      words[#words + 1] = csv_word((row.result.results or {})[entry.name])
+    end
+    for _, field in ipairs { "verdict", "steps", "iterations", "seconds" } do
+      words[#words + 1] = csv_word(row.result[field])
+    end
+    lines[#lines + 1] = table.concat(words, ",")
+  end
+  engine.write_file(folder .. "/summary.csv", table.concat(lines, "\n") .. "\n")
+end
+
+function output.write_checks(folder, checks)
+  engine.write_file(folder .. "/checks.json", engine.encode_json(checks, 2) .. "\n")
+end
+
+return output

@@ -1,0 +1,142 @@
+-- The study table a script returns: its keys checked, its parameters gathered.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local loader = require "stiction.loader"
+local ordered = require "stiction.ordered"
+local units = require "stiction.units"
+
+local study = {}
+
+local keys = {
+  title = "string", question = "string", given = "table", chosen = "table", sweep = "table", case_id = "function",
+  scene = "function", results = "table", quick = "table", check = "function", figures = "function",
+}
+local needed = { "title", "scene" }
+
+local function names_of(t)
+  return ordered.keys(t)
+end
+
+local function check_keys(t)
+  for _, key in ipairs(names_of(t)) do
+    local want = keys[key]
+    if not want then
+      fault.script("study: unknown key '%s'%s; keys: %s", tostring(key), fault.meant(key, names_of(keys)),
+        table.concat(names_of(keys), ", "))
+    elseif type(t[key]) ~= want then
+      fault.script("study.%s must be a %s, not a %s", key, want, type(t[key]))
+    end
+  end
+  for _, key in ipairs(needed) do
+    if t[key] == nil then
+      fault.script("study.%s is missing", key)
+    end
+  end
+end
+
+--- A parameter is a number, a quantity, a text or a flag.
+function study.is_value(x)
+  local kind = type(x)
+  return kind == "number" or kind == "string" or kind == "boolean" or units.is_quantity(x)
+end
+
+--- {name = {value =, note =}} of `given` (a note is welcome) or `chosen` (it must be there).
+local function read_parameters(t, section, need_note)
+  local parameters = {}
+  for _, name in ipairs(names_of(t or {})) do
+    local entry = t[name]
+    local value, note = entry, nil
+    if type(entry) == "table" and not units.is_quantity(entry) then
+      value, note = entry[1], entry[2]
+    end
+    if not study.is_value(value) then
+      fault.script("study.%s.%s must be a number, a quantity, a text or a flag", section, tostring(name))
+    elseif need_note and (type(note) ~= "string" or note == "") then
+      fault.script("study.chosen.%s needs its reason: %s = {%s, \"why\"}", name, name, tostring(value))
+    end
+    parameters[name] = { value = value, note = note }
+  end
+  return parameters
+end
+
+local function read_result(name, entry)
+  local body = type(entry) == "table" and (entry.value or entry[1])
+  if type(body) ~= "function" then
+    fault.script("study.results.%s must be { unit = ..., meaning = ..., function(run, p) ... end }", tostring(name))
+  end
+  local unit = entry.unit or "1"
+  if not engine.parse_unit(unit) then
+    fault.script("study.results.%s: unknown unit '%s'", name, unit)
+  end
+  return { name = name, unit = unit, meaning = entry.meaning or "", compute = body }
+end
+
+--- Results in the order listed, or by name when they are given by name.
+local function read_results(t)
+  local results = {}
+  for _, key in ipairs(names_of(t or {})) do
+    local entry = t[key]
+    results[#results + 1] = read_result(type(key) == "number" and entry.name or key, entry)
+  end
+  return results
+end
+
+--- An axis per swept name, or one list of explicit cases: {axes =} or {cases =}.
+function study.read_sweep(t)
+  local sweep = { axes = {} }
+  local first = t[1]
+  if first and type(first) == "table" and type(first[1]) ~= "string" then
+    return { cases = t }
+  end
+  for _, key in ipairs(names_of(t)) do
+    local name, values = key, t[key]
+    if type(key) == "number" then
+      name, values = values[1], values[2]
+    end
+    if type(values) ~= "table" or units.is_quantity(values) or #values == 0 then
+      fault.script("study.sweep.%s must be a list of values", tostring(name))
+    end
+    sweep.axes[#sweep.axes + 1] = { name = name, values = values }
+  end
+  return sweep
+end
+
+local function check_distinct(given, chosen)
+  for name in pairs(given) do
+    if chosen[name] then
+      fault.script("'%s' stands in both given and chosen", name)
+    end
+  end
+end
+
+local study_mark = {}
+
+--- stiction.study{ ... }
+function study.define(t)
+  if type(t) ~= "table" then
+    fault.script("study takes one table: study{ ... }")
+  end
+  check_keys(t)
+  local given = read_parameters(t.given, "given", false)
+  local chosen = read_parameters(t.chosen, "chosen", true)
+  check_distinct(given, chosen)
+  return setmetatable({
+    title = t.title, question = t.question or "", given = given, chosen = chosen,
+    sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene,
+    results = read_results(t.results), check = t.check, figures = t.figures,
+  }, study_mark)
+end
+
+--- Loads the study at `path`; it knows its source and its name for output folders.
+function study.load(path, trust)
+  local value, source = loader.load(path, trust)
+  if getmetatable(value) ~= study_mark then
+    fault.input("%s must end with: return stiction.study{ ... }", source.name)
+  end
+  value.source = source
+  local whole = source.whole and source.folder or source.file:gsub("%.lua$", "")
+  value.name = whole:match(".*/studies/(.+)$") or whole:match("[^/]+$")
+  return value
+end
+
+return study

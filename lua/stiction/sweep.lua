@@ -1,0 +1,249 @@
+-- The cases of a study: its sweep, its quick form and what the command line sets, multiplied out.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local ordered = require "stiction.ordered"
+local study_module = require "stiction.study"
+local units = require "stiction.units"
+
+local sweep = {}
+
+local function copy(t)
+  local twin = {}
+  for key, value in pairs(t) do
+    twin[key] = value
+  end
+  return twin
+end
+
+--- Explicit cases, the first axis varying slowest.
+local function multiply(axes)
+  local cases = { {} }
+  for _, axis in ipairs(axes) do
+    local longer = {}
+    for _, case in ipairs(cases) do
+      for _, value in ipairs(axis.values) do
+        local extended = copy(case)
+        extended[axis.name] = value
+        longer[#longer + 1] = extended
+      end
+    end
+    cases = longer
+  end
+  return cases
+end
+
+local function axis_names(plan)
+  local names = {}
+  if plan.axes then
+    for i, axis in ipairs(plan.axes) do
+      names[i] = axis.name
+    end
+    return names
+  end
+  return ordered.keys(plan.cases[1] or {})
+end
+
+local function base_values(study)
+  local values = {}
+  for _, section in ipairs { study.given, study.chosen } do
+    for name, entry in pairs(section) do
+      values[name] = entry.value
+    end
+  end
+  return values
+end
+
+--- The value now standing under `name`, for the check of what replaces it.
+local function standing(plan, values, name)
+  if values[name] ~= nil then
+    return values[name]
+  end
+  return (plan.cases or multiply(plan.axes))[1][name]
+end
+
+local function fits(old, new)
+  if units.is_quantity(old) or units.is_quantity(new) then
+    return units.same_dimension(old, new)
+  end
+  return type(old) == type(new)
+end
+
+--- Replaces one value everywhere; an axis of that name shrinks to it.
+local function replace(plan, values, name, value)
+  if values[name] ~= nil then
+    values[name] = value
+  end
+  for _, axis in ipairs(plan.axes or {}) do
+    if axis.name == name then
+      axis.values = { value }
+    end
+  end
+  for _, case in ipairs(plan.cases or {}) do
+    if case[name] ~= nil then
+      case[name] = value
+    end
+  end
+end
+
+local function known_names(plan, values)
+  local names = ordered.keys(values)
+  for _, name in ipairs(axis_names(plan)) do
+    names[#names + 1] = name
+  end
+  return names
+end
+
+local function set(plan, values, name, value, blame)
+  local old = standing(plan, values, name)
+  if old == nil then
+    fault.input("%s: the study has no parameter '%s'%s; parameters: %s", blame, name,
+      fault.meant(name, known_names(plan, values)), table.concat(known_names(plan, values), ", "))
+  elseif not fits(old, value) then
+    fault.input("%s: '%s' is %s, but the study has %s there; write it like %s", blame, name, tostring(value),
+      tostring(old), tostring(old))
+  end
+  replace(plan, values, name, value)
+end
+
+--- "5 mm", "0.4", "true" or a word, as what stands there now.
+local function parse_value(text, old)
+  local number, unit = text:match("^%s*([-+]?[%d.]+[eE]?[-+]?%d*)%s*(.-)%s*$")
+  if type(old) == "boolean" and (text == "true" or text == "false") then
+    return text == "true"
+  elseif type(old) == "string" or not tonumber(number) then
+    return text
+  elseif unit == "" then
+    return tonumber(number)
+  elseif not engine.parse_unit(unit) then
+    fault.input("--set: unknown unit '%s'%s", unit, fault.meant(unit, engine.unit_words()))
+  end
+  return tonumber(number) * units.units(unit)
+end
+
+local function apply_settings(plan, values, settings)
+  for _, setting in ipairs(settings) do
+    local name, text = setting:match("^%s*([%w_]+)%s*=%s*(.+)$")
+    if not name then
+      fault.input("--set %s: write NAME=VALUE, e.g. --set 'radius=5 mm'", setting)
+    end
+    set(plan, values, name, parse_value(text, standing(plan, values, name)), "--set " .. setting)
+  end
+end
+
+local function apply_quick(plan, values, quick)
+  for _, key in ipairs(ordered.keys(quick)) do
+    if key ~= "sweep" and key ~= "set" then
+      fault.input("study.quick: unknown key '%s'; it has sweep and set", tostring(key))
+    end
+  end
+  local replacement = study_module.read_sweep(quick.sweep or {})
+  if replacement.cases then
+    plan.axes, plan.cases = nil, replacement.cases
+  end
+  for _, axis in ipairs(replacement.axes or {}) do
+    set(plan, values, axis.name, axis.values[1], "study.quick.sweep")
+    for _, own in ipairs(plan.axes or {}) do
+      own.values = own.name == axis.name and axis.values or own.values
+    end
+  end
+  for _, name in ipairs(ordered.keys(quick.set or {})) do
+    set(plan, values, name, quick.set[name], "study.quick.set")
+  end
+end
+
+--- "1000" of 1000*mm/s, in the unit of `first`.
+local function value_text(value, first)
+  local text = tostring(value)
+  if units.is_quantity(value) then
+    local shown = first:display()
+    text = ("%.10g"):format(shown ~= 0 and value.si / first.si * shown or value:display())
+  elseif type(value) == "number" then
+    text = ("%.10g"):format(value)
+  end
+  return (text:gsub("[^%w._+-]", "_"))
+end
+
+local function default_id(names, case, first)
+  local words = {}
+  for i, name in ipairs(names) do
+    words[i] = name .. value_text(case[name], first[name])
+  end
+  return #words > 0 and table.concat(words, "_") or "case"
+end
+
+local strict = {
+  __index = function(p, name)
+    fault.script("there is no parameter '%s'%s; parameters: %s", tostring(name), fault.meant(name, ordered.keys(p)),
+      table.concat(ordered.keys(p), ", "))
+  end,
+}
+
+local function check_case(names, case, values)
+  for _, name in ipairs(names) do
+    if not study_module.is_value(case[name]) then
+      fault.input("study.sweep: every case must give '%s' a number, a quantity, a text or a flag", name)
+    elseif values[name] ~= nil then
+      fault.input("'%s' is swept, but stands in given or chosen as well", name)
+    end
+  end
+end
+
+local function make_case(study, names, swept, first, values)
+  check_case(names, swept, values)
+  local p = copy(values)
+  for _, name in ipairs(names) do
+    p[name] = swept[name]
+  end
+  setmetatable(p, strict)
+  local id = study.case_id and study.case_id(p) or default_id(names, swept, first)
+  if type(id) ~= "string" or not id:find("^[%w._+-]+$") or id:find("^%.") then
+    fault.input("study.case_id gave '%s': a case's name is a folder's name of letters, digits and . _ + -", tostring(id))
+  end
+  return { id = id, p = p }
+end
+
+local function copy_plan(plan)
+  local twin = {}
+  for part, list in pairs(plan) do
+    twin[part] = {}
+    for i, entry in ipairs(list) do
+      twin[part][i] = copy(entry)
+    end
+  end
+  return twin
+end
+
+--- The cases of `study` under options {quick =, set =}: list of {id =, p =}, and the names that are swept.
+function sweep.cases(study, options)
+  local plan, values = copy_plan(study.sweep), base_values(study)
+  if options.quick then
+    apply_quick(plan, values, study.quick)
+  end
+  apply_settings(plan, values, options.set or {})
+  local names, swept = axis_names(plan), plan.cases or multiply(plan.axes)
+  local cases, seen = {}, {}
+  for _, entry in ipairs(swept) do
+    local case = make_case(study, names, entry, swept[1], values)
+    if not seen[case.id] then
+      cases[#cases + 1] = case
+    elseif not plan.cases then
+      fault.input("two cases of the sweep are called '%s'; give the study a case_id(p)", case.id)
+    end
+    seen[case.id] = true
+  end
+  return cases, names
+end
+
+--- The case called `id`, or bad input.
+function sweep.find(cases, id)
+  local ids = {}
+  for i, case in ipairs(cases) do
+    if case.id == id then
+      return case
+    end
+    ids[i] = case.id
+  end
+  fault.input("there is no case '%s'%s; --list shows the cases", id, fault.meant(id, ids))
+end
+
+return sweep
