@@ -10,6 +10,8 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkExtractEdges.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -92,6 +94,22 @@ double value_at(vtkDataArray& array, vtkIdType row, std::optional<int> component
   return std::sqrt(sum);
 }
 
+/// What turns the array's values into the unit of the figure. An array that names no unit is taken as SI.
+double factor_of(vtkDataArray& array, FieldSpec const& spec, std::string const& where) {
+  auto const* word =
+      array.HasInformation() ? array.GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
+  if (word == nullptr)
+    return 1 / spec.unit.si.value;
+  auto const unit = core::parse_unit(word);
+  if (!unit)
+    throw core::RunError(fmt::format("{}: its unit \"{}\" is not known", where, word));
+  if (unit->dimension != spec.unit.si.dimension)
+    throw core::InputError(fmt::format("{} is in {} [{}], but the figure wants {} [{}]", where, word,
+                                       core::to_string(unit->dimension), spec.unit.word,
+                                       core::to_string(spec.unit.si.dimension)));
+  return unit->value / spec.unit.si.value;
+}
+
 /// Adds the array "shown"; says whether it belongs to cells.
 bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const& file) {
   auto* array = grid.GetPointData()->GetArray(spec.array.c_str());
@@ -104,10 +122,11 @@ bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const&
   if (spec.component && *spec.component >= array->GetNumberOfComponents())
     throw core::InputError(fmt::format("{}: component {} is asked for, but it has {}", where, *spec.component,
                                        array->GetNumberOfComponents()));
+  double const factor = factor_of(*array, spec, where);
   vtkNew<vtkDoubleArray> shown;
   shown->SetName("shown");
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
-    double const value = value_at(*array, i, spec.component) / spec.unit.si.value;
+    double const value = factor * value_at(*array, i, spec.component);
     if (!std::isfinite(value))
       throw core::RunError(
           fmt::format("{}: value {} is {}; only finite numbers can be drawn", where, i, value));

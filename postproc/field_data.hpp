@@ -16,7 +16,7 @@ struct FieldData {
 };
 
 /// Throws core::RunError when file, step or array is missing, empty, or not finite;
-/// core::InputError when the array has no such component.
+/// core::InputError when the array has no such component or another dimension than the unit wanted.
 [[nodiscard]] FieldData load_field(FieldSpec const& spec);
 
 } // namespace stiction::postproc

@@ -16,7 +16,7 @@ Picture draw_panel(FigureSpec const& figure, PanelSpec const& panel) {
   std::vector<Picture> parts;
   for (auto part : panel.figures) {
     part.width = width;
-    part.letter = "(" + std::string(1, static_cast<char>('a' + parts.size() % 26)) + ")";
+    part.letter = std::string{'(', static_cast<char>('a' + parts.size() % 26), ')'};
     parts.push_back(draw(part));
   }
   return tile(parts, panel.columns, gap);

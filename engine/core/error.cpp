@@ -8,8 +8,11 @@ namespace stiction::core {
 namespace {
 std::string join(Complaints const& complaints) {
   std::string text;
-  for (auto const& complaint : complaints)
-    text += (text.empty() ? "" : "\n") + complaint.message();
+  for (auto const& complaint : complaints) {
+    if (!text.empty())
+      text += '\n';
+    text += complaint.message();
+  }
   return text;
 }
 } // namespace

@@ -11,6 +11,8 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -68,6 +70,7 @@ void add_point_data(vtkUnstructuredGrid& grid, double descent) {
   displacement->SetName("displacement");
   displacement->SetNumberOfComponents(3);
   von_mises->SetName("von_mises");
+  von_mises->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "Pa");
   beta->SetName("beta");
   for (vtkIdType i = 0; i < grid.GetNumberOfPoints(); ++i) {
     double const *p = grid.GetPoint(i), x = p[0] * 1e3, y = p[1] * 1e3 - 5; // mm from the crown
@@ -88,6 +91,14 @@ void add_cell_data(vtkUnstructuredGrid& grid) {
   for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i)
     density->InsertNextValue(1000.0 + static_cast<double>(i % 7) * 10);
   grid.GetCellData()->AddArray(density);
+}
+
+void write(vtkUnstructuredGrid& grid, std::filesystem::path const& file) {
+  std::filesystem::create_directories(file.parent_path());
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(&grid);
+  writer->Write();
 }
 
 } // namespace
@@ -127,11 +138,24 @@ void write_grid(std::filesystem::path const& file, double descent) {
   grid->SetPoints(points);
   add_point_data(*grid, descent);
   add_cell_data(*grid);
-  std::filesystem::create_directories(file.parent_path());
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(grid);
-  writer->Write();
+  write(*grid, file);
+}
+
+void write_curved(std::filesystem::path const& file) {
+  constexpr double nodes[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, -0.5}, {1, 0.5}, {0.5, 1}, {0, 0.5}};
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> beta;
+  beta->SetName("beta");
+  for (auto const& node : nodes) {
+    points->InsertNextPoint(node[0], node[1], 0);
+    beta->InsertNextValue(1);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkIdType const cell[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  grid->InsertNextCell(VTK_QUADRATIC_QUAD, 8, cell);
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(beta);
+  write(*grid, file);
 }
 
 void write_steps(std::filesystem::path const& folder) {

@@ -13,6 +13,9 @@ void write_series(std::filesystem::path const& file, double mu);
 /// A block on a half-disc in quads, with point data displacement, von_mises, beta and cell data density.
 void write_grid(std::filesystem::path const& file, double descent);
 
+/// One quad8 of unit size (m) whose lower side bulges down by half; point data beta = 1.
+void write_curved(std::filesystem::path const& file);
+
 /// An index of two steps of write_grid, at 0 s and 1 ms: fields.pvd and fields/.
 void write_steps(std::filesystem::path const& folder);
 

@@ -200,6 +200,16 @@ TEST_CASE("cell data, a window and a fixed range") {
   CHECK(image.count({253, 231, 37}) > 5000);
 }
 
+TEST_CASE("second-order cells are drawn curved; a field of one value still has a colour") {
+  samples::write_curved(work / "curved.vtu");
+  auto const result = draw("curved", R"({"name":"it","kind":"field","file":"curved.vtu","array":"beta",
+    "range":[0,1],"window":[0,1,-0.5,0]})");
+  CHECK_MESSAGE(result.code == 0, result.messages);
+  Image const image(work / "curved/it.png"); // only the bulge: 2/3 of the window
+  CHECK(image.count({253, 231, 37}, {0.4, 0.6, 0.5, 0.9}) > 10000);
+  CHECK(image.count({253, 231, 37}, {0.02, 0.1, 0.3, 0.7}) == 0);
+}
+
 TEST_CASE("panels carry letters and all parts; pictures repeat bit by bit") {
   std::string const panel = R"({"name":"panel","kind":"panel","columns":2,"figures":[)" + beta_lines + "," +
                             von_mises + "," + beta_lines + "]}";
@@ -220,6 +230,10 @@ TEST_CASE("a wrong spec ends with 2 and says where") {
   CHECK(unit.messages.find("/crown/beta") != std::string::npos);
   CHECK(unit.messages.find("MPa") != std::string::npos);
   CHECK_FALSE(fs::exists(work / "unit/it.png"));
+  auto const field = draw("field_unit", R"({"name":"it","kind":"field","file":"case0/fields.pvd",
+    "array":"von_mises","unit":"mm"})");
+  CHECK(field.code == 2);
+  CHECK(field.messages.find("von_mises") != std::string::npos);
   auto const word = draw("word", simple_lines(R"("file":"case0/series.h5","y":"/crown/beta")", "furlong"));
   CHECK(word.code == 2);
   CHECK(word.messages.find("furlong") != std::string::npos);
