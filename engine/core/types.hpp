@@ -14,4 +14,9 @@ using Matrix3 = Eigen::Matrix3d;
 using Indices = std::vector<Index>;
 using Point = Eigen::Vector3d; ///< unused components are zero
 
+/// An index as the standard containers want it.
+[[nodiscard]] constexpr std::size_t ix(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
 } // namespace stiction

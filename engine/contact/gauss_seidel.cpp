@@ -1,0 +1,114 @@
+// Nonsmooth Gauss-Seidel and bi-potential Uzawa: the same sweeps, an exact or a single-projection point
+// update.
+#include <Eigen/LU>
+
+#include "contact/point_newton.hpp"
+#include "contact/solver.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+/// One projection (28) with the adhesion of the same point kept implicit by a Newton step on x.
+template<int D>
+Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free, Local<D> const& p,
+                       double rho) {
+  LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
+  Local<D> const x = free + W * p;
+  auto const state = evaluate<D>(problem, point, p, x, rho);
+  Local<D> const dry = state.dry - state.residual; // Proj(...)
+  if (problem.points[ix(point)].law < 0)
+    return dry;
+  // p' = dry + A rtilde(x'), x' = free + W p', linearised about x
+  LocalMatrix<D> const I = LocalMatrix<D>::Identity();
+  return (I - state.adhesion_by_x * W)
+      .fullPivLu()
+      .solve(dry + (p - state.dry) - state.adhesion_by_x * (W * p));
+}
+
+template<int D, class Update>
+Solution sweep(Problem const& problem, Vector const& guess, double tolerance, int iterations,
+               Update&& update) {
+  Solution solution;
+  solution.force = guess;
+  auto& p = solution.force;
+  Vector x = displacement(problem, p);
+  Vector rho(problem.size());
+  for (Index i = 0; i < problem.size(); ++i)
+    rho[i] = natural_scale(problem, i);
+  auto judged = [&] {
+    solution.verdict = judge(problem, p);
+    return solution.converged = solution.verdict.relative() <= tolerance;
+  };
+  int next_judgement = 1;
+  while (!judged() && solution.iterations < iterations) {
+    for (int k = 0; k < next_judgement && solution.iterations < iterations; ++k, ++solution.iterations)
+      for (Index i = 0; i < problem.size(); ++i) {
+        Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
+        Local<D> const free = here - problem.W.block<D, D>(D * i, D * i) * old;
+        Local<D> const change = update(i, free, old, rho[i]) - old;
+        if (change.isZero(0))
+          continue;
+        p.segment<D>(D * i) += change;
+        x.noalias() += problem.W.middleCols<D>(D * i) * change;
+      }
+    x = displacement(problem, p); // no drift
+    next_judgement = std::min(2 * next_judgement, 32);
+  }
+  return solution;
+}
+
+template<class Choice> class Sweeps : public Solver {
+public:
+  explicit Sweeps(Choice const& choice) : choice_(choice) {}
+  Solution solve(Problem const& problem, Vector const& guess) override {
+    return problem.dim == 2 ? run<2>(problem, guess) : run<3>(problem, guess);
+  }
+
+private:
+  template<int D> Solution run(Problem const& problem, Vector const& guess) const {
+    auto update = [&](Index i, Local<D> const& free, Local<D> const& p, double rho) {
+      if constexpr (std::is_same_v<Choice, BipotentialUzawa>)
+        return correct_point<D>(problem, i, free, p, choice_.relaxation * rho);
+      else
+        return solve_point<D>(problem, i, free, p, rho);
+    };
+    return sweep<D>(problem, guess, choice_.tolerance, choice_.iterations, update);
+  }
+  Choice choice_;
+};
+
+template<class Choice> core::Schema sweep_schema(core::Describe<Choice> start) {
+  return start
+      .number("tolerance", &Choice::tolerance, "1", {1e-15, 1, false, true}, core::Need::optional,
+              "natural-map residual over the largest traction")
+      .integer("iterations", &Choice::iterations, {1, 1e7, false, false}, core::Need::optional,
+               "sweeps at most")
+      .build();
+}
+
+} // namespace
+
+core::Schema const& BipotentialUzawa::schema() {
+  static auto const made =
+      sweep_schema(core::Describe<BipotentialUzawa>{
+          "uzawa", "bi-potential Uzawa: one cone projection per point and sweep", "(27)-(29)"}
+                       .number("relaxation", &BipotentialUzawa::relaxation, "1", {0, 2, true, true},
+                               core::Need::optional, "factor on rho = 1 / lambda_max(W of the point)"));
+  return made;
+}
+
+core::Schema const& GaussSeidel::schema() {
+  static auto const made = sweep_schema(
+      core::Describe<GaussSeidel>{"gauss_seidel", "nonsmooth Gauss-Seidel: each point exactly in turn", ""});
+  return made;
+}
+
+std::unique_ptr<Solver> BipotentialUzawa::make() const {
+  return std::make_unique<Sweeps<BipotentialUzawa>>(*this);
+}
+std::unique_ptr<Solver> GaussSeidel::make() const {
+  return std::make_unique<Sweeps<GaussSeidel>>(*this);
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,166 @@
+// Semismooth Newton on the natural map of the bi-potential, all points at once.
+#include <Eigen/LU>
+
+#include "contact/point_newton.hpp"
+#include "contact/solver.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+/// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
+template<int D> class NewtonRun {
+public:
+  NewtonRun(Problem const& problem, Vector const& guess) : problem_(problem), p_(guess) {
+    Index const n = problem.size();
+    rho_.resize(n);
+    for (Index i = 0; i < n; ++i)
+      rho_[i] = natural_scale(problem, i);
+    states_.resize(ix(n));
+    merit_ = evaluate_all(p_, x_);
+  }
+
+  /// One Newton step with a line search on the residual; false if no decrease was found.
+  bool step() {
+    assemble();
+    if (active_.empty())
+      return true;
+    Vector const step = matrix_.partialPivLu().solve(right_);
+    if (!step.allFinite())
+      return false;
+    Vector direction = Vector::Zero(p_.size());
+    for (std::size_t k = 0; k < active_.size(); ++k)
+      direction.segment<D>(D * active_[k]) = step.segment<D>(D * static_cast<Index>(k));
+    for (Index const i : idle_)
+      direction.segment<D>(D * i) = -p_.segment<D>(D * i);
+    double const before = merit_;
+    Vector const start = p_;
+    for (double length = 1; length > 0.05; length *= 0.5) {
+      p_ = start + length * direction;
+      merit_ = evaluate_all(p_, x_);
+      if (merit_ <= (1 - 1e-4 * length) * before)
+        return true;
+    }
+    p_ = start;
+    merit_ = evaluate_all(p_, x_);
+    return false;
+  }
+
+  void sweep(int times) {
+    for (int k = 0; k < times; ++k)
+      for (Index i = 0; i < problem_.size(); ++i) {
+        Local<D> const old = p_.segment<D>(D * i);
+        Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D, D>(D * i, D * i) * old;
+        Local<D> const change = solve_point<D>(problem_, i, free, old, rho_[i]) - old;
+        p_.segment<D>(D * i) += change;
+        x_.noalias() += problem_.W.middleCols<D>(D * i) * change;
+      }
+    merit_ = evaluate_all(p_, x_);
+  }
+  [[nodiscard]] Vector const& force() const { return p_; }
+  [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
+
+private:
+  double evaluate_all(Vector const& p, Vector& x) {
+    x = displacement(problem_, p);
+    double sum = 0;
+    for (Index i = 0; i < problem_.size(); ++i) {
+      auto& state = states_[ix(i)];
+      state = evaluate<D>(problem_, i, p.segment<D>(D * i), x.segment<D>(D * i), rho_[i]);
+      sum += state.residual.squaredNorm();
+    }
+    return std::sqrt(sum);
+  }
+
+  /// Rows of points that are open and unbonded read p = 0 and leave the system.
+  void assemble() {
+    active_.clear();
+    idle_.clear();
+    for (Index i = 0; i < problem_.size(); ++i) {
+      auto const& state = states_[ix(i)];
+      bool const idle = state.status == interface::Status::open && state.adhesion_by_x.isZero(0) &&
+                        state.residual.isApprox(p_.segment<D>(D * i), 0);
+      (idle ? idle_ : active_).push_back(i);
+    }
+    auto const n = D * static_cast<Index>(active_.size());
+    matrix_.resize(n, n);
+    right_.resize(n);
+    for (std::size_t a = 0; a < active_.size(); ++a) {
+      Index const i = active_[a], row = D * static_cast<Index>(a);
+      auto const& state = states_[ix(i)];
+      LocalMatrix<D> const by_x = state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
+      for (std::size_t b = 0; b < active_.size(); ++b)
+        matrix_.template block<D, D>(row, D * static_cast<Index>(b)).noalias() =
+            by_x * problem_.W.block<D, D>(D * i, D * active_[b]);
+      matrix_.template block<D, D>(row, row) += state.residual_by_dry;
+      right_.template segment<D>(row) = -state.residual;
+      for (Index const j : idle_) // their step is known: -p_j
+        right_.template segment<D>(row) +=
+            by_x * (problem_.W.block<D, D>(D * i, D * j) * p_.segment<D>(D * j));
+    }
+  }
+
+  Problem const& problem_;
+  Vector p_, x_, rho_;
+  std::vector<PointState<D>> states_;
+  std::vector<Index> active_, idle_;
+  Dense matrix_;
+  Vector right_;
+  double merit_ = 0;
+};
+
+class NewtonSolver : public Solver {
+public:
+  explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
+  Solution solve(Problem const& problem, Vector const& guess) override {
+    return problem.dim == 2 ? run<2>(problem, guess) : run<3>(problem, guess);
+  }
+
+private:
+  template<int D> Solution run(Problem const& problem, Vector const& guess) const {
+    NewtonRun<D> newton(problem, guess);
+    Solution solution;
+    int restarts = 0;
+    auto judged = [&] {
+      solution.verdict = newton.verdict();
+      return solution.converged = solution.verdict.relative() <= settings_.tolerance;
+    };
+    while (!judged() && solution.iterations < settings_.iterations) {
+      ++solution.iterations;
+      if (newton.step())
+        continue;
+      if (++restarts > 5) {
+        judged();
+        break;
+      }
+      newton.sweep(10 * restarts);
+    }
+    solution.force = newton.force();
+    return solution;
+  }
+  BipotentialNewton settings_;
+};
+
+} // namespace
+
+core::Schema const& BipotentialNewton::schema() {
+  static auto const made =
+      core::Describe<BipotentialNewton>{"newton", "bi-potential Newton (semismooth), all points at once",
+                                        "(27)-(29)"}
+          .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-15, 1, false, true},
+                  core::Need::optional, "natural-map residual over the largest traction")
+          .integer("iterations", &BipotentialNewton::iterations, {1, 1e6, false, false}, core::Need::optional,
+                   "Newton iterations at most")
+          .build();
+  return made;
+}
+
+std::unique_ptr<Solver> BipotentialNewton::make() const {
+  return std::make_unique<NewtonSolver>(*this);
+}
+
+std::unique_ptr<Solver> make_solver(SolverChoice const& choice) {
+  return std::visit([](auto const& settings) { return settings.make(); }, choice);
+}
+
+} // namespace stiction::contact

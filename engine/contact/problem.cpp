@@ -1,0 +1,52 @@
+// The judge: the natural-map residual of a contact problem, independent of every solver.
+#include "contact/problem.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace stiction::contact {
+
+double natural_scale(Problem const& problem, Index point) {
+  Eigen::Index const d = problem.dim, first = d * point;
+  auto const block = problem.W.block(first, first, d, d);
+  double largest = 0;
+  if (d == 2) { // closed form of the symmetric part
+    double const mean = 0.5 * (block(0, 0) + block(1, 1)), half = 0.5 * (block(0, 0) - block(1, 1));
+    largest = mean + std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
+  } else {
+    Eigen::Matrix3d const symmetric = 0.5 * (block + block.transpose());
+    largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  }
+  return largest > 0 ? 1 / largest : 1.0;
+}
+
+Vector displacement(Problem const& problem, Vector const& force) {
+  Vector x = problem.free;
+  x.noalias() += problem.W * force;
+  return x;
+}
+
+namespace {
+
+template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
+  Verdict verdict;
+  Vector const x = displacement(problem, force);
+  for (Index i = 0; i < problem.size(); ++i) {
+    double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
+    Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
+    auto const state = evaluate<D>(problem, i, p, at, rho);
+    verdict.residual = std::max(verdict.residual, state.residual.norm() / area);
+    // a separated point far away must not set the yardstick: only pushing free gaps count
+    double const pressed = std::max(0.0, -problem.free[D * i]) * rho / area;
+    verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
+  }
+  return verdict;
+}
+
+} // namespace
+
+Verdict judge(Problem const& problem, Vector const& force) {
+  return problem.dim == 2 ? judge_in<2>(problem, force) : judge_in<3>(problem, force);
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,91 @@
+// The contact problem as data: any solver answers it, one residual judges the answer.
+#pragma once
+#include <vector>
+
+#include "core/types.hpp"
+#include "interface/law.hpp"
+
+namespace stiction::contact {
+
+using interface::Local;
+using interface::LocalMatrix;
+
+/// One contact point of a Problem.
+struct ProblemPoint {
+  double area = 1;          ///< tributary reference area A, m^2 (m in plane strain)
+  double mu = 0;            ///< friction coefficient
+  int law = -1;             ///< index into Problem::adhesions; -1: dry
+  interface::BondStep bond; ///< used only with a law
+};
+
+/// Find forces p with x = free + W p and pbar = p - A rtilde(x) such that pbar = Proj(pbar - rho (x_n + mu
+/// |x_t|, x_t)). Components contact by contact, (n, t1 [, t2]).
+struct Problem {
+  int dim = 2;                      ///< components per contact: 2 or 3
+  Dense W;                          ///< Delassus operator, [dim n, dim n], m/N
+  Vector free;                      ///< gap and slip at zero contact force, [dim n], m
+  std::vector<ProblemPoint> points; ///< [n]
+  std::vector<interface::Rcc> adhesions;
+  [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
+};
+
+/// The law at one point for the total force p at displacement x.
+template<int D> struct PointState {
+  Local<D> dry = Local<D>::Zero();                       ///< pbar, N
+  LocalMatrix<D> adhesion_by_x = LocalMatrix<D>::Zero(); ///< d(A rtilde)/dx, N/m
+  Local<D> residual = Local<D>::Zero();                  ///< pbar - Proj(...), N
+  LocalMatrix<D> residual_by_dry = LocalMatrix<D>::Zero(), residual_by_x = LocalMatrix<D>::Zero();
+  interface::Status status = interface::Status::open;
+};
+
+/// Natural map (27), (28) and its derivatives for one point; rho in N/m.
+template<int D>
+[[nodiscard]] PointState<D> evaluate(Problem const& problem, ProblemPoint const& data, Local<D> const& p,
+                                     Local<D> const& x, double rho) {
+  PointState<D> state;
+  double mu = data.mu;
+  Local<D> mu_by_x = Local<D>::Zero();
+  state.dry = p;
+  if (data.law >= 0) {
+    auto const adhesion = interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x);
+    state.dry -= data.area * adhesion.traction;
+    state.adhesion_by_x = data.area * adhesion.traction_by_x;
+    mu *= adhesion.friction;
+    mu_by_x = data.mu * adhesion.friction_by_x;
+  }
+  double const slip = x.template tail<D - 1>().norm();
+  Local<D> v = x;
+  v[0] += mu * slip;
+  LocalMatrix<D> v_by_x = LocalMatrix<D>::Identity();
+  if (slip > 0)
+    v_by_x.row(0).template tail<D - 1>() = mu / slip * x.template tail<D - 1>().transpose();
+  v_by_x.row(0) += slip * mu_by_x.transpose();
+  auto const projection = interface::project<D>(state.dry - rho * v, mu);
+  state.status = projection.status;
+  state.residual = state.dry - projection.value;
+  state.residual_by_dry = LocalMatrix<D>::Identity() - projection.by_z;
+  state.residual_by_x = rho * projection.by_z * v_by_x - projection.by_mu * mu_by_x.transpose();
+  return state;
+}
+
+template<int D>
+[[nodiscard]] PointState<D> evaluate(Problem const& problem, Index point, Local<D> const& p,
+                                     Local<D> const& x, double rho) {
+  return evaluate<D>(problem, problem.points[ix(point)], p, x, rho);
+}
+
+/// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.
+[[nodiscard]] double natural_scale(Problem const& problem, Index point);
+
+/// x = free + W p.
+[[nodiscard]] Vector displacement(Problem const& problem, Vector const& force);
+
+/// What the judge says of forces p.
+struct Verdict {
+  double residual = 0; ///< largest |pbar - Proj(...)| / A over the points, Pa
+  double scale = 0;    ///< largest traction that the problem can feel, Pa: the yardstick of `residual`
+  [[nodiscard]] double relative() const { return scale > 0 ? residual / scale : residual; }
+};
+[[nodiscard]] Verdict judge(Problem const& problem, Vector const& force);
+
+} // namespace stiction::contact

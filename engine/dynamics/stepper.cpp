@@ -1,0 +1,260 @@
+// The step: predictor, balance of forces, correction, acceptance, energy account.
+#include "dynamics/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "dynamics/timer.hpp"
+
+namespace stiction::dynamics {
+
+namespace {
+constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
+constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
+} // namespace
+
+core::Schema const& StepControl::schema() {
+  using core::Need;
+  static auto const made =
+      core::Describe<StepControl>{"control", "when a step counts as converged", ""}
+          .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-14, 1e-2, false, false},
+                  Need::optional, "out-of-balance force and contact residual over the largest nodal force")
+          .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
+                   "Newton iterations at most")
+          .build();
+  return made;
+}
+
+Stepper::Stepper(Model const& model)
+    : model_(&model), weights_(weights(model.scheme)), structure_(model, weights_),
+      contact_(model, structure_), driver_(ix(2 * model.node_count()), nullptr) {
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      driver_[ix(2 * node + motion.component)] = &motion;
+}
+
+State Stepper::initial() {
+  State state;
+  Index const dofs = 2 * model_->node_count();
+  state.u.setZero(dofs);
+  state.v.resize(dofs);
+  for (Index i = 0; i < model_->node_count(); ++i)
+    state.v.segment<2>(2 * i) = model_->velocity.row(i).transpose();
+  state.reaction.setZero(dofs);
+  state.drive.setZero(dofs);
+  static_cast<void>(structure_.internal_force(state.u, state.internal));
+  for (auto const& pair : model_->pairs) {
+    ContactState fresh;
+    if (pair.law.adhesion)
+      fresh.bond.beta = pair.law.adhesion->beta0;
+    state.contacts.emplace_back(ix(pair.size()), fresh);
+  }
+  contact_.begin(state, 0, 1);
+  contact_.locate(state.u, true);
+  State located = state;
+  contact_.finish(state, 1, located);
+  for (std::size_t p = 0; p < state.contacts.size(); ++p)
+    for (std::size_t i = 0; i < state.contacts[p].size(); ++i) {
+      auto& point = state.contacts[p][i];
+      point.foot = located.contacts[p][i].foot;
+      point.gap = located.contacts[p][i].gap;
+      if (model_->pairs[p].law.adhesion)
+        state.ledger.bond += model_->pairs[p].areas[i] *
+                             interface::bond_energy(*model_->pairs[p].law.adhesion, point.bond, point.gap);
+    }
+  if (weights_.inertia) {
+    structure_.mass_times(state.v, mass_rate_);
+    state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
+  }
+  state.ledger.start = state.ledger.kinetic + state.ledger.bond;
+  return state;
+}
+
+void Stepper::predict(State const& old, double dt) {
+  double const t1 = old.t + dt;
+  d_ = dt * old.v;
+  if (!weights_.inertia)
+    d_.setZero();
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    if (auto const* motion = driver_[ix(dof)])
+      d_[dof] = motion->path.value(t1) - old.u[dof];
+  contact_.begin(old, t1, dt);
+  previous_imbalance_ = std::numeric_limits<double>::infinity();
+}
+
+/// dry_ = M dv/dt - weighted F - earlier R: what the present reaction has to balance, (48)-(51).
+bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
+  u_ = old.u + d_;
+  {
+    Timer const timer(cost_.assembly);
+    auto const pass = structure_.internal_force(u_, internal_);
+    ++cost_.force_passes;
+    if (!pass.sound()) {
+      outcome.verdict = StepVerdict::inverted_cell;
+      outcome.reason = fmt::format("cell {} turned inside out", pass.inverted_cell + 1);
+      return false;
+    }
+    strain_ = pass.energy;
+  }
+  rate_change_.resize(d_.size());
+  if (weights_.inertia) {
+    double const t1 = old.t + dt;
+    for (Index dof = 0; dof < d_.size(); ++dof)
+      rate_change_[dof] = driver_[ix(dof)] != nullptr ? driver_[ix(dof)]->path.rate_before(t1) - old.v[dof]
+                                                      : (d_[dof] - dt * old.v[dof]) / (weights_.theta * dt);
+    structure_.mass_times(rate_change_, inertia_);
+    inertia_ /= dt;
+  } else {
+    inertia_.setZero(d_.size());
+  }
+  auto const& weight = structure_.weight();
+  dry_ = inertia_ - (1 - weights_.xi) * (weight - old.internal) - weights_.xi * (weight - internal_) -
+         (1 - weights_.contact) * old.reaction;
+  if (weights_.massless_contact)
+    for (Index dof = 0; dof < d_.size(); ++dof)
+      if (structure_.massless(dof / 2) && driver_[ix(dof)] == nullptr)
+        dry_[dof] = -weights_.xi * (weight[dof] - internal_[dof]);
+  Timer const timer(cost_.contact);
+  contact_.locate(u_, outcome.iterations >= settle_after);
+  contact_.reaction(reaction_);
+  return true;
+}
+
+/// Largest force on a free unknown that nothing balances, N.
+double Stepper::imbalance() const {
+  double largest = 0;
+  for (Index k = 0; k < structure_.unknowns(); ++k) {
+    Index const dof = structure_.dof_of(k);
+    largest = std::max(largest, std::abs(dry_[dof] - weights_.contact * reaction_[dof]));
+  }
+  return largest;
+}
+
+bool Stepper::converged(Outcome& outcome) const {
+  double const rounding =
+      1e-14 * structure_.stiffness_scale() * (u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>());
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounding;
+  double const worst = std::max(imbalance(), contact_.residual());
+  outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
+  return worst <= tolerance;
+}
+
+bool Stepper::correct(double dt, Outcome& outcome) {
+  bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
+  bool const keep = structure_.has_factor(weights_, dt) && (structure_.linear() || !slow);
+  if (!keep && !structure_.factorize(u_, weights_, dt, cost_)) {
+    outcome.verdict = StepVerdict::indefinite;
+    outcome.reason = "the effective stiffness is not positive definite";
+    return false;
+  }
+  correction_.resize(structure_.unknowns());
+  {
+    Timer const timer(cost_.solve);
+    for (Index k = 0; k < structure_.unknowns(); ++k)
+      correction_[k] = -dry_[structure_.dof_of(k)];
+    structure_.factor().solve(correction_);
+    ++cost_.solves;
+  }
+  if (!contact_.solve(correction_, weights_.contact, push_, cost_)) {
+    outcome.verdict = StepVerdict::contact_failed;
+    outcome.reason = "the contact solver did not reach its tolerance";
+    return false;
+  }
+  if (!push_.isZero(0)) {
+    Timer const timer(cost_.solve);
+    structure_.factor().solve(push_);
+    correction_ += push_;
+    ++cost_.solves;
+  }
+  for (Index k = 0; k < structure_.unknowns(); ++k)
+    d_[structure_.dof_of(k)] += correction_[k];
+  return correction_.allFinite();
+}
+
+Outcome Stepper::step(State const& old, double dt) {
+  Outcome outcome;
+  predict(old, dt);
+  for (;; ++outcome.iterations, ++cost_.newton_iterations) {
+    if (!balance(old, dt, outcome))
+      return outcome;
+    force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
+                             inertia_.lpNorm<Eigen::Infinity>(), contact_.force_scale(),
+                             structure_.weight().lpNorm<Eigen::Infinity>()});
+    double const now = imbalance();
+    contraction_ = now / previous_imbalance_;
+    previous_imbalance_ = now;
+    if (outcome.iterations > 0 && converged(outcome))
+      break;
+    if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
+      outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
+                                   outcome.out_of_balance, outcome.iterations);
+      return outcome;
+    }
+    if (!correct(dt, outcome))
+      return outcome;
+  }
+  finish(old, dt, outcome);
+  return outcome;
+}
+
+void Stepper::finish(State const& old, double dt, Outcome& outcome) {
+  auto& next = outcome.state;
+  next.t = old.t + dt;
+  next.u = u_;
+  next.internal = internal_;
+  next.reaction = reaction_;
+  next.contacts = old.contacts;
+  next.ledger = old.ledger;
+  next.ledger.bond = 0;
+  next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
+  if (weights_.massless_contact)
+    for (Index dof = 0; dof < d_.size(); ++dof)
+      if (structure_.massless(dof / 2))
+        next.v[dof] = d_[dof] / dt; // carries no momentum: the mean velocity
+  contact_.finish(old, dt, next);
+  account(old, next);
+  outcome.verdict = StepVerdict::converged;
+}
+
+/// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
+void Stepper::account(State const& old, State& next) const {
+  auto& ledger = next.ledger;
+  double const chi = weights_.contact;
+  Vector const mean_force = (1 - weights_.xi) * (structure_.weight() - old.internal) +
+                            weights_.xi * (structure_.weight() - internal_) + (1 - chi) * old.reaction +
+                            chi * reaction_;
+  next.drive.setZero(d_.size());
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    if (driver_[ix(dof)] != nullptr) {
+      next.drive[dof] = inertia_[dof] - mean_force[dof];
+      ledger.motion_work += next.drive[dof] * d_[dof];
+    }
+  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
+    auto const& pair = model_->pairs[p];
+    auto const* obstacle = std::get_if<MovingObstacle>(&pair.primary);
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
+      auto const& before = old.contacts[p][i];
+      auto const& after = next.contacts[p][i];
+      ledger.friction_loss -= pair.areas[i] * (chi * after.dry[1] + (1 - chi) * before.dry[1]) * after.slip;
+    }
+    if (obstacle == nullptr)
+      continue;
+    Vec2 const carried = obstacle->offset(next.t) - obstacle->offset(old.t);
+    if (carried.isZero(0))
+      continue;
+    for (Index const node : pair.secondary) // what the obstacle gives the body it gives along its way
+      ledger.motion_work += carried.dot(chi * next.reaction.segment<2>(2 * node) +
+                                        (1 - chi) * old.reaction.segment<2>(2 * node));
+  }
+  ledger.strain = strain_;
+  ledger.potential = -structure_.weight().dot(next.u);
+  if (!weights_.inertia)
+    return;
+  Vector momentum;
+  structure_.mass_times(next.v, momentum);
+  ledger.kinetic = 0.5 * next.v.dot(momentum);
+}
+
+} // namespace stiction::dynamics

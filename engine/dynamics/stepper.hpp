@@ -1,0 +1,59 @@
+// One step from a state to the next: Newton on the bulk, the contact problem solved exactly inside each
+// iteration.
+#pragma once
+#include <string>
+
+#include "dynamics/contact_stage.hpp"
+#include "dynamics/state.hpp"
+#include "dynamics/structure.hpp"
+
+namespace stiction::dynamics {
+
+enum class StepVerdict { converged, not_converged, inverted_cell, contact_failed, indefinite };
+
+/// A step's answer: the state it reached if converged, and how it went.
+struct Outcome {
+  State state;
+  StepVerdict verdict = StepVerdict::not_converged;
+  std::string reason; ///< empty when converged
+  int iterations = 0;
+  double out_of_balance = 0; ///< relative, at the last iteration
+  [[nodiscard]] bool converged() const { return verdict == StepVerdict::converged; }
+};
+
+/// Owns workspace only; every call starts from the state it is given.
+class Stepper {
+public:
+  explicit Stepper(Model const& model);
+
+  /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
+  [[nodiscard]] State initial();
+  [[nodiscard]] Outcome step(State const& old, double dt);
+
+  [[nodiscard]] Cost const& cost() const { return cost_; }
+  [[nodiscard]] ContactStage const& contact() const { return contact_; }
+  [[nodiscard]] Structure const& structure() const { return structure_; }
+
+private:
+  void predict(State const& old, double dt);
+  [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] double imbalance() const;
+  [[nodiscard]] bool converged(Outcome& outcome) const;
+  [[nodiscard]] bool correct(double dt, Outcome& outcome);
+  void finish(State const& old, double dt, Outcome& outcome);
+  void account(State const& old, State& next) const;
+
+  Model const* model_;
+  StepWeights weights_;
+  Structure structure_;
+  ContactStage contact_;
+  Cost cost_;
+  std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
+  // workspace of one step
+  Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, push_;
+  Vector mass_rate_;
+  double strain_ = 0, force_scale_ = 0;
+  double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
+};
+
+} // namespace stiction::dynamics

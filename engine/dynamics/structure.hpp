@@ -1,0 +1,66 @@
+// The bulk side of a step: numbering of unknowns, mass, internal force, effective stiffness and its factor.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "dynamics/model.hpp"
+#include "linear/cholesky.hpp"
+
+namespace stiction::dynamics {
+
+/// Seconds and counts of the phases of a run.
+struct Cost {
+  double assembly = 0, factorization = 0, contact = 0, solve = 0; ///< s
+  long force_passes = 0, stiffness_passes = 0, factorizations = 0, solves = 0;
+  long newton_iterations = 0, contact_iterations = 0, contact_problems = 0;
+};
+
+class Structure {
+public:
+  Structure(Model const& model, StepWeights const& weights);
+
+  [[nodiscard]] Index unknowns() const { return static_cast<Index>(dof_of_.size()); }
+  /// Number of the free unknown behind a degree of freedom, -1 if driven; contact unknowns come last.
+  [[nodiscard]] Index unknown_of(Index dof) const { return unknown_of_[ix(dof)]; }
+  [[nodiscard]] Index dof_of(Index unknown) const { return dof_of_[ix(unknown)]; }
+  [[nodiscard]] Index first_contact_unknown() const { return unknowns() - trailing_; }
+  [[nodiscard]] bool massless(Index node) const { return massless_[ix(node)]; }
+
+  /// F_int(u) over all degrees of freedom, with the strain energy.
+  [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
+  /// y = M x over all degrees of freedom.
+  void mass_times(Vector const& x, Vector& y) const;
+  /// Nodal weights, M g.
+  [[nodiscard]] Vector const& weight() const { return weight_; }
+
+  /// Builds and factors xi K(u) + M / (theta dt^2), (49). False if not positive definite.
+  [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
+  /// True if a factor for these coefficients exists, of whatever u.
+  [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
+  /// True if K does not depend on u, so that a factor for these coefficients is exact.
+  [[nodiscard]] bool linear() const { return linear_; }
+  [[nodiscard]] linear::Cholesky& factor() { return *factor_; }
+  /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
+  [[nodiscard]] double stiffness_scale() const { return stiffness_scale_; }
+
+private:
+  void number_unknowns(Model const& model);
+  void assemble_mass(Model const& model);
+  void build_maps(Model const& model);
+
+  Model const* model_;
+  Indices unknown_of_, dof_of_;
+  Index trailing_ = 0;
+  std::vector<bool> massless_;
+  linear::Pattern mass_pattern_; ///< by node
+  std::vector<double> mass_;
+  std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
+  std::vector<solid::ScatterMap> maps_; ///< [bodies]
+  std::vector<double> values_;
+  Vector weight_;
+  std::unique_ptr<linear::Cholesky> factor_;
+  bool factored_ = false, linear_ = true;
+  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0;
+};
+
+} // namespace stiction::dynamics

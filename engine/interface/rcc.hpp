@@ -1,0 +1,139 @@
+// The RCC law of Raous, Cangemi and Cocou: adhesion of intensity beta, its growth and its loss.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "core/schema.hpp"
+#include "interface/cone.hpp"
+
+namespace stiction::interface {
+
+/// The bond of one contact point: all that must survive a step.
+struct Bond {
+  double beta = 0;                                   ///< 0 none .. 1 full
+  Eigen::Vector2d stretch = Eigen::Vector2d::Zero(); ///< tangential displacement since it formed, m
+};
+
+/// When beta may grow.
+enum class Bonding { contact, proximity, never };
+/// Which friction the bond leaves: all of mu, or mu (1 - beta)^p.
+enum class BondFriction { full, damage };
+
+struct Rcc {
+  double w = 0;   ///< decohesion energy, J/m^2
+  double C_n = 0; ///< normal stiffness at beta = 1, N/m^3
+  double C_t = 0; ///< tangential stiffness at beta = 1, N/m^3
+  double b = 0;   ///< viscosity of the bond, N s/m
+  double beta0 = 0;
+  Bonding bonding = Bonding::contact;
+  BondFriction friction = BondFriction::full;
+  double damage_power = 1;
+
+  static core::Schema const& schema() {
+    using core::Need;
+    static auto const made =
+        core::Describe<Rcc>{"rcc", "adhesion of bond intensity beta coupled to friction",
+                            "(9)-(13), PHYSICS 2"}
+            .number("w", &Rcc::w, "J/m^2", core::non_negative, Need::required, "decohesion energy")
+            .number("C_n", &Rcc::C_n, "N/m^3", core::non_negative, Need::required,
+                    "normal stiffness at beta = 1")
+            .number("C_t", &Rcc::C_t, "N/m^3", core::non_negative, Need::required,
+                    "tangential stiffness at beta = 1")
+            .number("b", &Rcc::b, "N s/m", core::non_negative, Need::required,
+                    "viscosity of the bond; 0 is the rate-independent limit")
+            .number("beta0", &Rcc::beta0, "1", core::unit_interval, Need::optional,
+                    "bond intensity at the start")
+            .choice("bonding", &Rcc::bonding, {"contact", "proximity", "never"}, Need::optional,
+                    "beta grows where closed, everywhere by (13), or nowhere")
+            .choice("friction", &Rcc::friction, {"full", "damage"}, Need::optional,
+                    "friction coefficient mu, or mu (1 - beta)^damage_power as (10)")
+            .number("damage_power", &Rcc::damage_power, "1", {1, 10, false, false}, Need::optional,
+                    "exponent p of friction = \"damage\"")
+            .build();
+    return made;
+  }
+};
+
+/// What holds for the bond during one step.
+struct BondStep {
+  Bond old;
+  double dt = 0;       ///< s; > 0
+  bool closed = false; ///< the point touches: beta may grow when bonding = "contact"
+};
+
+/// Answer of the law at the displacement x = (x_n, slip of the step) of the step's end.
+template<int D> struct Adhesion {
+  double beta = 0;
+  Local<D> beta_by_x = Local<D>::Zero();
+  Local<D> traction = Local<D>::Zero(); ///< rtilde, Pa
+  LocalMatrix<D> traction_by_x = LocalMatrix<D>::Zero();
+  double friction = 1; ///< factor on mu
+  Local<D> friction_by_x = Local<D>::Zero();
+};
+
+/// (C_n x_n^2, C_t x_t^2) gather in q; a bond that was not there at the step's start has no stretch yet.
+template<int D> [[nodiscard]] Local<D> opening(Local<D> const& x, Bond const& old) {
+  Local<D> d = Local<D>::Zero();
+  d[0] = std::max(x[0], 0.0);
+  if (old.beta > 0)
+    d.template tail<D - 1>() = old.stretch.head<D - 1>() + x.template tail<D - 1>();
+  return d;
+}
+
+/// Implicit Euler of (13): beta = clip((b beta_old + dt w) / (b + dt q)), unconditionally stable, b = 0
+/// included.
+[[nodiscard]] inline double next_beta(Rcc const& law, BondStep const& step, double q) {
+  double const denominator = law.b + step.dt * q, numerator = law.b * step.old.beta + step.dt * law.w;
+  double const beta =
+      denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : (numerator > 0 ? 1.0 : step.old.beta);
+  bool const may_grow = law.bonding == Bonding::proximity || (law.bonding == Bonding::contact && step.closed);
+  return may_grow ? beta : std::min(beta, step.old.beta);
+}
+
+/// (19), (21): rtilde = - C x beta^2, with beta of the step's end.
+template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const& step, Local<D> const& x) {
+  Local<D> const d = opening<D>(x, step.old);
+  Local<D> stiffness = Local<D>::Constant(law.C_t);
+  stiffness[0] = law.C_n;
+  Local<D> const Cd = stiffness.cwiseProduct(d);
+  double const q = Cd.dot(d);
+  Local<D> d_by_x = Local<D>::Constant(step.old.beta > 0 ? 1.0 : 0.0); // diagonal
+  d_by_x[0] = x[0] > 0 ? 1.0 : 0.0;
+
+  Adhesion<D> result;
+  result.beta = next_beta(law, step, q);
+  double const free = law.b + step.dt * q;
+  bool const evolves = free > 0 && result.beta > 0 && result.beta < 1 &&
+                       std::abs(result.beta * free - (law.b * step.old.beta + step.dt * law.w)) <=
+                           1e-12 * (law.b + step.dt * law.w);
+  if (evolves)
+    result.beta_by_x = (-2 * result.beta * step.dt / free) * Cd.cwiseProduct(d_by_x);
+  double const beta2 = result.beta * result.beta;
+  result.traction = -beta2 * Cd;
+  result.traction_by_x = -2 * result.beta * Cd * result.beta_by_x.transpose();
+  result.traction_by_x.diagonal() -= beta2 * stiffness.cwiseProduct(d_by_x);
+  if (law.friction == BondFriction::damage) {
+    double const rest = 1 - result.beta;
+    result.friction = std::pow(rest, law.damage_power);
+    result.friction_by_x = (-law.damage_power * std::pow(rest, law.damage_power - 1)) * result.beta_by_x;
+  }
+  return result;
+}
+
+/// The bond after the step.
+template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
+  Bond next;
+  next.beta = adhere<D>(law, step, x).beta;
+  if (next.beta > 0)
+    next.stretch.head<D - 1>() = opening<D>(x, step.old).template tail<D - 1>();
+  return next;
+}
+
+/// psi of (9), J/m^2.
+[[nodiscard]] inline double bond_energy(Rcc const& law, Bond const& bond, double x_n) {
+  double const open = std::max(x_n, 0.0);
+  return 0.5 * bond.beta * bond.beta * (law.C_n * open * open + law.C_t * bond.stretch.squaredNorm()) -
+         law.w * bond.beta;
+}
+
+} // namespace stiction::interface

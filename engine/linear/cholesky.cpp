@@ -1,0 +1,121 @@
+// CHOLMOD behind cholesky.hpp.
+#include "linear/cholesky.hpp"
+
+#include <algorithm>
+#include <cholmod.h>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "linear/recycling.hpp"
+
+extern "C" {
+void openblas_set_num_threads(int threads);
+void dpotri_(char const* uplo, int const* n, double* a, int const* lda, int* info);
+}
+
+namespace stiction::linear {
+
+struct Cholesky::Workspace {
+  cholmod_common common{};
+  cholmod_sparse matrix{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
+};
+
+Cholesky::Cholesky(Pattern pattern, Index trailing)
+    : pattern_(std::move(pattern)), trailing_(trailing), work_(std::make_unique<Workspace>()) {
+  recycle_suitesparse_memory();
+  openblas_set_num_threads(1); // cases are the unit of parallelism
+  auto& common = work_->common;
+  cholmod_start(&common);
+  common.print = 0;
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_NATURAL; // the pattern comes ordered
+  common.postorder = 0;                        // and the trailing unknowns stay last
+  auto& matrix = work_->matrix;
+  matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern_.size());
+  matrix.nzmax = pattern_.rows.size();
+  matrix.p = pattern_.columns.data();
+  matrix.i = pattern_.rows.data();
+  matrix.stype = -1;
+  matrix.itype = CHOLMOD_INT;
+  matrix.xtype = CHOLMOD_PATTERN;
+  matrix.dtype = CHOLMOD_DOUBLE;
+  matrix.sorted = matrix.packed = 1;
+  work_->factor = cholmod_analyze(&matrix, &common);
+  core::expect(work_->factor != nullptr, "CHOLMOD to analyse the pattern");
+  matrix.xtype = CHOLMOD_REAL;
+  inverse_.resize(trailing_, trailing_);
+}
+
+Cholesky::~Cholesky() {
+  auto& w = *work_;
+  for (auto* dense : {&w.solution, &w.scratch1, &w.scratch2})
+    cholmod_free_dense(dense, &w.common);
+  cholmod_free_factor(&w.factor, &w.common);
+  cholmod_finish(&w.common);
+}
+
+bool Cholesky::factorize(std::span<double const> values) {
+  core::expect(values.size() == pattern_.rows.size(), "one value per entry of the pattern");
+  auto& w = *work_;
+  w.matrix.x = const_cast<double*>(values.data()); // CHOLMOD reads only
+  inverse_ready_ = false;
+  cholmod_factorize(&w.matrix, w.factor, &w.common);
+  return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
+}
+
+void Cholesky::solve(Vector& b) {
+  auto& w = *work_;
+  cholmod_dense rhs{};
+  rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(b.size());
+  rhs.ncol = 1;
+  rhs.x = b.data();
+  rhs.xtype = CHOLMOD_REAL;
+  rhs.dtype = CHOLMOD_DOUBLE;
+  int const solved = cholmod_solve2(CHOLMOD_A, w.factor, &rhs, nullptr, &w.solution, nullptr, &w.scratch1,
+                                    &w.scratch2, &w.common);
+  core::expect(solved == 1, "CHOLMOD to solve with its factor");
+  std::copy_n(static_cast<double const*>(w.solution->x), b.size(), b.data());
+}
+
+void Cholesky::gather_trailing_factor() {
+  cholmod_factor const& L = *work_->factor;
+  auto const* super = static_cast<int const*>(L.super);
+  auto const* pi = static_cast<int const*>(L.pi);
+  auto const* px = static_cast<int const*>(L.px);
+  auto const* s = static_cast<int const*>(L.s);
+  auto const* x = static_cast<double const*>(L.x);
+  int const first = static_cast<int>(L.n) - trailing_;
+  inverse_.setZero();
+  for (std::ptrdiff_t q = static_cast<std::ptrdiff_t>(L.nsuper) - 1; q >= 0; --q) {
+    int const begin = super[q], end = super[q + 1], rows = pi[q + 1] - pi[q];
+    if (end <= first)
+      break;
+    for (int j = std::max(begin, first); j < end; ++j)
+      for (int r = j - begin; r < rows; ++r)
+        inverse_(s[pi[q] + r] - first, j - first) =
+            x[px[q] + static_cast<std::ptrdiff_t>(j - begin) * rows + r];
+  }
+}
+
+Dense const& Cholesky::trailing_inverse() {
+  if (inverse_ready_ || trailing_ == 0)
+    return inverse_;
+  gather_trailing_factor(); // L_cc L_cc^T = Schur complement
+  int info = 0;
+  dpotri_("L", &trailing_, inverse_.data(), &trailing_, &info);
+  core::expect(info == 0, "the trailing factor to be regular");
+  for (Index j = 0; j < trailing_; ++j)
+    for (Index i = 0; i < j; ++i)
+      inverse_(i, j) = inverse_(j, i);
+  inverse_ready_ = true;
+  return inverse_;
+}
+
+std::string cholmod_version() {
+  return fmt::format("{}.{}.{}", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+}
+
+} // namespace stiction::linear

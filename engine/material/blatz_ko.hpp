@@ -1,0 +1,35 @@
+// Blatz-Ko foam rubber: W = G/2 (I2/I3 + 2 sqrt(I3) - 5), Poisson's ratio 1/4.
+#pragma once
+#include "core/schema.hpp"
+#include "material/isotropic.hpp"
+
+namespace stiction::material {
+
+struct BlatzKo {
+  double shear_modulus = 0; ///< Pa
+  static constexpr bool small_strain = false;
+
+  [[nodiscard]] InvariantEnergy of_invariants(double /*I1*/, double I2, double I3) const {
+    double const half = shear_modulus / 2, J = std::sqrt(I3);
+    InvariantEnergy W;
+    W.energy = half * (I2 / I3 + 2 * J - 5);
+    W.first = {0, half / I3, half * (1 / J - I2 / (I3 * I3))};
+    W.second = {0, 0, half * (2 * I2 / (I3 * I3 * I3) - 0.5 / (I3 * J)), 0, 0, -half / (I3 * I3)};
+    return W;
+  }
+  template<int N> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+    return isotropic<N>(*this, strain);
+  }
+  [[nodiscard]] Moduli moduli() const { return {2.5 * shear_modulus, 0.25}; }
+
+  static core::Schema const& schema() {
+    static auto const made =
+        core::Describe<BlatzKo>{"blatz_ko", "compressible foam rubber, nu = 1/4", "PHYSICS 4"}
+            .number("shear_modulus", &BlatzKo::shear_modulus, "Pa", core::positive, core::Need::required,
+                    "shear modulus G at rest")
+            .build();
+    return made;
+  }
+};
+
+} // namespace stiction::material

@@ -1,0 +1,89 @@
+// From an energy of the invariants of C = F^T F to stress and tangent.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "material/response.hpp"
+
+namespace stiction::material {
+
+/// W(I1, I2, I3) with its first and second derivatives; second = (11, 22, 33, 12, 13, 23).
+struct InvariantEnergy {
+  double energy = 0;
+  std::array<double, 3> first{};
+  std::array<double, 6> second{};
+};
+
+/// Symmetric 3x3 tensor from strain: C = I + 2 E.
+template<int N> [[nodiscard]] Eigen::Matrix3d right_cauchy_green(Voigt<N> const& E) {
+  Eigen::Matrix3d C = Eigen::Matrix3d::Identity();
+  for (int i = 0; i < 3; ++i)
+    C(i, i) += 2 * E[i];
+  C(0, 1) = C(1, 0) = E[3];
+  if constexpr (N == 6) {
+    C(1, 2) = C(2, 1) = E[4];
+    C(0, 2) = C(2, 0) = E[5];
+  }
+  return C;
+}
+
+/// Stress-like Voigt vector of a symmetric tensor.
+template<int N> [[nodiscard]] Voigt<N> stress_vector(Eigen::Matrix3d const& T) {
+  Voigt<N> v;
+  v.template head<3>() = T.diagonal();
+  v[3] = T(0, 1);
+  if constexpr (N == 6) {
+    v[4] = T(1, 2);
+    v[5] = T(0, 2);
+  }
+  return v;
+}
+
+/// (A (.) A)_ijkl = (A_ik A_jl + A_il A_jk) / 2 as a Voigt matrix acting on engineering strain.
+template<int N> [[nodiscard]] VoigtMatrix<N> symmetric_square(Eigen::Matrix3d const& A) {
+  static constexpr std::array<std::array<int, 2>, 6> pair{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+  VoigtMatrix<N> M;
+  for (std::size_t a = 0; a < N; ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      auto const [i, j] = pair[a];
+      auto const [k, l] = pair[b];
+      M(static_cast<int>(a), static_cast<int>(b)) = M(static_cast<int>(b), static_cast<int>(a)) =
+          0.5 * (A(i, k) * A(j, l) + A(i, l) * A(j, k));
+    }
+  return M;
+}
+
+/// S = 2 dW/dC and D = 4 d2W/dC2 for a law that offers `InvariantEnergy of_invariants(I1, I2, I3)`.
+template<int N, class Law> [[nodiscard]] Response<N> isotropic(Law const& law, Voigt<N> const& strain) {
+  Eigen::Matrix3d const C = right_cauchy_green<N>(strain);
+  double const I1 = C.trace();
+  double const I2 = 0.5 * (I1 * I1 - C.squaredNorm());
+  double const I3 = C.determinant();
+  Eigen::Matrix3d const inverse = C.inverse();
+  auto const [energy, d, dd] = law.of_invariants(I1, I2, I3);
+
+  // derivatives of I1, I2, I3 by C
+  Voigt<N> one = Voigt<N>::Zero();
+  one.template head<3>().setOnes();
+  Voigt<N> const second = I1 * one - stress_vector<N>(C);
+  Voigt<N> const cofactor = I3 * stress_vector<N>(inverse);
+
+  Response<N> response;
+  response.energy = energy;
+  response.stress = 2 * (d[0] * one + d[1] * second + d[2] * cofactor);
+
+  Voigt<N> const by1 = dd[0] * one + dd[3] * second + dd[4] * cofactor;
+  Voigt<N> const by2 = dd[3] * one + dd[1] * second + dd[5] * cofactor;
+  Voigt<N> const by3 = dd[4] * one + dd[5] * second + dd[2] * cofactor;
+  auto& D = response.tangent;
+  D.noalias() = one * by1.transpose() + second * by2.transpose() + cofactor * by3.transpose();
+  D += d[1] * (one * one.transpose());
+  D.diagonal().template head<3>().array() -= d[1];
+  D.diagonal().template tail<N - 3>().array() -= 0.5 * d[1];
+  D += d[2] / I3 * (cofactor * cofactor.transpose());
+  D -= d[2] * I3 * symmetric_square<N>(inverse);
+  D *= 4;
+  return response;
+}
+
+} // namespace stiction::material

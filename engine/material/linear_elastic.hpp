@@ -1,0 +1,31 @@
+// Linear elasticity of small strains: the strain is sym(F) - I and geometry stays that of the reference.
+#pragma once
+#include "core/schema.hpp"
+#include "material/hooke.hpp"
+
+namespace stiction::material {
+
+struct LinearElastic {
+  double young = 0;   ///< Pa
+  double poisson = 0; ///< 1
+  static constexpr bool small_strain = true;
+
+  template<int N> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+    return hooke<N>(moduli(), strain);
+  }
+  [[nodiscard]] Moduli moduli() const { return {young, poisson}; }
+
+  static core::Schema const& schema() {
+    using core::Need;
+    static auto const made =
+        core::Describe<LinearElastic>{"linear_elastic", "Hooke's law for small strains and rotations",
+                                      "PHYSICS 4"}
+            .number("young", &LinearElastic::young, "Pa", core::positive, Need::required, "Young's modulus")
+            .number("poisson", &LinearElastic::poisson, "1", {-1, 0.5, true, true}, Need::required,
+                    "Poisson's ratio")
+            .build();
+    return made;
+  }
+};
+
+} // namespace stiction::material

@@ -1,0 +1,18 @@
+// The list of bulk laws: a new one is one header and one word here.
+#pragma once
+#include <variant>
+
+#include "material/blatz_ko.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hookean.hpp"
+#include "material/st_venant_kirchhoff.hpp"
+
+namespace stiction::material {
+
+using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, BlatzKo>;
+
+[[nodiscard]] inline Moduli moduli(Material const& material) {
+  return std::visit([](auto const& law) { return law.moduli(); }, material);
+}
+
+} // namespace stiction::material

@@ -1,0 +1,27 @@
+// What a bulk law answers: energy, stress and tangent of one strain, in Voigt form.
+#pragma once
+#include <Eigen/Core>
+
+namespace stiction::material {
+
+/// Strain (11, 22, 33, 2*12 [, 2*23, 2*13]) or stress (11, 22, 33, 12 [, 23, 13]).
+/// N = 4 serves plane strain and axisymmetry, N = 6 three dimensions: laws always see the full 3x3 state.
+template<int N> using Voigt = Eigen::Matrix<double, N, 1>;
+template<int N> using VoigtMatrix = Eigen::Matrix<double, N, N>;
+
+/// W [J/m^3 of the reference volume], S = dW/dE [Pa], D = dS/dE [Pa] (PHYSICS 4; (35), (39)).
+template<int N> struct Response {
+  double energy = 0;
+  Voigt<N> stress;
+  VoigtMatrix<N> tangent;
+};
+
+/// Young's modulus [Pa] and Poisson's ratio of the law at rest.
+struct Moduli {
+  double young = 0, poisson = 0;
+  [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
+  [[nodiscard]] double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
+  [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
+};
+
+} // namespace stiction::material

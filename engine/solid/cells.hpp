@@ -1,0 +1,63 @@
+// The cells of one body prepared for assembly: gradients at the quadrature points, weights, dispatch by law
+// and kind.
+#pragma once
+#include <functional>
+#include <span>
+
+#include "solid/body.hpp"
+
+namespace stiction::solid {
+
+/// Outcome of one pass over the cells.
+struct Pass {
+  double energy = 0;        ///< strain energy, J (J/m in plane strain)
+  Index inverted_cell = -1; ///< first cell with det F <= 0, whose stress does not exist
+  [[nodiscard]] bool sound() const { return inverted_cell < 0; }
+};
+
+/// Where a cell's stiffness goes: entry of the global values for each entry of its lower triangle, row by
+/// row, -1 for driven unknowns.
+using ScatterMap = std::vector<Index>;
+
+/// Cauchy stress recovered at the nodes by volume-weighted averages over the quadrature points.
+struct NodalStress {
+  Matrix cauchy;    ///< [nodes, 4]: 11, 22, 33, 12, Pa
+  Vector von_mises; ///< [nodes], Pa
+};
+
+class Cells {
+public:
+  /// Throws nothing; the mesh must have passed mesh::check.
+  Cells(Body const& body, Kinematics kinematics);
+
+  /// force[2 * nodes] += F_int(u) of (35), N. u[2 * nodes] belongs to this body's nodes.
+  [[nodiscard]] Pass add_force(std::span<double const> u, std::span<double> force) const;
+  /// values[map[k]] += factor * K(u) of (39). Call only where add_force was sound.
+  void add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
+                     std::span<double> values) const;
+  [[nodiscard]] NodalStress stress(std::span<double const> u) const;
+
+  /// Visits each cell's consistent mass per component: nodes of the cell, m[nodes, nodes] in kg.
+  void each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const;
+  /// Visits each cell's nodes in the order that add_stiffness reads its map.
+  void each_cell(std::function<void(std::span<Index const>)> const& visit) const;
+  [[nodiscard]] Index count() const;
+
+private:
+  struct Prepared {
+    mesh::CellKind kind;
+    int nodes, points;
+    Indices connectivity;          ///< [cells, nodes]
+    std::vector<double> gradients; ///< [cells, points, nodes, 2], 1/m
+    std::vector<double> hoop;      ///< [cells, points, nodes], N/R; empty in plane strain
+    std::vector<double> weights;   ///< [cells, points], m^2 (m^3 when axisymmetric)
+    [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
+  };
+  template<class Kernel> void dispatch(Prepared const& block, Kernel&& kernel) const;
+
+  Body const* body_;
+  Kinematics kinematics_;
+  std::vector<Prepared> blocks_;
+};
+
+} // namespace stiction::solid
