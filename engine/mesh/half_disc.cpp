@@ -39,7 +39,7 @@ void check(HalfDiscOptions const& options) {
   check_numbers(complaints, {"half_disc.centre", options.centre, "m", core::any_number});
   check_numbers(complaints, {"half_disc.radius", {options.radius}, "m", core::positive, 1});
   check_numbers(complaints, {"half_disc.grading", {options.grading}, "1", {1, 9}, 1});
-  double const finest = options.radius * std::sqrt(2 / most_cells);
+  double const finest = options.radius * std::sqrt(3 / most_cells);
   if (complaints.empty())
     check_numbers(complaints, {"half_disc.size", {options.size}, "m", {finest, options.radius}, 1});
   if (!complaints.empty())
@@ -65,40 +65,39 @@ Place ring_point(double t, Index i, Index n) {
 }
 
 /// Rows of about square cells; nothing when the ring has no room for that many transitions.
-std::optional<Layout> layout(Index inner, int levels) {
+std::optional<Layout> layout(Index inner, int transitions) {
   double const ring = 0.4; // mean thickness
-  double count = 4.0 * inner * std::pow(3.0, levels);
-  auto const size = [&](double depth) { return std::numbers::pi * (1 - depth) / count; };
+  double count = 4.0 * inner * std::pow(3.0, transitions);
   Layout result{inner, {}};
   double depth = 0;
-  for (int left = levels, same = 0; result.rows.empty() || depth < ring - size(depth) / 2;) {
+  int left = transitions, same = 0;
+  while (result.rows.empty() || depth < ring - std::numbers::pi * (1 - depth) / count / 2) {
     bool const transition = left > 0 && same == rows_per_level;
-    result.rows.push_back({size(depth) * (transition ? 2.0 : 1.0), transition});
+    double const size = std::numbers::pi * (1 - depth) / count;
+    result.rows.push_back({transition ? 2 * size : size, transition});
     depth += result.rows.back().thickness;
     same = transition ? 0 : same + 1;
     left -= transition ? 1 : 0;
     count /= transition ? 3.0 : 1.0;
-    levels = left;
   }
-  if (levels > 0 || depth > 1.3 * ring)
+  if (left > 0 || depth > 1.3 * ring)
     return std::nullopt;
   for (auto& row : result.rows)
     row.thickness /= depth;
   return result;
 }
 
+/// As many transitions as `grading` allows and the ring has room for; `size` is over the radius.
 Layout choose_layout(double size, double grading) {
-  int levels = static_cast<int>(std::floor(std::log(grading / inner_ratio) / std::log(3.0)));
-  for (; levels > 0; --levels) {
-    double const cells = std::numbers::pi / (4 * size * std::pow(3.0, levels));
-    if (auto const found = layout(static_cast<Index>(std::ceil(cells - 1e-9)), levels))
+  double const along_octant = std::numbers::pi / (4 * size);
+  auto const inner = [&](int transitions) {
+    return static_cast<Index>(std::ceil(along_octant / std::pow(3.0, transitions) - 1e-9));
+  };
+  int transitions = static_cast<int>(std::floor(std::log(grading / inner_ratio) / std::log(3.0)));
+  for (; transitions >= 0; --transitions)
+    if (auto const found = layout(inner(transitions), transitions))
       return *found;
-  }
-  auto const inner = static_cast<Index>(std::ceil(std::numbers::pi / (4 * size) - 1e-9));
-  auto result = layout(inner, 0);
-  if (!result) // a ring of one row, thicker than wide
-    result = Layout{inner, {{1.0, false}}};
-  return *result;
+  return {inner(0), {{1.0, false}}}; // one row, thicker than wide
 }
 
 Indices add_ring(Quads& quads, double t, Index count) {

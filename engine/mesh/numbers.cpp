@@ -12,10 +12,14 @@ bool check_numbers(core::Complaints& complaints, GivenNumbers const& given) {
                                   [&](double value) { return given.range.contains(value); });
   if (length && values)
     return true;
-  std::string const unit = given.unit == "1" ? "" : " " + given.unit;
+  std::string const range = given.range.words(given.unit);
+  std::string const wanted = given.count == 1
+                                 ? "it must be " + range
+                                 : fmt::format("{} numbers are wanted, each {}", given.count, range);
+  auto const shown = given.count == 1 && length ? core::Value(given.values[0]) : core::Value(given.values);
   complaints.push_back({"", given.path,
-                        fmt::format("is {}{}; {} numbers are wanted, each {}", core::to_string(given.values),
-                                    unit, given.count, given.range.words(given.unit))});
+                        fmt::format("is {}{}; {}", core::to_string(shown),
+                                    given.unit == "1" ? "" : " " + given.unit, wanted)});
   return false;
 }
 

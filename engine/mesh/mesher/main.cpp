@@ -1,4 +1,6 @@
 // stiction-mesher REQUEST OUTPUT: answers a JSON request ("-" is standard input) with an HDF5 mesh file.
+#include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <gmsh.h>
 #include <iostream>
@@ -46,6 +48,13 @@ std::string gmsh_words() {
   return words;
 }
 
+/// gmsh throws inside its parallel regions, out of which no exception can come: say what it noted and end.
+[[noreturn]] void end_with_gmsh_words() {
+  std::string const words = gmsh_words();
+  std::cerr << "gmsh says: " << (words.empty() ? "it failed without a reason" : words) << std::endl;
+  std::_Exit(2);
+}
+
 void answer(std::string const& request_text, std::string const& output) {
   auto const request = nlohmann::json::parse(request_text);
   bool const import = request.at("task") == "import";
@@ -58,6 +67,7 @@ void answer(std::string const& request_text, std::string const& output) {
 
 int guarded(std::string const& request, std::string const& output) {
   Gmsh const session;
+  std::set_terminate(end_with_gmsh_words);
   try {
     answer(request, output);
     return 0;
