@@ -21,8 +21,8 @@ std::string Complaint::message() const {
   std::string message;
   for (auto const& part : {place, path})
     if (!part.empty())
-      message += part + ": ";
-  return message + text;
+      message.append(part).append(": ");
+  return message.append(text);
 }
 
 InputError::InputError(Complaints complaints)
