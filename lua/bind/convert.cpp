@@ -108,10 +108,10 @@ void Converter::table(core::Input& input, int index, std::string const& path) {
     complain(input, path,
              fmt::format("this list has holes: {} elements, but the last one is number {}", shape.integers,
                          shape.largest));
-  else if (shape.names || !input.tag.empty())
-    named(input, index, path);
-  else
+  else if (shape.integers > 0 || (!shape.names && input.tag.empty()))
     list(input, index, path);
+  else
+    named(input, index, path);
   open_.pop_back();
 }
 

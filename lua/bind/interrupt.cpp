@@ -2,6 +2,7 @@
 #include "bind/interrupt.hpp"
 
 #include <csignal>
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -20,12 +21,16 @@ void on_signal(int signal) {
     _exit(1);
 }
 
-/// After the first stop every further instruction raises again, so that no pcall can hold the script alive.
-void on_count(lua_State* lua, lua_Debug*) {
-  if (!stop || user_place(lua).empty()) // our own library ends in its own, orderly way
+/// After the first stop every further instruction of the user's raises again, so that no pcall of theirs
+/// holds the script alive. Our own library ends in its own, orderly way.
+void on_event(lua_State* lua, lua_Debug* event) {
+  if (event->event == LUA_HOOKLINE)
+    note_line(lua, event);
+  if (!stop || !in_user_code(lua))
     return;
-  lua_sethook(lua, on_count, LUA_MASKCOUNT, 1);
-  push_error(lua, "stopped", "stopped by the user while a script was running");
+  lua_sethook(lua, on_event, LUA_MASKCOUNT, 1);
+  auto const message = fmt::format("stopped by the user while a script was running, in {}", user_place(lua));
+  push_error(lua, "stopped", message.c_str());
   lua_error(lua);
 }
 
@@ -48,7 +53,7 @@ void follow_parent() {
 }
 
 void watch_script(lua_State* lua) {
-  lua_sethook(lua, on_count, LUA_MASKCOUNT, 10000);
+  lua_sethook(lua, on_event, LUA_MASKCOUNT | LUA_MASKLINE, 10000);
 }
 
 } // namespace stiction::bind

@@ -84,7 +84,7 @@ int follow(lua_State*) {
   return 0;
 }
 
-/// tell_parent(line): one message to the process that started this one
+/// tell_parent(line) -> true if the process that started this one took the message
 int tell_parent(lua_State* lua) {
   auto const line = text_at(lua, 1) + "\n";
   for (std::size_t sent = 0; sent < line.size();) {
@@ -94,7 +94,8 @@ int tell_parent(lua_State* lua) {
     else if (errno != EINTR)
       return 0; // nobody listens: the case is run by hand
   }
-  return 0;
+  push(lua, true);
+  return 1;
 }
 
 } // namespace

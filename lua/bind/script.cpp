@@ -10,12 +10,16 @@ namespace stiction::bind {
 
 namespace {
 
-/// load_script(text, name, environment) -> function; messages call the file `name`. Text only, no bytecode.
+/// load_script(text, name, environment) -> function, or nil and the reason; messages call the file `name`.
+/// Text only, no bytecode.
 int load_script(lua_State* lua) {
   auto const text = text_at(lua, 1);
   auto const name = "@" + text_at(lua, 2);
-  if (luaL_loadbufferx(lua, text.data(), text.size(), name.c_str(), "t") != LUA_OK)
-    return lua_error(lua);
+  if (luaL_loadbufferx(lua, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
+    lua_pushnil(lua);
+    lua_insert(lua, -2);
+    return 2;
+  }
   lua_pushvalue(lua, 3);
   lua_setupvalue(lua, -2, 1);
   return 1;

@@ -2,7 +2,7 @@
 #include "bind/trace.hpp"
 
 #include <fmt/format.h>
-#include <optional>
+#include <vector>
 
 #include "bind/push.hpp"
 #include "bind/state.hpp"
@@ -12,42 +12,87 @@ namespace stiction::bind {
 
 namespace {
 
+lua_Debug last_line; ///< the user's line that ran last; currentline 0 before any
+
 bool is_user_frame(lua_Debug const& frame) {
   std::string_view const source = frame.source;
   return source.starts_with('@') && !source.substr(1).starts_with(library_root());
 }
 
-/// "  study.lua:12: in function 'load'"
-std::string line_of(lua_Debug const& frame) {
-  std::string what = "in the script's main part";
-  if (frame.name != nullptr)
-    what = fmt::format("in {} '{}'", *frame.namewhat == '\0' ? "function" : frame.namewhat, frame.name);
-  else if (*frame.what != 'm')
-    what = fmt::format("in the function that starts at line {}", frame.linedefined);
-  return fmt::format("\n  {}:{}: {}", frame.short_src, frame.currentline, what);
+std::string place_of(lua_Debug const& frame) {
+  return fmt::format("{}:{}", frame.short_src, frame.currentline);
 }
 
-std::string user_frames(lua_State* lua) {
-  std::string text;
+std::string name_of(lua_Debug const& frame) {
+  if (*frame.what == 'm')
+    return "in the script's main part";
+  if (frame.name != nullptr)
+    return fmt::format("in function '{}'", frame.name);
+  return fmt::format("in the function that starts at line {}", frame.linedefined);
+}
+
+struct UserFrame {
+  std::string place, name;
+};
+
+/// The user's frames, innermost first. Where a function ended in a tail call to our library, the line it
+/// ended in stands for it.
+std::vector<UserFrame> user_frames(lua_State* lua) {
+  std::vector<UserFrame> frames;
   lua_Debug frame;
   for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
     lua_getinfo(lua, "Slnt", &frame);
-    if (is_user_frame(frame))
-      text += line_of(frame) + (frame.istailcall != 0 ? " (called by a tail call)" : "");
+    if (is_user_frame(frame)) {
+      UserFrame found{place_of(frame), ": " + name_of(frame)};
+      if (!frames.empty() && frames.back().name.empty() && frames.back().place == found.place)
+        frames.pop_back();
+      frames.push_back(std::move(found));
+    } else if (frames.empty() && frame.istailcall != 0 && last_line.currentline > 0) {
+      frames.push_back({place_of(last_line), ""});
+    }
   }
-  return text;
+  return frames;
+}
+
+/// One line a frame; nothing if `message` starts with the place of the only one.
+std::string trace_of(lua_State* lua, std::string const& message) {
+  auto const frames = user_frames(lua);
+  if (frames.size() == 1 && message.starts_with(frames[0].place))
+    return "";
+  std::string trace;
+  for (auto const& [place, name] : frames)
+    trace += fmt::format("\n  {}{}", place, name);
+  return trace;
 }
 
 } // namespace
 
+void note_line(lua_State* lua, lua_Debug* event) {
+  lua_getinfo(lua, "S", event);
+  if (is_user_frame(*event))
+    last_line = *event;
+}
+
 std::string user_place(lua_State* lua) {
   lua_Debug frame;
   for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
-    lua_getinfo(lua, "Sl", &frame);
+    lua_getinfo(lua, "Slt", &frame);
     if (is_user_frame(frame))
-      return fmt::format("{}:{}", frame.short_src, frame.currentline);
+      return place_of(frame);
+    if (frame.istailcall != 0 && last_line.currentline > 0)
+      return place_of(last_line);
   }
   return "";
+}
+
+bool in_user_code(lua_State* lua) {
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
+    lua_getinfo(lua, "S", &frame);
+    if (is_user_frame(frame))
+      return true;
+  }
+  return false;
 }
 
 int on_error(lua_State* lua) {
@@ -56,8 +101,9 @@ int on_error(lua_State* lua) {
     return 1;
   }
   std::string const message = luaL_tolstring(lua, 1, nullptr);
-  std::string trace = user_frames(lua);
-  if (trace.empty()) { // nothing of the user's is running: our own library is at fault
+  std::string trace = trace_of(lua, message);
+  if (trace.empty() &&
+      user_place(lua).empty()) { // nothing of the user's is running: our own library is at fault
     luaL_traceback(lua, lua, nullptr, 1);
     trace = fmt::format("\n{}", text_at(lua, -1));
   }

@@ -26,7 +26,7 @@ local function print_to_output(...)
 end
 
 --- The globals of a script: copies, so that no script can reach into the library. `trust` adds io and os.
-local function environment(trust)
+function loader.environment(trust)
   local names = {}
   for _, name in ipairs(plain) do
     names[name] = _G[name]
@@ -47,7 +47,12 @@ local function run_file(source, path, name)
     fault.input("%s", reason)
   end
   source.files[#source.files + 1] = path
-  return engine.load_script(text, name, source.environment)()
+  local script, complaint = engine.load_script(text, name, source.environment)
+  if not script then
+    fault.input("%s", complaint)
+  end
+  local value = script()
+  return value
 end
 
 --- `require` as scripts see it: "stiction", and modules beside the study.
@@ -101,7 +106,7 @@ end
 function loader.load(path, trust)
   local source = loader.find(path)
   source.files = {}
-  source.environment = environment(trust)
+  source.environment = loader.environment(trust)
   source.environment.require = make_require(source)
   return run_file(source, source.file, source.name), source
 end

@@ -99,8 +99,7 @@ local function set(plan, values, name, value, blame)
     fault.input("%s: the study has no parameter '%s'%s; parameters: %s", blame, name,
       fault.meant(name, known_names(plan, values)), table.concat(known_names(plan, values), ", "))
   elseif not fits(old, value) then
-    fault.input("%s: '%s' is %s, but the study has %s there; write it like %s", blame, name, tostring(value),
-      tostring(old), tostring(old))
+    fault.input("%s: '%s' must be like %s, not %s", blame, name, tostring(old), tostring(value))
   end
   replace(plan, values, name, value)
 end

@@ -9,7 +9,7 @@ local sweep = require "stiction.sweep"
 local between_messages = 0.1 -- s
 
 local function tell(message)
-  engine.tell_parent(engine.encode_json(message))
+  return engine.tell_parent(engine.encode_json(message))
 end
 
 --- Parameters of one section with their notes, for the manifest.
@@ -71,6 +71,8 @@ return function(options)
   if held then
     return value
   end
-  tell { fault = tostring(value) .. (value.trace or "") }
-  error(value, 0)
+  if not tell { fault = tostring(value) .. (value.trace or "") } then
+    error(value, 0)
+  end
+  return (value.kind == "input" or value.kind == "script") and 2 or 1
 end

@@ -42,7 +42,11 @@ return function(options)
   if not text then
     fault.input("%s", reason)
   end
-  engine.load_script(text, options.file:match("[^/]+$"), tools)()
+  local script, complaint = engine.load_script(text, options.file:match("[^/]+$"), tools)
+  if not script then
+    fault.input("%s", complaint)
+  end
+  script()
   engine.write(("%d passed, %d failed\n"):format(passed, failed))
   return (failed == 0 and passed > 0) and 0 or 1
 end

@@ -1,0 +1,66 @@
+-- Constructors, conversion to the engine's input, JSON, order of walking, the sandbox.
+local stiction = require "stiction"
+local engine = require "stiction.engine"
+local loader = require "stiction.loader"
+local ordered = require "stiction.ordered"
+
+test("constructors tag their table with kind and line, also in a tail call", function()
+  local function tail()
+    return stiction.material.blatz_ko {}
+  end
+  local part = tail()
+  equal(engine.part(part), "material.blatz_ko")
+  equal(engine.part {}, "")
+end)
+
+test("unknown categories and kinds are told with what was meant", function()
+  fails("stiction has no 'materail'; did you mean 'material'?", function() return stiction.materail end)
+  fails("there is no material.blatz_k; did you mean 'blatz_ko'?", function() return stiction.material.blatz_k end)
+  fails("material needs a kind", function() return stiction.material {} end)
+  fails("material.blatz_ko takes one table", function() return stiction.material.blatz_ko(3) end)
+end)
+
+local function refused(part, value)
+  fails(part, engine.validate, { thing = value })
+end
+
+test("what cannot be part of a scene is refused with its path", function()
+  local cycle = {}
+  cycle.again = { cycle }
+  refused("thing: a function cannot be part of a scene", print)
+  refused("thing: nan is not a finite number", math.abs(0/0))
+  refused("thing: inf is not a finite number", math.huge)
+  refused("thing.again[1]: this table contains itself", cycle)
+  refused("thing.a[2]: a function cannot", { a = { 1, print } })
+  refused("thing: this table mixes names and list elements", { 1, a = 2 })
+  refused("thing: this list has holes: 2 elements, but the last one is number 3", { [1] = 1, [3] = 3 })
+  refused("thing: a key of this table is neither", { [true] = 1 })
+  refused("thing: a key of this table is neither", { [1.5] = 1 })
+end)
+
+test("JSON keeps every digit, sorts names, and reads back", function()
+  local value = engine.decode_json(engine.encode_json { b = { 1, 2.5, "x\n" }, a = true, c = 0.1 })
+  equal(value.b[2], 2.5)
+  equal(value.c, 0.1)
+  equal(engine.encode_json { b = 1, a = 0.1 }, '{"a":0.1,"b":1}')
+  equal(engine.encode_json {}, "[]")
+  equal(engine.encode_json { x = 0/0 }, '{"x":null}')
+  equal(engine.decode_json("{\"a\": "), nil)
+  fails("a list or have names only", engine.encode_json, { a = { [1.5] = 2 } })
+end)
+
+test("tables are walked in one order", function()
+  equal(table.concat(ordered.keys { b = 1, a = 1, [2] = 1, [1] = 1 }, " "), "1 2 a b")
+end)
+
+test("a script sees neither files nor clock, and cannot reach the library", function()
+  for _, name in ipairs { "os", "io", "load", "loadfile", "dofile", "debug", "package", "collectgarbage" } do
+    equal(engine.load_script("return " .. name, "x.lua", loader.environment(false))(), nil)
+  end
+  local environment = loader.environment(false)
+  engine.load_script("string.format = nil", "x.lua", environment)()
+  equal(type(string.format), "function")
+  equal(engine.load_script("return math.randomseed", "x.lua", environment)(), nil)
+  equal(engine.load_script("return getmetatable('')", "x.lua", environment)(), false)
+  equal(type(loader.environment(true)), "table")
+end)

@@ -1,0 +1,79 @@
+-- The study table: its keys, its parameters, and the cases they multiply out to.
+local stiction = require "stiction"
+local sweep = require "stiction.sweep"
+local units = stiction.units
+local mm, s = units.mm, units.s
+
+local function make(changes)
+  local t = { title = "t", scene = function() end }
+  for key, value in pairs(changes) do
+    t[key] = value
+  end
+  return stiction.study(t)
+end
+
+local function ids(study, options)
+  local words = {}
+  for i, case in ipairs((sweep.cases(study, options or {}))) do
+    words[i] = case.id
+  end
+  return table.concat(words, " ")
+end
+
+local two = { given = { radius = 5*mm }, chosen = { dt = { 0.1*s, "why" } },
+  sweep = { { "v", { 1000*mm/s, 333.3*mm/s } }, { "mu", { 0, 0.4 } } },
+  quick = { sweep = { v = { 1000*mm/s } }, set = { dt = 1*s } } }
+
+test("a sweep is a product, named in its stated unit", function()
+  equal(ids(make(two)), "v1000_mu0 v1000_mu0.4 v333.3_mu0 v333.3_mu0.4")
+  equal(ids(make { sweep = { mu = { 0, 1 }, b = { 2 } } }), "b2_mu0 b2_mu1")
+  equal(ids(make { sweep = { { mu = 0, b = 1 }, { mu = 1, b = 5 } } }), "b1_mu0 b5_mu1")
+  equal(ids(make { sweep = { kind = { "a b", "c" } } }), "kinda_b kindc")
+  equal(ids(make {}), "case")
+  equal(ids(make { sweep = { mu = { 0, 1 } }, case_id = function(p) return "x" .. p.mu end }), "x0 x1")
+end)
+
+test("quick and --set change values, a swept one is fixed", function()
+  equal(ids(make(two), { quick = true }), "v1000_mu0 v1000_mu0.4")
+  equal(ids(make(two), { set = { "mu=0.2" } }), "v1000_mu0.2 v333.3_mu0.2")
+  equal(ids(make(two), { set = { "v=0.5 m/s", "mu = 1e-1" } }), "v0.5_mu0.1")
+  equal(sweep.cases(make(two), { quick = true })[1].p.dt, 1*s)
+  equal(sweep.cases(make(two), { quick = true, set = { "dt=5 ms" } })[1].p.dt, 0.005*s)
+  equal(sweep.cases(make(two), {})[1].p.dt, 0.1*s)
+  equal(ids(make { sweep = { { mu = 0, b = 1 }, { mu = 1, b = 1 } } }, { set = { "mu=3" } }), "b1_mu3")
+end)
+
+test("what --set cannot do is told", function()
+  local function set(text)
+    return function() return sweep.cases(make(two), { set = { text } }) end
+  end
+  fails("no parameter 'raduis'; did you mean 'radius'?", set "raduis=3 mm")
+  fails("'radius' must be like 5 mm, not 3", set "radius=3")
+  fails("'radius' must be like 5 mm, not 3 s", set "radius=3 s")
+  fails("unknown unit 'furlong'", set "radius=3 furlong")
+  fails("write NAME=VALUE", set "radius")
+end)
+
+test("a misspelt parameter is told where it is used", function()
+  local p = sweep.cases(make(two), {})[1].p
+  fails("there is no parameter 'raduis'; did you mean 'radius'?", function() return p.raduis end)
+end)
+
+test("mistakes in the study table are told", function()
+  fails("unknown key 'titel'; did you mean 'title'?", make, { titel = "x" })
+  fails("study.scene must be a function, not a number", make, { scene = 3 })
+  fails("study.chosen.dt needs its reason", make, { chosen = { dt = 3 } })
+  fails("'dt' stands in both given and chosen", make, { given = { dt = 3 }, chosen = { dt = { 3, "why" } } })
+  fails("study.sweep.mu must be a list", make, { sweep = { mu = 3 } })
+  fails("study.results.peak must be", make, { results = { peak = { unit = "Pa" } } })
+  fails("study.results.peak: unknown unit 'Pq'", make, { results = { peak = { unit = "Pq", function() end } } })
+  fails("'mu' is swept, but stands in given or chosen", function()
+    return ids(make { given = { mu = 1 }, sweep = { mu = { 1 } } })
+  end)
+  fails("two cases of the sweep are called 'x'", function()
+    return ids(make { sweep = { mu = { 1, 2 } }, case_id = function() return "x" end })
+  end)
+  fails("a case's name is a folder's name", function()
+    return ids(make { case_id = function() return "../x" end })
+  end)
+end)
