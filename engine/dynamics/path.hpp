@@ -9,7 +9,7 @@ struct Path {
   std::vector<double> times{0};
   std::vector<double> values{0};
   [[nodiscard]] double value(double t) const;
-  /// Rate just before t (at the first knot: just after), so that a step ending on a knot sees its own line.
+  /// Rate just before t, so that a step ending on a knot sees its own line; 0 outside the knots.
   [[nodiscard]] double rate_before(double t) const;
   [[nodiscard]] bool constant() const { return times.size() == 1; }
 };

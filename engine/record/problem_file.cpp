@@ -1,0 +1,176 @@
+// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /adhesions [laws, columns], /dim.
+#include "record/problem_file.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "record/file.hpp"
+#include "record/hdf5.hpp"
+
+namespace stiction::record {
+
+namespace {
+
+constexpr hsize_t point_columns = 8;    // area, mu, law, beta, stretch 1, stretch 2, dt, closed
+constexpr hsize_t adhesion_columns = 8; // w, C_n, C_t, b, beta0, bonding, friction, damage_power
+
+bool write(hid_t file, char const* name, std::vector<hsize_t> const& shape,
+           std::vector<double> const& values) {
+  hdf5::Handle const space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  hdf5::Handle const set(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
+  return set.valid() && (values.empty() ||
+                         H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+}
+
+std::vector<double> flatten(std::vector<contact::ProblemPoint> const& points) {
+  std::vector<double> rows;
+  for (auto const& p : points)
+    rows.insert(rows.end(), {p.area, p.mu, static_cast<double>(p.law), p.bond.old.beta, p.bond.old.stretch[0],
+                             p.bond.old.stretch[1], p.bond.dt, p.bond.closed ? 1.0 : 0.0});
+  return rows;
+}
+
+std::vector<double> flatten(std::vector<interface::Rcc> const& laws) {
+  std::vector<double> rows;
+  for (auto const& l : laws)
+    rows.insert(rows.end(), {l.w, l.C_n, l.C_t, l.b, l.beta0, static_cast<double>(l.bonding),
+                             static_cast<double>(l.friction), l.damage_power});
+  return rows;
+}
+
+/// Reads named datasets and checks their sizes and numbers.
+class ProblemReader {
+public:
+  explicit ProblemReader(std::filesystem::path const& path) : path_(path) {
+    hdf5::keep_reasons();
+    file_ = hdf5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, hdf5::file_access()), H5Fclose);
+    if (!file_.valid())
+      refuse("cannot be read as a contact problem (" + hdf5::last_reason() + ")");
+  }
+  [[nodiscard]] bool has(char const* name) const { return H5Lexists(file_, name, H5P_DEFAULT) > 0; }
+  [[nodiscard]] std::vector<double> read(char const* name) const {
+    if (!has(name))
+      refuse(fmt::format("has no dataset \"{}\"", name));
+    hdf5::Handle const set(H5Dopen2(file_, name, H5P_DEFAULT), H5Dclose);
+    hdf5::Handle const space(set.valid() ? H5Dget_space(set) : H5I_INVALID_HID, H5Sclose);
+    auto const count = space.valid() ? H5Sget_simple_extent_npoints(space) : -1;
+    if (count < 0 || count > 400'000'000)
+      refuse(fmt::format("dataset \"{}\" has no usable size", name));
+    std::vector<double> values(static_cast<std::size_t>(count));
+    if (count > 0 && H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+      refuse(fmt::format("dataset \"{}\" is truncated or not numeric", name));
+    for (double const value : values)
+      if (!std::isfinite(value))
+        refuse(fmt::format("dataset \"{}\" holds a number that is not finite", name));
+    return values;
+  }
+  [[noreturn]] void refuse(std::string const& why) const {
+    throw core::InputError({{path_.string(), "", why + "; give a file saved by output{problems_every = n}"}});
+  }
+  void require(bool held, char const* what) const {
+    if (!held)
+      refuse(fmt::format("does not fit together: {}", what));
+  }
+
+private:
+  std::filesystem::path path_;
+  hdf5::Handle file_;
+};
+
+contact::ProblemPoint point_of(double const* row, ProblemReader const& reader, std::size_t laws) {
+  contact::ProblemPoint point;
+  point.area = row[0];
+  point.mu = row[1];
+  point.law = static_cast<int>(row[2]);
+  point.bond = {{row[3], {row[4], row[5]}}, row[6], row[7] != 0};
+  reader.require(point.area > 0 && point.mu >= 0 && point.law >= -1 && point.law < static_cast<int>(laws) &&
+                     point.bond.old.beta >= 0 && point.bond.old.beta <= 1 && point.bond.dt >= 0,
+                 "a point's area, mu, law or bond is out of range");
+  return point;
+}
+
+interface::Rcc law_of(double const* row, ProblemReader const& reader) {
+  interface::Rcc law;
+  law.w = row[0];
+  law.C_n = row[1];
+  law.C_t = row[2];
+  law.b = row[3];
+  law.beta0 = row[4];
+  reader.require(row[5] >= 0 && row[5] <= 2 && row[6] >= 0 && row[6] <= 1, "an adhesion setting is unknown");
+  law.bonding = static_cast<interface::Bonding>(row[5]);
+  law.friction = static_cast<interface::BondFriction>(row[6]);
+  law.damage_power = row[7];
+  return law;
+}
+
+/// The layout of friction problem collections: symmetric W packed row by row, q, mu; three components.
+contact::Problem load_packed(ProblemReader const& reader) {
+  contact::Problem problem;
+  problem.dim = 3;
+  auto const packed = reader.read("W_upper_packed"), q = reader.read("q"), mu = reader.read("mu");
+  auto const n = q.size();
+  reader.require(n == 3 * mu.size() && n > 0 && packed.size() == n * (n + 1) / 2,
+                 "sizes of W_upper_packed, q and mu");
+  problem.free = Eigen::Map<Vector const>(q.data(), static_cast<Eigen::Index>(n));
+  problem.W.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  std::size_t k = 0;
+  for (Eigen::Index i = 0; i < problem.W.rows(); ++i)
+    for (Eigen::Index j = i; j < problem.W.rows(); ++j)
+      problem.W(i, j) = problem.W(j, i) = packed[k++];
+  for (double const coefficient : mu) {
+    reader.require(coefficient >= 0, "a friction coefficient is negative");
+    problem.points.push_back({1.0, coefficient, -1, {}});
+  }
+  return problem;
+}
+
+} // namespace
+
+void save_problem(std::filesystem::path const& path, contact::Problem const& problem) {
+  hdf5::keep_reasons();
+  auto const part = part_name(path);
+  bool written = false;
+  {
+    hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5::file_access()),
+                            H5Fclose);
+    auto const n = static_cast<hsize_t>(problem.free.size());
+    std::vector<double> const W(problem.W.data(), problem.W.data() + problem.W.size()); // column by column
+    std::vector<double> const free(problem.free.data(), problem.free.data() + problem.free.size());
+    written =
+        file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&
+        write(file, "points", {problem.points.size(), point_columns}, flatten(problem.points)) &&
+        write(file, "adhesions", {problem.adhesions.size(), adhesion_columns}, flatten(problem.adhesions)) &&
+        write(file, "dim", {1}, {static_cast<double>(problem.dim)}) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+  }
+  if (!written)
+    throw unwritable(path, hdf5::last_reason());
+  std::filesystem::rename(part, path);
+}
+
+contact::Problem load_problem(std::filesystem::path const& path) {
+  ProblemReader const reader(path);
+  if (reader.has("W_upper_packed"))
+    return load_packed(reader);
+  contact::Problem problem;
+  auto const dim = reader.read("dim"), W = reader.read("W"), free = reader.read("free");
+  auto const points = reader.read("points"), adhesions = reader.read("adhesions");
+  auto const n = free.size();
+  reader.require(dim.size() == 1 && (dim[0] == 2 || dim[0] == 3), "dim is 2 or 3");
+  problem.dim = static_cast<int>(dim[0]);
+  reader.require(W.size() == n * n && points.size() % point_columns == 0 &&
+                     adhesions.size() % adhesion_columns == 0 &&
+                     n == static_cast<std::size_t>(problem.dim) * (points.size() / point_columns),
+                 "sizes of W, free, points and adhesions");
+  auto const size = static_cast<Eigen::Index>(n);
+  problem.W = Eigen::Map<Dense const>(W.data(), size, size);
+  problem.free = Eigen::Map<Vector const>(free.data(), size);
+  for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns)
+    problem.adhesions.push_back(law_of(&adhesions[k], reader));
+  for (std::size_t k = 0; k < points.size(); k += point_columns)
+    problem.points.push_back(point_of(&points[k], reader, problem.adhesions.size()));
+  return problem;
+}
+
+} // namespace stiction::record

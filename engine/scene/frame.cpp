@@ -1,0 +1,67 @@
+// Fields over all bodies; contact fields live on the secondary nodes, status is -1 elsewhere.
+#include "scene/frame.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+record::FieldArray vector_array(char const* name, char const* unit, Vector const& values) {
+  record::FieldArray array{name, unit, 3, {}, false};
+  for (Index i = 0; 2 * i < values.size(); ++i)
+    array.values.insert(array.values.end(), {values[2 * i], values[2 * i + 1], 0.0});
+  return array;
+}
+
+void add_stress(Scene const& scene, dynamics::State const& state, record::FieldFrame& frame) {
+  record::FieldArray stress{"cauchy_stress", "Pa", 6, {}, false}, mises{"von_mises", "Pa", 1, {}, false};
+  auto const& model = *scene.model;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    auto const first = ix(2 * model.first_node[b]), count = ix(2 * model.first_node[b + 1]) - first;
+    auto const nodal = model.cells[b].stress({state.u.data() + first, count});
+    for (Eigen::Index i = 0; i < nodal.von_mises.size(); ++i) {
+      auto const s = nodal.cauchy.row(i);
+      stress.values.insert(stress.values.end(), {s[0], s[1], s[2], s[3], 0.0, 0.0});
+      mises.values.push_back(nodal.von_mises[i]);
+    }
+  }
+  frame.point_arrays.push_back(std::move(stress));
+  frame.point_arrays.push_back(std::move(mises));
+}
+
+void add_contact(Scene const& scene, dynamics::State const& state, record::FieldFrame& frame) {
+  auto const& model = *scene.model;
+  if (model.pairs.empty())
+    return;
+  auto const n = ix(model.node_count());
+  record::FieldArray beta{"beta", "1", 1, std::vector<double>(n, 0.0), false};
+  record::FieldArray pressure{"contact_pressure", "Pa", 1, std::vector<double>(n, 0.0), false};
+  record::FieldArray adhesion{"tangential_adhesion", "Pa", 1, std::vector<double>(n, 0.0), false};
+  record::FieldArray status{"status", "1", 1, std::vector<double>(n, -1.0), false};
+  for (std::size_t p = 0; p < model.pairs.size(); ++p)
+    for (std::size_t i = 0; i < model.pairs[p].secondary.size(); ++i) {
+      auto const node = ix(model.pairs[p].secondary[i]);
+      auto const& point = state.contacts[p][i];
+      beta.values[node] = point.bond.beta;
+      pressure.values[node] = point.dry[0];
+      adhesion.values[node] = point.adhesion[1];
+      status.values[node] = static_cast<double>(point.status);
+    }
+  for (auto* array : {&beta, &pressure, &adhesion, &status})
+    frame.point_arrays.push_back(std::move(*array));
+}
+
+} // namespace
+
+record::FieldFrame frame_of(Scene const& scene, dynamics::State const& state) {
+  record::FieldFrame frame;
+  frame.time = state.t;
+  for (auto const& body : scene.model->bodies)
+    record::add_body(frame, body->mesh);
+  frame.point_arrays.push_back(vector_array("displacement", "m", state.u));
+  frame.point_arrays.push_back(vector_array("velocity", "m/s", state.v));
+  add_stress(scene, state, frame);
+  add_contact(scene, state, frame);
+  return frame;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,297 @@
+// Schemas of the script's tables and the reading of those that hold other tables.
+#include "scene/parts.hpp"
+
+#include <fmt/format.h>
+
+namespace stiction::scene {
+
+using core::Describe;
+using core::Need;
+using core::Reader;
+
+namespace {
+
+/// A list of two numbers, or a complaint.
+void check_pair(Reader& reader, char const* key, Numbers const& numbers) {
+  if (reader.has(key) && numbers.size() != 2)
+    reader.complain_at(key, fmt::format("has {} numbers; two are wanted: {{x, y}}", numbers.size()));
+}
+
+/// Values along times: both lists of one length, times ascending.
+void check_path(Reader& reader, Numbers const& times, Numbers const& values, char const* key) {
+  if (!reader.has(key))
+    return;
+  if (values.size() != times.size() || times.empty())
+    reader.complain_at(
+        key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k] <= times[k - 1])
+      return reader.complain_at("times", fmt::format("must grow; entry {} does not", k + 1));
+}
+
+/// Every entry of a named table by `read`.
+template<class Part, class Read>
+std::map<std::string, Part> named(Reader& reader, char const* key, Need need, Read&& read) {
+  std::map<std::string, Part> parts;
+  if (need == Need::optional && !reader.has(key)) {
+    static_cast<void>(reader.at(key, need));
+    return parts;
+  }
+  Reader table = reader.child(key, need);
+  for (auto const& name : table.keys())
+    parts.emplace(name, read(table.child(name)));
+  return parts;
+}
+
+template<class Part> Part nested_record(Reader& reader, char const* key) {
+  if (!reader.has(key)) {
+    static_cast<void>(reader.at(key, Need::optional));
+    return {};
+  }
+  return reader.child(key, Need::optional).record<Part>();
+}
+
+template<class Choice> Choice nested_choice(Reader& reader, char const* key, Need need) {
+  if (!reader.has(key)) {
+    static_cast<void>(reader.at(key, need));
+    return {};
+  }
+  return reader.child(key, need).alternative<Choice>();
+}
+
+} // namespace
+
+core::Schema const& BodyPart::schema() {
+  static auto const made =
+      Describe<BodyPart>{"body", "a deformable body", "PHYSICS 4"}
+          .nested("mesh", "mesh", Need::required, "its mesh")
+          .nested("material", "material", Need::required, "its bulk law")
+          .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
+                  "mass density of the reference body")
+          .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y}")
+          .build();
+  return made;
+}
+
+void BodyPart::read_nested(Reader& reader) {
+  mesh = nested_choice<mesh::Generator>(reader, "mesh", Need::required);
+  material = nested_choice<material::Material>(reader, "material", Need::required);
+  check_pair(reader, "velocity", velocity);
+}
+
+core::Schema const& ObstaclePart::schema() {
+  static auto const made =
+      Describe<ObstaclePart>{"obstacle", "a rigid obstacle without mesh or unknowns, carried along a path",
+                             ""}
+          .nested("shape", "rigid", Need::required, "its shape and place at the start")
+          .numbers("times", &ObstaclePart::times, "s", Need::optional, "times of the path")
+          .numbers("x", &ObstaclePart::x, "m", Need::optional, "displacement in x at those times")
+          .numbers("y", &ObstaclePart::y, "m", Need::optional, "displacement in y at those times")
+          .build();
+  return made;
+}
+
+void ObstaclePart::read_nested(Reader& reader) {
+  shape = nested_choice<contact::Obstacle>(reader, "shape", Need::required);
+  check_path(reader, times, x, "x");
+  check_path(reader, times, y, "y");
+  Reader shape_reader = reader.child("shape", Need::optional);
+  if (auto const* plane = std::get_if<contact::RigidPlane>(&shape)) {
+    check_pair(shape_reader, "point", plane->point);
+    check_pair(shape_reader, "normal", plane->normal);
+    if (plane->normal == Numbers{0, 0})
+      shape_reader.complain_at("normal", "is {0, 0}; give a direction");
+  } else {
+    check_pair(shape_reader, "centre", std::get<contact::RigidCircle>(shape).centre);
+  }
+}
+
+core::Schema const& PairPart::schema() {
+  static auto const made =
+      Describe<PairPart>{"pair", "two surfaces that may touch, and the law between them", "PHYSICS 1"}
+          .text("secondary", &PairPart::secondary, Need::required,
+                "surface that carries the contact points, \"body.set\"")
+          .text("primary", &PairPart::primary, Need::required,
+                "surface they meet, \"body.set\", or an obstacle's name")
+          .nested("friction", "friction", Need::optional, "friction law; none: frictionless")
+          .nested("adhesion", "adhesion", Need::optional, "adhesion law; none: dry")
+          .choice("smoothing", &PairPart::smoothing, {"spline", "polyline"}, Need::optional,
+                  "how the primary surface runs between its nodes")
+          .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
+                  "points farther apart stay out of the contact problem; 0: half a facet")
+          .build();
+  return made;
+}
+
+void PairPart::read_nested(Reader& reader) {
+  if (reader.has("friction"))
+    law.friction = std::get<interface::Coulomb>(
+        nested_choice<std::variant<interface::Coulomb>>(reader, "friction", Need::optional));
+  if (reader.has("adhesion"))
+    law.adhesion = std::get<interface::Rcc>(
+        nested_choice<std::variant<interface::Rcc>>(reader, "adhesion", Need::optional));
+  for (char const* key : {"friction", "adhesion"})
+    static_cast<void>(reader.at(key, Need::optional));
+  if (!secondary.empty() && secondary == primary)
+    reader.complain_at(
+        "primary",
+        fmt::format("is \"{}\", the secondary itself; a pair needs two different surfaces", primary));
+}
+
+core::Schema const& DrivePart::schema() {
+  static auto const made =
+      Describe<DrivePart>{"drive", "displacements of a set, straight lines between given times", ""}
+          .text("set", &DrivePart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("times", &DrivePart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &DrivePart::x, "m", Need::optional,
+                   "displacement in x at those times; without it x is free")
+          .numbers("y", &DrivePart::y, "m", Need::optional,
+                   "displacement in y at those times; without it y is free")
+          .build();
+  return made;
+}
+
+core::Schema const& FixPart::schema() {
+  static auto const made = Describe<FixPart>{"fix", "a set held where it is", ""}
+                               .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
+                               .flag("x", &FixPart::x, "hold x")
+                               .flag("y", &FixPart::y, "hold y")
+                               .build();
+  return made;
+}
+
+core::Schema const& StagePart::schema() {
+  static auto const made =
+      Describe<StagePart>{"stage", "a stretch of the run with equal steps", ""}
+          .number("until", &StagePart::until, "s", core::positive, Need::required, "time at its end")
+          .integer("steps", &StagePart::steps, {1, 1e8, false, false}, Need::required, "number of steps")
+          .build();
+  return made;
+}
+
+core::Schema const& SchedulePart::schema() {
+  static auto const made =
+      Describe<SchedulePart>{
+          "schedule", "the run's stages; a step that fails is halved, and grows again after success", ""}
+          .nested("stages", "stage", Need::required, "list of stages")
+          .integer("halvings", &SchedulePart::halvings, {0, 20, false, false}, Need::optional,
+                   "how often a step may be halved before the run stops")
+          .build();
+  return made;
+}
+
+void SchedulePart::read_nested(Reader& reader) {
+  for (auto& stage : reader.children("stages"))
+    stages.push_back(stage.record<StagePart>());
+  if (stages.empty() && reader.has("stages"))
+    reader.complain_at("stages", "is empty; give at least one stage{until = ..., steps = ...}");
+  for (std::size_t k = 1; k < stages.size(); ++k)
+    if (stages[k].until <= stages[k - 1].until)
+      reader.complain_at("stages", fmt::format("stage {} ends at {:g} s, not after the one before it", k + 1,
+                                               stages[k].until));
+}
+
+core::Schema const& OutputPart::schema() {
+  static auto const made =
+      Describe<OutputPart>{"output", "what is written beside the probes", ""}
+          .integer("frames", &OutputPart::frames, {0, 1e6, false, false}, Need::optional,
+                   "field frames per stage, its end included")
+          .integer("problems_every", &OutputPart::problems_every, {0, 1e6, false, false}, Need::optional,
+                   "save the contact problem of every n-th step for `stiction solve`; 0: none")
+          .build();
+  return made;
+}
+
+core::Schema const& PointProbe::schema() {
+  static auto const made = Describe<PointProbe>{"contact_point", "history of one contact point", ""}
+                               .text("pair", &PointProbe::pair, Need::required, "name of the pair")
+                               .numbers("near", &PointProbe::near, "m", Need::required,
+                                        "the secondary node nearest to {x, y} at the start")
+                               .build();
+  return made;
+}
+
+core::Schema const& ContactProbe::schema() {
+  static auto const made =
+      Describe<ContactProbe>{"contact", "history of a whole pair: forces, points by status, extremes", ""}
+          .text("pair", &ContactProbe::pair, Need::required, "name of the pair")
+          .build();
+  return made;
+}
+
+core::Schema const& LineProbe::schema() {
+  static auto const made = Describe<LineProbe>{"contact_line", "history of every contact point of a pair", ""}
+                               .text("pair", &LineProbe::pair, Need::required, "name of the pair")
+                               .build();
+  return made;
+}
+
+core::Schema const& ForceProbe::schema() {
+  static auto const made =
+      Describe<ForceProbe>{"force", "force that a motion exerts on its nodes", ""}
+          .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
+          .build();
+  return made;
+}
+
+core::Schema const& NodeProbe::schema() {
+  static auto const made =
+      Describe<NodeProbe>{"node", "displacement and velocity of one node", ""}
+          .text("set", &NodeProbe::set, Need::required, "where to look, \"body.set\"")
+          .numbers("near", &NodeProbe::near, "m", Need::required, "its node nearest to {x, y} at the start")
+          .build();
+  return made;
+}
+
+core::Schema const& EnergyProbe::schema() {
+  static auto const made =
+      Describe<EnergyProbe>{"energy", "the energy ledger of the run", "PHYSICS 6"}.build();
+  return made;
+}
+
+core::Schema const& ScenePart::schema() {
+  static auto const made =
+      Describe<ScenePart>{"scene", "everything a run needs", ""}
+          .choice("kinematics", &ScenePart::kinematics, {"plane_strain", "axisymmetric"}, Need::optional,
+                  "axisymmetric: x is the radius, y the axis")
+          .numbers("gravity", &ScenePart::gravity, "m/s^2", Need::optional,
+                   "acceleration {x, y} on every body")
+          .nested("bodies", "body", Need::required, "table of bodies by name")
+          .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
+          .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
+          .nested("motions", "motion", Need::optional, "list of motions")
+          .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")
+          .nested("scheme", "scheme", Need::optional, "time scheme; default theta_xi{}")
+          .nested("solver", "solver", Need::optional, "contact solver; default newton{}")
+          .nested("control", "control", Need::optional, "convergence of a step")
+          .nested("schedule", "schedule", Need::required, "stages and steps")
+          .nested("output", "output", Need::optional, "what is written")
+          .build();
+  return made;
+}
+
+void ScenePart::read_nested(Reader& reader) {
+  check_pair(reader, "gravity", gravity);
+  bodies = named<BodyPart>(reader, "bodies", Need::required, [](Reader r) { return r.record<BodyPart>(); });
+  obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
+                                  [](Reader r) { return r.record<ObstaclePart>(); });
+  pairs = named<PairPart>(reader, "pairs", Need::optional, [](Reader r) { return r.record<PairPart>(); });
+  probes =
+      named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
+  for (auto& motion : reader.children("motions", Need::optional)) {
+    motions.push_back(motion.alternative<MotionPart>());
+    if (auto const* drive = std::get_if<DrivePart>(&motions.back())) {
+      check_path(motion, drive->times, drive->x, "x");
+      check_path(motion, drive->times, drive->y, "y");
+    }
+  }
+  scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);
+  solver = nested_choice<contact::SolverChoice>(reader, "solver", Need::optional);
+  control = nested_record<dynamics::StepControl>(reader, "control");
+  schedule = nested_record<SchedulePart>(reader, "schedule");
+  if (!reader.has("schedule"))
+    reader.complain_at("schedule", "is missing; it is required");
+  output = nested_record<OutputPart>(reader, "output");
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,123 @@
+// The tables a script makes, as structs with their schemas; what they mean is decided in build.cpp.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/obstacle.hpp"
+#include "contact/solver.hpp"
+#include "core/reader.hpp"
+#include "dynamics/scheme.hpp"
+#include "dynamics/stepper.hpp"
+#include "interface/law.hpp"
+#include "material/material.hpp"
+#include "mesh/source.hpp"
+
+namespace stiction::scene {
+
+using core::Numbers;
+
+struct BodyPart {
+  mesh::Generator mesh;
+  material::Material material;
+  double density = 0;     ///< kg/m^3
+  Numbers velocity{0, 0}; ///< m/s
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+/// A rigid obstacle and where it goes.
+struct ObstaclePart {
+  contact::Obstacle shape;
+  Numbers times, x, y; ///< s, m, m
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+struct PairPart {
+  std::string secondary, primary; ///< "body.set", or the name of an obstacle
+  contact::Smoothing smoothing = contact::Smoothing::spline;
+  double reach = 0; ///< m; 0: half a facet
+  interface::Law law;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+/// Displacements of a set along a path; a component without values stays free.
+struct DrivePart {
+  std::string set;
+  Numbers times, x, y;
+  static core::Schema const& schema();
+};
+/// A set held where it is.
+struct FixPart {
+  std::string set;
+  bool x = true, y = true;
+  static core::Schema const& schema();
+};
+using MotionPart = std::variant<DrivePart, FixPart>;
+
+/// A stretch of the run with equal steps.
+struct StagePart {
+  double until = 0; ///< s
+  int steps = 0;
+  static core::Schema const& schema();
+};
+struct SchedulePart {
+  std::vector<StagePart> stages;
+  int halvings = 10; ///< the floor of the step: its nominal size / 2^halvings
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+struct OutputPart {
+  int frames = 1;         ///< field frames per stage, its end included
+  int problems_every = 0; ///< saves the contact problem of every n-th step; 0: none
+  static core::Schema const& schema();
+};
+
+struct PointProbe {
+  std::string pair;
+  Numbers near; ///< m
+  static core::Schema const& schema();
+};
+struct ContactProbe {
+  std::string pair;
+  static core::Schema const& schema();
+};
+struct LineProbe {
+  std::string pair;
+  static core::Schema const& schema();
+};
+struct ForceProbe {
+  std::string set;
+  static core::Schema const& schema();
+};
+struct NodeProbe {
+  std::string set;
+  Numbers near;
+  static core::Schema const& schema();
+};
+struct EnergyProbe {
+  static core::Schema const& schema();
+};
+using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, EnergyProbe>;
+
+struct ScenePart {
+  solid::Kinematics kinematics = solid::Kinematics::plane_strain;
+  Numbers gravity{0, 0}; ///< m/s^2
+  std::map<std::string, BodyPart> bodies;
+  std::map<std::string, ObstaclePart> obstacles;
+  std::map<std::string, PairPart> pairs;
+  std::vector<MotionPart> motions;
+  std::map<std::string, ProbePart> probes;
+  dynamics::Scheme scheme;
+  contact::SolverChoice solver;
+  dynamics::StepControl control;
+  SchedulePart schedule;
+  OutputPart output;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+} // namespace stiction::scene

@@ -1,0 +1,16 @@
+// Probes as columns of a series: what each records and how its row is filled.
+#pragma once
+#include <functional>
+
+#include "record/series.hpp"
+#include "scene/build.hpp"
+
+namespace stiction::scene {
+
+/// Appends the probe's values of one state to a row.
+using Sampler = std::function<void(dynamics::State const&, std::vector<double>&)>;
+
+/// Adds the columns of every probe of the scene, in the order of their names, and returns their samplers.
+[[nodiscard]] std::vector<Sampler> add_probes(Scene const& scene, record::Series& series);
+
+} // namespace stiction::scene

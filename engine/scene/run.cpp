@@ -1,0 +1,282 @@
+// Runs a scene's schedule: steps, their halving and growth, histories, frames, manifest, progress.
+#include "scene/run.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "dynamics/timer.hpp"
+#include "record/file.hpp"
+#include "record/manifest.hpp"
+#include "record/problem_file.hpp"
+#include "scene/frame.hpp"
+#include "scene/probes.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Everything a case writes.
+class Recorder {
+public:
+  Recorder(Scene const& scene, RunOptions const& options)
+      : scene_(&scene), folder_(options.out), series_(options.out / "series.h5"), fields_(options.out) {
+    series_.add("step", "dt", "s", "step size");
+    series_.add("step", "iterations", "1", "Newton iterations");
+    samplers_ = add_probes(scene, series_);
+  }
+  void step(dynamics::State const& state, double dt, int iterations) {
+    row_.clear();
+    row_.insert(row_.end(), {dt, static_cast<double>(iterations)});
+    for (auto const& sampler : samplers_)
+      sampler(state, row_);
+    series_.append(state.t, row_);
+  }
+  void frame(dynamics::State const& state) { fields_.write(frame_of(*scene_, state)); }
+  void problem(contact::Problem const& problem, long step) {
+    if (problem.points.empty())
+      return;
+    auto const folder = folder_ / "problems";
+    record::prepare_output(folder);
+    record::save_problem(folder / fmt::format("{:06}.h5", step), problem);
+  }
+  void close() { series_.flush(); }
+
+private:
+  Scene const* scene_;
+  std::filesystem::path folder_;
+  record::Series series_;
+  record::FieldSeries fields_;
+  std::vector<Sampler> samplers_;
+  std::vector<double> row_;
+};
+
+nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOptions const& options) {
+  auto manifest =
+      options.manifest_json.empty() ? nlohmann::json::object() : nlohmann::json::parse(options.manifest_json);
+  manifest["case"] = options.case_id;
+  manifest["scene"] = record::to_json(input);
+  manifest["build"] = record::build_identity();
+  auto describe = [](auto const& choice) {
+    return std::visit(
+        [](auto const& part) {
+          return nlohmann::json{{part.schema().name, record::describe(&part, part.schema())}};
+        },
+        choice);
+  };
+  auto& settings = manifest["settings"];
+  settings["scheme"] = describe(scene.part.scheme);
+  settings["solver"] = describe(scene.part.solver);
+  settings["control"] = record::describe(&scene.part.control, scene.part.control.schema());
+  for (auto const& [name, body] : scene.part.bodies)
+    settings["bodies"][name] = describe(body.material);
+  for (auto const& [name, pair] : scene.part.pairs) {
+    auto& laws = settings["pairs"][name];
+    laws["pair"] = record::describe(&pair, PairPart::schema());
+    if (pair.law.friction)
+      laws["coulomb"] = record::describe(&*pair.law.friction, interface::Coulomb::schema());
+    if (pair.law.adhesion)
+      laws["rcc"] = record::describe(&*pair.law.adhesion, interface::Rcc::schema());
+  }
+  settings["unknowns"] = 2 * scene.model->node_count();
+  return manifest;
+}
+
+/// The case as it runs.
+class Run {
+public:
+  Run(Scene const& scene, RunOptions const& options)
+      : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
+        state_(stepper_.initial()) {}
+
+  RunResult go() {
+    recorder_.step(state_, 0, 0);
+    if (scene_->part.output.frames > 0)
+      recorder_.frame(state_);
+    result_.verdict = "finished";
+    double start = 0;
+    for (auto const& stage : scene_->part.schedule.stages) {
+      if (!run_stage(stage, start))
+        break;
+      start = stage.until;
+    }
+    Timed const timed(*this);
+    recorder_.close();
+    return finish();
+  }
+
+  RunResult finish() {
+    auto const& cost = stepper_.cost();
+    result_.seconds = seconds_since(began_);
+    result_.iterations = cost.newton_iterations;
+    result_.factorizations = cost.factorizations;
+    result_.phases = {{"assembly", cost.assembly},
+                      {"factorization", cost.factorization},
+                      {"contact", cost.contact},
+                      {"solve", cost.solve},
+                      {"output", output_}};
+    double cells = 0;
+    for (auto const& body : scene_->model->cells)
+      cells += static_cast<double>(body.count());
+    result_.counters = {
+        {"force_passes", static_cast<double>(cost.force_passes)},
+        {"stiffness_passes", static_cast<double>(cost.stiffness_passes)},
+        {"solves", static_cast<double>(cost.solves)},
+        {"contact_iterations", static_cast<double>(cost.contact_iterations)},
+        {"contact_problems", static_cast<double>(cost.contact_problems)},
+        {"cells", cells},
+        {"cells_evaluated", cells * static_cast<double>(cost.force_passes + cost.stiffness_passes)},
+        {"unknowns", static_cast<double>(stepper_.structure().unknowns())},
+        {"peak_memory", peak_memory()}};
+    return result_;
+  }
+
+private:
+  /// Adds its lifetime to the time spent on output.
+  struct Timed {
+    explicit Timed(Run& run) : timer(run.output_) {}
+    dynamics::Timer timer;
+  };
+
+  bool run_stage(StagePart const& stage, double start) {
+    double const nominal = (stage.until - start) / stage.steps;
+    for (int k = 0; k < stage.steps; ++k) {
+      if (!run_interval(start + k * nominal, k + 1 == stage.steps ? stage.until : start + (k + 1) * nominal,
+                        nominal)) {
+        if (scene_->part.output.frames > 0)
+          recorder_.frame(state_);
+        return false;
+      }
+      int const frames = scene_->part.output.frames;
+      // frame j of the stage comes after step ceil(j * steps / frames)
+      if (frames > 0 &&
+          static_cast<long>(k + 1) * frames / stage.steps > static_cast<long>(k) * frames / stage.steps) {
+        Timed const timed(*this);
+        recorder_.frame(state_);
+      }
+    }
+    return true;
+  }
+
+  /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
+  bool run_interval(double from, double to, double nominal) {
+    int const floor = scene_->part.schedule.halvings;
+    long const whole = 1L << floor;
+    for (long done = 0; done < whole;) {
+      if (stopped())
+        return false;
+      long const size = whole >> halved_;
+      double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
+      auto outcome = stepper_.step(state_, dt);
+      if (!outcome.converged()) {
+        if (!halve(outcome, dt, floor))
+          return false;
+        continue;
+      }
+      done += size;
+      outcome.state.t =
+          done == whole ? to : from + (to - from) * static_cast<double>(done) / static_cast<double>(whole);
+      accept(std::move(outcome), dt);
+      if (halved_ > 0 && ++successes_ >= 2 && done % (2 * size) == 0) {
+        --halved_;
+        successes_ = 0;
+      }
+    }
+    return true;
+  }
+
+  bool stopped() {
+    if (options_->stop == nullptr || !options_->stop->load())
+      return false;
+    result_.verdict = "stopped";
+    result_.reason = fmt::format("stopped on request at t = {:g} s", state_.t);
+    return true;
+  }
+
+  bool halve(dynamics::Outcome const& outcome, double dt, int floor) {
+    ++result_.cuts;
+    successes_ = 0;
+    if (++halved_ <= floor)
+      return true;
+    result_.verdict = "not converged";
+    result_.reason =
+        fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    return false;
+  }
+
+  void accept(dynamics::Outcome outcome, double dt) {
+    state_ = std::move(outcome.state);
+    ++result_.steps;
+    Timed const timed(*this);
+    recorder_.step(state_, dt, outcome.iterations);
+    int const every = scene_->part.output.problems_every;
+    if (every > 0 && result_.steps % every == 0)
+      recorder_.problem(stepper_.contact().problem(), result_.steps);
+    report(dt, outcome.iterations);
+  }
+
+  void report(double dt, int iterations) {
+    if (!options_->progress || seconds_since(reported_) < 0.1)
+      return;
+    reported_ = Clock::now();
+    Progress progress;
+    progress.time = state_.t;
+    progress.end_time = scene_->part.schedule.stages.back().until;
+    progress.dt = dt;
+    progress.step = result_.steps;
+    progress.iterations = iterations;
+    for (auto const& pair : state_.contacts)
+      for (auto const& point : pair)
+        if (point.in_reach)
+          ++(point.status == interface::Status::open    ? progress.open
+             : point.status == interface::Status::stick ? progress.stick
+                                                        : progress.slip);
+    progress.seconds = seconds_since(began_);
+    progress.seconds_left = progress.seconds * (progress.end_time / progress.time - 1);
+    options_->progress(progress);
+  }
+
+  Scene const* scene_;
+  RunOptions const* options_;
+  dynamics::Stepper stepper_;
+  Recorder recorder_;
+  dynamics::State state_;
+  RunResult result_;
+  Clock::time_point began_ = Clock::now(), reported_{};
+  double output_ = 0;
+  int halved_ = 0, successes_ = 0;
+};
+
+} // namespace
+
+void validate(core::Input const& scene) {
+  static_cast<void>(build(scene));
+}
+
+RunResult run(core::Input const& input, RunOptions const& options) {
+  auto const scene = build(input);
+  record::prepare_output(options.out);
+  record::write_manifest(options.out / "manifest.json", manifest_of(input, scene, options));
+  Run running(scene, options);
+  try {
+    return running.go();
+  } catch (core::RunError const& error) {
+    auto result = running.finish();
+    result.verdict = "output failed";
+    result.reason = error.what();
+    return result;
+  }
+}
+
+} // namespace stiction::scene
