@@ -1,6 +1,7 @@
 // The wording and the checks behind reader.hpp.
 #include "core/reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -164,17 +165,10 @@ bool Reader::parse(Parameter const& parameter, Input const& given, Value& value)
   using Kind = Parameter::Kind;
   switch (parameter.kind) {
   case Kind::number:
-  case Kind::integer: {
-    double number = 0;
-    if (!check_number(parameter.name, given, parameter.unit, parameter.range, number))
-      return false;
-    if (parameter.kind == Kind::integer && number != std::floor(number)) {
-      complain_at(parameter.name, fmt::format("is {:g}; a whole number is wanted", number));
-      return false;
-    }
-    value = number;
-    return true;
-  }
+  case Kind::integer:
+    return parse_number(parameter, given, value);
+  case Kind::choice:
+    return parse_choice(parameter, given, value);
   case Kind::numbers:
     value = numbers(parameter.name, parameter.unit);
     return true;
@@ -186,13 +180,27 @@ bool Reader::parse(Parameter const& parameter, Input const& given, Value& value)
     return given.text() != nullptr;
   case Kind::nested:
     return false;
-  case Kind::choice:
-    break;
   }
+  return false;
+}
+
+bool Reader::parse_number(Parameter const& parameter, Input const& given, Value& value) {
+  double number = 0;
+  if (!check_number(parameter.name, given, parameter.unit, parameter.range, number))
+    return false;
+  value = number;
+  bool const wrong = parameter.kind == Parameter::Kind::integer && number != std::floor(number);
+  if (wrong)
+    complain_at(parameter.name, fmt::format("is {:g}; a whole number is wanted", number));
+  return !wrong;
+}
+
+bool Reader::parse_choice(Parameter const& parameter, Input const& given, Value& value) {
   std::string const word = text(parameter.name);
-  for (auto const& choice : parameter.choices)
-    if (choice == word)
-      return value = word, true;
+  if (std::ranges::find(parameter.choices, word) != parameter.choices.end()) {
+    value = word;
+    return true;
+  }
   if (given.text() == nullptr)
     return false;
   auto const meant = nearest(word, parameter.choices);

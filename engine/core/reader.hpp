@@ -66,6 +66,8 @@ private:
   }
   void complain_unknown_kind(std::string const& name, std::vector<std::string> const& known);
   bool parse(Parameter const& parameter, Input const& given, Value& value);
+  bool parse_number(Parameter const& parameter, Input const& given, Value& value);
+  bool parse_choice(Parameter const& parameter, Input const& given, Value& value);
   bool check_number(std::string_view key, Input const& given, std::string_view unit, Range range,
                     double& value);
   [[nodiscard]] std::string path_of(std::string_view key) const;

@@ -62,6 +62,7 @@ public:
     schema_.meaning = std::move(meaning);
     schema_.source = std::move(source);
   }
+  // NOLINTNEXTLINE(readability-function-size): a number has that many traits
   Describe& number(std::string name, double T::*member, std::string unit, Range range, Need need,
                    std::string meaning) {
     return add({std::move(name),
