@@ -89,7 +89,7 @@ void Commands::add_others() {
   one_case(explain);
   auto& solve = command("solve", "Solve a saved contact problem again");
   value<std::string>(solve, "file", "FILE", "Contact problem saved by a run (HDF5)")->required();
-  value<std::string>(solve, "--with", "SOLVER", "Contact solver: a kind of 'stiction help solver'");
+  value<std::string>(solve, "--with", "SOLVER", "A solver of 'stiction help solver' (default: all)");
   value<double>(solve, "--tolerance", "NUMBER", "Natural-map residual to reach");
   auto& bench = command("bench", "Time one case of a study (default: the first), phase by phase");
   study(bench);

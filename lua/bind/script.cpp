@@ -1,6 +1,8 @@
 // Loading the user's files and telling where their calls come from.
 #include "bind/engine.hpp"
 
+#include <fmt/format.h>
+
 #include "bind/push.hpp"
 #include "bind/state.hpp"
 #include "bind/trace.hpp"
@@ -14,7 +16,7 @@ namespace {
 /// Text only, no bytecode.
 int load_script(lua_State* lua) {
   auto const text = text_at(lua, 1);
-  auto const name = "@" + text_at(lua, 2);
+  auto const name = fmt::format("@{}", text_at(lua, 2));
   if (luaL_loadbufferx(lua, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
     lua_pushnil(lua);
     lua_insert(lua, -2);

@@ -1,4 +1,5 @@
 -- Constructors, conversion to the engine's input, JSON, order of walking, the sandbox.
+local test, equal, fails = ...
 local stiction = require "stiction"
 local engine = require "stiction.engine"
 local loader = require "stiction.loader"

@@ -1,4 +1,5 @@
 -- Tools on histories, the list of cases, checks, figures.
+local test, equal, fails = ...
 local stiction = require "stiction"
 local case_module = require "stiction.case"
 local check = require "stiction.check"

@@ -1,4 +1,5 @@
 -- The study table: its keys, its parameters, and the cases they multiply out to.
+local test, equal, fails = ...
 local stiction = require "stiction"
 local sweep = require "stiction.sweep"
 local units = stiction.units

@@ -1,4 +1,5 @@
 -- Quantities: arithmetic that checks dimensions, display in the unit written, messages with the script's line.
+local test, equal, fails = ...
 local stiction = require "stiction"
 local units = stiction.units
 local m, mm, s, ms, N, J, Pa, MPa, kg = units.m, units.mm, units.s, units.ms, units.N, units.J, units.Pa, units.MPa,
@@ -54,7 +55,7 @@ test("any unit text is parsed", function()
 end)
 
 test("dimensions that differ are refused, with the line", function()
-  fails("units.lua:58: cannot add 3 m and 2 s: the dimensions differ", function()
+  fails("units.lua:59: cannot add 3 m and 2 s: the dimensions differ", function()
     return 3*m + 2*s
   end)
   fails("cannot subtract 3 m and the pure number 2", function() return 3*m - 2 end)

@@ -1,25 +1,18 @@
--- Runs a file of unit tests of this library: test(name, function), expect(...) and fails(...) inside.
+-- Runs a file of unit tests of this library; it receives test(name, function), equal and fails as `...`.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 
---- The value, or the message of the error, of a protected call.
-local function message_of(f, ...)
-  local held, value = engine.call(f, ...)
-  return held, tostring(value)
-end
-
-local tools = setmetatable({}, { __index = _G })
-
 --- Fails unless the two are equal.
-function tools.equal(got, wanted)
+local function equal(got, wanted)
   if got ~= wanted then
     error(("got %s, wanted %s"):format(tostring(got), tostring(wanted)), 2)
   end
 end
 
 --- Fails unless f fails with a message that contains `part`.
-function tools.fails(part, f, ...)
-  local held, message = message_of(f, ...)
+local function fails(part, f, ...)
+  local held, value = engine.call(f, ...)
+  local message = tostring(value)
   if held then
     error("no error, wanted: " .. part, 2)
   elseif not message:find(part, 1, true) then
@@ -27,9 +20,15 @@ function tools.fails(part, f, ...)
   end
 end
 
+local function load(file)
+  local text, reason = engine.read_file(file)
+  local script = text and engine.load_script(text, file:match("[^/]+$"), _G)
+  return script or fault.input("cannot load the tests %s: %s", file, reason or "syntax")
+end
+
 return function(options)
   local passed, failed = 0, 0
-  function tools.test(name, f)
+  local function test(name, f)
     local held, value = engine.call(f)
     if held then
       passed = passed + 1
@@ -38,15 +37,7 @@ return function(options)
       engine.write(("FAILED %s: %s%s\n"):format(name, tostring(value), value.trace or ""))
     end
   end
-  local text, reason = engine.read_file(options.file)
-  if not text then
-    fault.input("%s", reason)
-  end
-  local script, complaint = engine.load_script(text, options.file:match("[^/]+$"), tools)
-  if not script then
-    fault.input("%s", complaint)
-  end
-  script()
+  load(options.file)(test, equal, fails)
   engine.write(("%d passed, %d failed\n"):format(passed, failed))
-  return (failed == 0 and passed > 0) and 0 or 1
+  return failed == 0 and passed > 0 and 0 or 1
 end

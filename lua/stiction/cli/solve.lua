@@ -1,0 +1,15 @@
+-- stiction solve: a saved contact problem again, with any solver, judged by the one residual.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local report = require "stiction.report"
+
+local default_tolerance = 1e-10
+
+return function(options)
+  if engine.kind_of_path(options.file) ~= "file" then
+    fault.input("solve: there is no file '%s'", options.file)
+  end
+  local text, converged = engine.solve(options.file, options.with or "all", options.tolerance or default_tolerance)
+  report.line("%s", (text:gsub("%s+$", "")))
+  return converged and 0 or 1
+end

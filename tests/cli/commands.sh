@@ -1,0 +1,27 @@
+#!/bin/sh
+# Commands, their options, help pages, and words on the command line that are wrong.
+. "$(dirname "$0")/common.sh"
+
+for command in run figures solve bench help explain; do
+  expect 0 "Usage: stiction $command" "$stiction" "$command" --help
+done
+expect 0 "Subcommands" "$stiction" --help
+expect 0 "0." "$stiction" --version
+expect 2 "run|figures|bench" "$stiction"
+expect 2 "unknown command 'rnu'; did you mean run?" "$stiction" rnu
+expect 2 "run: study is required" "$stiction" run
+expect 2 "unexpected '--quik'; did you mean --quick?" "$stiction" run "$tiny" --quik
+expect 2 "--jobs" "$stiction" run "$tiny" --jobs 0
+expect 2 "--jobs" "$stiction" run "$tiny" --jobs many
+
+expect 0 "material|blatz_ko|adhesion" "$stiction" help
+expect 0 "blatz_ko|neo_hookean" "$stiction" help materials
+expect 0 "adhesion.rcc|w: |J/m^2" "$stiction" help rcc
+expect 0 "MPa|kg m^-1 s^-2" "$stiction" help units
+expect 0 "given|chosen|sweep|check" "$stiction" help study
+expect 0 "Exit codes" "$stiction" help commands
+expect 2 "no help on 'blatz_k'; did you mean 'blatz_ko'?" "$stiction" help blatz_k
+
+expect 0 "A block on a plane|descent|soft rubber|mu0.4|friction.coulomb" "$stiction" explain "$tiny"
+expect 2 "there is no study at 'nowhere'" "$stiction" run nowhere
+finish

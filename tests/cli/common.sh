@@ -1,0 +1,48 @@
+# Helpers of the black-box tests: each script is run in a fresh folder with $stiction and $tiny set.
+# shellcheck shell=sh
+stiction=$1
+here=$(cd "$(dirname "$0")" && pwd)
+tiny=$here/tiny
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect CODE "PART|PART" COMMAND...: exit code, and every part in what it prints
+expect() {
+  wanted=$1
+  parts=$2
+  shift 2
+  "$@" >output 2>&1 </dev/null
+  code=$?
+  [ "$code" = "$wanted" ] || complain "$* ended with $code, not $wanted: $(cat output)"
+  old_ifs=$IFS
+  IFS='|'
+  for part in $parts; do
+    grep -qF -- "$part" output || complain "$* does not say '$part': $(cat output)"
+  done
+  IFS=$old_ifs
+}
+
+# changed NAME SED-EXPRESSION: a copy of the tiny study, changed, as folder NAME
+changed() {
+  mkdir -p "$1"
+  cp "$tiny"/*.lua "$1"
+  sed -i "$2" "$1"/*.lua
+}
+
+holds() { # WHAT COMMAND...
+  what=$1
+  shift
+  "$@" || complain "$what"
+}
+
+finish() {
+  [ "$failures" = 0 ] && echo "all held"
+  exit "$failures"
+}

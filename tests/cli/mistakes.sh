@@ -1,0 +1,59 @@
+#!/bin/sh
+# Bad input in scripts and settings: one clear message with its place, exit code 2, nothing run.
+. "$(dirname "$0")/common.sh"
+
+changed key 's/density = p.density/densitty = p.density/'
+expect 2 "block.lua:5: bodies.block|density: is missing|densitty: |did you mean \"density\"" "$stiction" run key
+changed unit 's/density = p.density/density = p.side/'
+expect 2 "block.lua:5: bodies.block.density|kg/m^3" "$stiction" run unit
+expect 2 "bodies.block.density: is -3 kg/m^3; it must be > 0 kg/m^3" "$stiction" run "$tiny" --set "density=-3 kg/m^3"
+changed both 's/density = p.density/density = -p.density, colour = 3/; s/poisson = 0.3/poisson = 0.7/'
+expect 2 "density: is -1000 kg/m^3|colour: |poisson: is 0.7" "$stiction" run both
+changed set 's/block.bottom/block.botom/'
+expect 2 "botom" "$stiction" run set
+changed same 's/primary = "floor"/primary = "block.bottom"/'
+expect 2 "block.bottom" "$stiction" run same
+changed kind 's/neo_hookean/neo_hokean/'
+expect 2 "block.lua:7: there is no material.neo_hokean; did you mean 'neo_hookean'?" "$stiction" run kind
+changed sum 's/cells = { p.cells, p.cells }/cells = p.cells + p.side/'
+expect 2 "block.lua:6: cannot add the pure number 4 and 1 mm" "$stiction" run sum
+changed function 's/poisson = 0.3/poisson = print/'
+expect 2 "poisson: a function cannot be part of a scene" "$stiction" run function
+[ -e out ] && [ -n "$(find out -name series.h5)" ] && complain "something ran in spite of bad input"
+
+expect 2 "no parameter 'denstiy'; did you mean 'density'?" "$stiction" run "$tiny" --set "denstiy=3"
+expect 2 "'density' must be like 1000 kg/m^3, not 3" "$stiction" run "$tiny" --set "density=3"
+expect 2 "unknown unit 'kgg'; did you mean 'kg'?" "$stiction" run "$tiny" --set "density=3 kgg"
+expect 2 "no case 'mu0.3'; did you mean" "$stiction" run "$tiny" --case mu0.3
+touch file
+expect 2 "cannot make the folder file/out|--out" "$stiction" run "$tiny" --out file/out
+
+mkdir scripts
+cat >scripts/deep.lua <<'L'
+local stiction = require "stiction"
+local function innermost(p)
+  return p.side.wrong.thing
+end
+local function middle(p)
+  local x = innermost(p)
+  return x
+end
+return stiction.study { title = "deep", given = { side = 1 }, scene = function(p)
+  local x = middle(p)
+  return x
+end }
+L
+expect 2 "deep.lua:3: |deep.lua:3: in function 'innermost'|deep.lua:6: in function 'middle'|deep.lua:10: in function 'scene'" \
+  "$stiction" run scripts/deep.lua
+echo 'local x = = 3' >scripts/syntax.lua
+expect 2 "syntax.lua:1: unexpected symbol" "$stiction" run scripts/syntax.lua
+echo 'return 3' >scripts/nothing.lua
+expect 2 "nothing.lua must end with: return stiction.study" "$stiction" run scripts/nothing.lua
+echo 'os.execute("true")' >scripts/os.lua
+expect 2 "os.lua:1: |'os'" "$stiction" run scripts/os.lua
+echo 'require "other"' >scripts/require.lua
+expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
+
+changed result 's/"sole", "force_y"/"sole", "forcey"/'
+expect 2 "study.lua:35: |no series 'sole/forcey'; did you mean 'sole/force_y'?" "$stiction" run result --jobs 2
+finish

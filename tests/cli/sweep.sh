@@ -1,0 +1,46 @@
+#!/bin/sh
+# A sweep: outputs, checks, resuming, --force, --jobs, --case, --quick, --set, --list, figures, bench.
+. "$(dirname "$0")/common.sh"
+
+expect 0 "mu0  to run" "$stiction" run "$tiny" --list
+expect 0 "checks held|output: out/tiny" "$stiction" run "$tiny" --jobs 2 --no-figures
+for file in summary.csv checks.json mu0/series.h5 mu0.2/manifest.json mu0.4/result.json; do
+  holds "$file is missing" [ -s "out/tiny/$file" ]
+done
+holds "the head of summary.csv" grep -q '^case,mu,force_y,force_x,verdict,steps,iterations,seconds$' out/tiny/summary.csv
+holds "three finished rows" [ "$(grep -c ',finished,' out/tiny/summary.csv)" = 3 ]
+expect 0 "mu0.4  finished" "$stiction" run "$tiny" --list
+
+# the same with one job: the same bits
+expect 0 "checks held" "$stiction" run "$tiny" --jobs 1 --no-figures --out single
+for id in mu0 mu0.2 mu0.4; do
+  holds "$id differs with --jobs" cmp "out/tiny/$id/series.h5" "single/$id/series.h5"
+done
+holds "summaries differ" [ "$(cut -d, -f1-7 out/tiny/summary.csv)" = "$(cut -d, -f1-7 single/summary.csv)" ]
+
+# nothing to do: no case is started; a lost or failed case is run again, --force runs all
+expect 0 "checks held" "$stiction" run "$tiny" --no-figures
+holds "a finished case was run again" [ "$(grep -c started output)" = 0 ]
+rm out/tiny/mu0.2/result.json
+sed -i 's/"finished"/"not converged"/' out/tiny/mu0.4/result.json
+expect 0 "mu0.2  started (1 of 2)|mu0.4  started (2 of 2)" "$stiction" run "$tiny" --no-figures --jobs 1
+expect 0 "mu0  started (1 of 3)" "$stiction" run "$tiny" --no-figures --force
+
+expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --out quick2 --no-figures
+expect 0 "mu0.3  finished" "$stiction" run "$tiny" --set mu=0.3 --out fixed --no-figures
+holds "one row" [ "$(wc -l <fixed/summary.csv)" = 2 ]
+expect 0 "1 of 3 cases finished" "$stiction" run "$tiny" --case mu0.2 --out one --no-figures
+
+# a changed script makes its results stale
+changed stale 's/soft rubber/softer rubber/'
+expect 0 "mu0  started" "$stiction" run stale --out out/tiny --no-figures
+
+changed wrong 's/case.results.force_y > 0/case.results.force_y < 0/'
+expect 1 "check failed: mu0: the plane pushes back: value false, expected true|3 of 6 checks held" \
+  "$stiction" run wrong --no-figures
+holds "checks.json names the failure" grep -q '"pass": false' out/wrong/checks.json
+
+expect 0 "A block on a plane|phase|iterations" "$stiction" bench "$tiny" --quick
+expect 0 '"phases"|"factorizations"' "$stiction" bench "$tiny" --json
+expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
+finish
