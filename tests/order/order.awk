@@ -8,7 +8,7 @@ function finish() { # what is known only at a file's end
     return
   if (lines > 500)
     breach("has " lines " lines, more than 500: split it")
-  if (opening !~ /[.?!:]$/)
+  if (!sentence)
     breach("does not open with a comment of one sentence")
 }
 BEGIN {
@@ -20,7 +20,7 @@ BEGIN {
 FNR == 1 {
   finish()
   file = FILENAME
-  opening = ""
+  sentence = 0
   in_opening = 1
   mark = FILENAME ~ /\.[ch]pp$/ ? "//" : FILENAME ~ /\.lua$/ ? "--" : "#"
   split(file, part, "/")
@@ -32,7 +32,7 @@ FNR == 1 {
 { lines = FNR }
 in_opening && !(FNR == 1 && /^#!/) {
   if (index($0, mark) == 1)
-    opening = $0
+    sentence = sentence || /[.?!:]$/
   else
     in_opening = 0
 }

@@ -1,0 +1,17 @@
+# Installs BUILD below WORK, then configures, builds and runs the consumer in SOURCE against it.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)
+  if(failed)
+    string(REPLACE ";" " " words "${ARGV}")
+    message(FATAL_ERROR "failed: ${words}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/consumer)
+if(NOT EXISTS ${WORK}/prefix/share/stiction/lua/stiction/init.lua)
+  message(FATAL_ERROR "the Lua library was not installed")
+endif()
