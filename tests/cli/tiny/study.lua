@@ -24,8 +24,8 @@ return stiction.study {
       motions = { stiction.motion.drive { set = "block.top", times = { 0*s, 1*s, 2*s }, x = { 0*mm, 0*mm, p.descent },
         y = { 0*mm, -p.descent, -p.descent } } },
       scheme = stiction.scheme.quasi_static {},
-      schedule = stiction.schedule { stages = { stiction.stage { ["until"] = 1*s, steps = p.steps },
-        stiction.stage { ["until"] = 2*s, steps = p.steps } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = p.steps },
+        stiction.stage { to = 2*s, steps = p.steps } } },
       probes = { sole = stiction.probe.contact { pair = "sole" }, energy = stiction.probe.energy {} },
     }
   end,
