@@ -13,11 +13,11 @@ using Block = Eigen::Matrix<double, 10, 10>;
 /// . du.
 struct PointKinematics {
   bool found = false;
-  Foot foot;                    ///< counterpart P2; for obstacles xi is the material coordinate, m
-  double gap = 0;               ///< x_n, m
-  double slip = 0;              ///< s over the step, m: path of P2 along the surface since the step's start
-  Vec2 n, t;                    ///< unit normal of the primary at P2, tangent; (t, n) right-handed
-  std::array<Index, 5> nodes{}; ///< model nodes behind Row, [count]
+  Foot foot;       ///< counterpart P2; for obstacles xi is the material coordinate, m
+  double gap = 0;  ///< x_n, m
+  double slip = 0; ///< s over the step, m: path of P2 along the surface since the step's start
+  Vec2 n = Vec2::Zero(), t = Vec2::Zero(); ///< unit normal of the primary at P2, tangent; (t, n) right-handed
+  std::array<Index, 5> nodes{};            ///< model nodes behind Row, [count]
   int count = 1;
   Row normal = Row::Zero(), tangential = Row::Zero();
   [[nodiscard]] int unknowns() const { return 2 * count; }

@@ -189,10 +189,14 @@ bool Reader::parse_number(Parameter const& parameter, Input const& given, Value&
   if (!check_number(parameter.name, given, parameter.unit, parameter.range, number))
     return false;
   value = number;
-  bool const wrong = parameter.kind == Parameter::Kind::integer && number != std::floor(number);
-  if (wrong)
+  if (parameter.kind != Parameter::Kind::integer)
+    return true;
+  auto const whole = whole_number(number);
+  if (whole)
+    value = *whole;
+  else
     complain_at(parameter.name, fmt::format("is {:g}; a whole number is wanted", number));
-  return !wrong;
+  return whole.has_value();
 }
 
 bool Reader::parse_choice(Parameter const& parameter, Input const& given, Value& value) {

@@ -32,6 +32,13 @@ Parameter const* Schema::find(std::string_view parameter) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+std::optional<double> whole_number(double value) {
+  double const whole = std::round(value);
+  if (std::abs(value - whole) <= 1e-9 * std::max(1.0, std::abs(value)))
+    return whole;
+  return {};
+}
+
 std::string to_string(Value const& value) {
   struct {
     std::string operator()(bool v) const { return v ? "true" : "false"; }

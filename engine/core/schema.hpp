@@ -166,6 +166,9 @@ private:
   Schema schema_;
 };
 
+/// The whole number that `value` is but for rounding, as quotients of quantities are; nothing otherwise.
+[[nodiscard]] std::optional<double> whole_number(double value);
+
 /// "12.5", "true", "\"contact\"", "{1, 2}" for messages and help.
 [[nodiscard]] std::string to_string(Value const& value);
 

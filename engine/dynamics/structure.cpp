@@ -44,7 +44,8 @@ Structure::Structure(Model const& model, StepWeights const& weights) : model_(&m
     massless_ = contact_nodes(model);
   number_unknowns(model);
   build_maps(model);
-  if (weights.inertia)
+  weight_.setZero(2 * model.node_count());
+  if (weights.inertia || !model.gravity.isZero())
     assemble_mass(model);
   for (auto const& body : model.bodies)
     linear_ = linear_ && std::holds_alternative<material::LinearElastic>(body->material);

@@ -19,7 +19,7 @@ void check(BlockOptions const& options) {
   check_numbers(complaints, {"block.size", options.size, "m", core::positive});
   check_numbers(complaints, {"block.grading", options.grading, "1", {1e-3, 1e3}});
   if (check_numbers(complaints, {"block.cells", options.cells, "1", {1, most_cells}})) {
-    if (options.cells[0] != std::floor(options.cells[0]) || options.cells[1] != std::floor(options.cells[1]))
+    if (!core::whole_number(options.cells[0]) || !core::whole_number(options.cells[1]))
       complaints.push_back(
           {"", "block.cells",
            fmt::format("is {}; two whole numbers are wanted", core::to_string(options.cells))});
@@ -63,7 +63,8 @@ core::Schema const& BlockOptions::schema() {
 
 Mesh block(BlockOptions const& options) {
   check(options);
-  auto const nx = static_cast<Index>(options.cells[0]), ny = static_cast<Index>(options.cells[1]);
+  auto const nx = static_cast<Index>(std::round(options.cells[0])),
+             ny = static_cast<Index>(std::round(options.cells[1]));
   auto const xs = grid_lines(options.origin[0], options.size[0], nx, options.grading[0]);
   auto const ys = grid_lines(options.origin[1], options.size[1], ny, options.grading[1]);
   Quads quads;

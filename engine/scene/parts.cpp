@@ -163,7 +163,7 @@ core::Schema const& FixPart::schema() {
 core::Schema const& StagePart::schema() {
   static auto const made =
       Describe<StagePart>{"stage", "a stretch of the run with equal steps", ""}
-          .number("until", &StagePart::until, "s", core::positive, Need::required, "time at its end")
+          .number("to", &StagePart::until, "s", core::positive, Need::required, "time at its end")
           .integer("steps", &StagePart::steps, {1, 1e8, false, false}, Need::required, "number of steps")
           .build();
   return made;
@@ -184,7 +184,7 @@ void SchedulePart::read_nested(Reader& reader) {
   for (auto& stage : reader.children("stages"))
     stages.push_back(stage.record<StagePart>());
   if (stages.empty() && reader.has("stages"))
-    reader.complain_at("stages", "is empty; give at least one stage{until = ..., steps = ...}");
+    reader.complain_at("stages", "is empty; give at least one stage{to = ..., steps = ...}");
   for (std::size_t k = 1; k < stages.size(); ++k)
     if (stages[k].until <= stages[k - 1].until)
       reader.complain_at("stages", fmt::format("stage {} ends at {:g} s, not after the one before it", k + 1,
