@@ -6,7 +6,11 @@ local function construct(tag, t)
   if type(t) ~= "table" or getmetatable(t) ~= nil then
     fault.script("%s takes one table: %s{ ... }", tag, tag)
   end
-  return setmetatable(t, { tag = tag, place = engine.where(), __metatable = "part" })
+  local part = {} -- a copy: one table of the script may serve several parts
+  for key, value in pairs(t) do
+    part[key] = value
+  end
+  return setmetatable(part, { tag = tag, place = engine.where(), __metatable = "part" })
 end
 
 local function names_of(list)

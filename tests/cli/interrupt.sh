@@ -16,7 +16,7 @@ interrupted() {
 
 children() { # processes that run a case of the study `drag`
   for words in /proc/[0-9]*/cmdline; do
-    tr '\0' ' ' <"$words" 2>/dev/null | grep -o "case $work/drag --case .*"
+    { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -o "case $work/drag --case .*"
   done
 }
 
@@ -25,20 +25,19 @@ while true do
   pcall(function() while true do end end)
 end
 L
-set -m # else the shell starts its children deaf to SIGINT
 interrupted 0.5 "$stiction" run endless.lua
 holds "the endless script ended with $code" [ "$code" = 1 ]
 holds "no message: $(cat output)" grep -q "stopped by the user while a script was running, in endless.lua:2" output
 
 changed drag ''
-interrupted 2 "$stiction" run "$work/drag" --set steps=1000000 --no-figures --jobs 2 --out long
+interrupted 2 "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
 holds "the sweep ended with $code" [ "$code" = 1 ]
 holds "no message: $(cat output)" grep -q "stopped; finished cases are kept" output
 holds "no row of a stopped case: $(cat long/summary.csv)" grep -q "^mu0,.*,stopped," long/summary.csv
 holds "children are left" [ -z "$(children)" ]
 
 # killed outright: its children end too, and the sweep goes on
-"$stiction" run "$work/drag" --set steps=1000000 --no-figures --jobs 2 --out killed >output 2>&1 </dev/null &
+"$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out killed >output 2>&1 </dev/null &
 id=$!
 sleep 2
 holds "two children run" [ "$(children | wc -l)" = 2 ]
@@ -46,5 +45,5 @@ kill -KILL "$id"
 wait "$id" 2>/dev/null
 sleep 1
 holds "children outlive their parent" [ -z "$(children)" ]
-expect 0 "mu0  to run" "$stiction" run "$work/drag" --set steps=1000000 --out killed --list
+expect 0 "mu0  to run" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --out killed --list
 finish

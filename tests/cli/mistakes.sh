@@ -55,5 +55,5 @@ echo 'require "other"' >scripts/require.lua
 expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
 
 changed result 's/"sole", "force_y"/"sole", "forcey"/'
-expect 2 "study.lua:35: |no series 'sole/forcey'; did you mean 'sole/force_y'?" "$stiction" run result --jobs 2
+expect 2 "study.lua:34: |no series 'sole/forcey'; did you mean 'sole/force_y'?" "$stiction" run result --jobs 2
 finish
