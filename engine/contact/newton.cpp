@@ -23,9 +23,9 @@ public:
   /// One Newton step with a line search on the residual; false if no decrease was found.
   bool step() {
     assemble();
-    if (active_.empty())
-      return true;
-    Vector const step = matrix_.partialPivLu().solve(right_);
+    Vector step;
+    if (!active_.empty())
+      step = matrix_.partialPivLu().solve(right_);
     if (!step.allFinite())
       return false;
     Vector direction = Vector::Zero(p_.size());
