@@ -3,4 +3,6 @@
 #include <doctest/doctest.h>
 
 /// HDF5 1.10 loses a buffer of its own when it closes a file whose disk is full.
-extern "C" char const* __lsan_default_suppressions() { return "leak:libhdf5_serial"; }
+extern "C" char const* __lsan_default_suppressions() {
+  return "leak:libhdf5_serial";
+}

@@ -9,7 +9,11 @@ here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$stamps"
 cd "$root"
 
-common=$({ clang-tidy --version; cat .clang-tidy "$here/source_location.hpp"; sed -n 's/.*"command": *//p' "$build/compile_commands.json" | sed 's/ -o .*//' | sort -u; } | sha256sum)
+common=$({
+  clang-tidy --version
+  cat .clang-tidy "$here/source_location.hpp" "$here/tidy_one.sh"
+  sed -n 's/.*"command": *//p' "$build/compile_commands.json" | sed 's/ -o .*//' | sort -u # flags, each kind once
+} | sha256sum)
 todo=$(mktemp)
 trap 'rm -f "$todo"' EXIT
 find engine lua postproc \( -name '*.hpp' -o -name '*.cpp' \) | sort | xargs awk -f "$here/closure.awk" |
@@ -17,14 +21,7 @@ find engine lua postproc \( -name '*.hpp' -o -name '*.cpp' \) | sort | xargs awk
     grep -q "\"file\": \".*/$source\"" "$build/compile_commands.json" || continue
     # shellcheck disable=SC2086 # headers is a list
     hash=$({ echo "$common $source"; cat "$source" $headers; } | sha256sum | cut -c1-32)
-    [ -e "$stamps/$hash" ] || echo "$source $stamps/$hash $here/source_location.hpp"
+    [ -e "$stamps/$hash" ] || echo "$source $stamps/$hash"
   done > "$todo"
 
-# shellcheck disable=SC2016 # expanded by the inner shell
-xargs -r -P2 -L1 sh -c '
-  if report=$(clang-tidy -p "$0" --quiet --extra-arg=-include --extra-arg="$3" "$1" 2>&1); then
-    : > "$2"
-  else
-    echo "$report" | grep -E -A3 "(error|warning):" || echo "$report"
-    exit 1
-  fi' "$build" < "$todo"
+xargs -r -P2 -L1 sh "$here/tidy_one.sh" "$build" < "$todo"
