@@ -119,7 +119,8 @@ void Converter::named(core::Input& input, int index, std::string const& path) {
   core::Table table;
   for (lua_pushnil(lua_); lua_next(lua_, index) != 0; lua_pop(lua_, 1)) {
     std::string const key = text_at(lua_, -2);
-    table.emplace(key, convert(lua_gettop(lua_), path.empty() ? key : path + "." + key, input.place));
+    table.emplace(
+        key, convert(lua_gettop(lua_), path.empty() ? key : fmt::format("{}.{}", path, key), input.place));
   }
   input.value = std::move(table);
 }

@@ -16,8 +16,8 @@ using namespace stiction;
 
 void push_options(lua_State* lua, bind::CommandLine const& line) {
   lua_newtable(lua);
-  for (auto const& [name, option] : line.options)
-    std::visit([&](auto const& value) { bind::set(lua, name.c_str(), value); }, option);
+  for (auto const& option : line.options)
+    std::visit([&](auto const& value) { bind::set(lua, option.first.c_str(), value); }, option.second);
 }
 
 std::string field(lua_State* lua, char const* name) {

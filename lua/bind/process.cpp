@@ -70,6 +70,7 @@ std::vector<std::string> environment_with(std::vector<std::string> const& variab
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> list;
+  list.reserve(words.size() + 1);
   for (auto& word : words)
     list.push_back(word.data());
   list.push_back(nullptr);

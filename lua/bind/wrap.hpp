@@ -20,11 +20,11 @@ void push_error_metatable(lua_State* lua);
 
 using Function = int (*)(lua_State*);
 
-/// Calls `function`; a std::exception becomes a Lua error raised outside the catch block. Lua's own errors
+/// Calls `Target`; a std::exception becomes a Lua error raised outside the catch block. Lua's own errors
 /// are C++ throws of another type and pass through, running destructors on their way.
-template<Function function> int guarded(lua_State* lua) {
+template<Function Target> int guarded(lua_State* lua) {
   try {
-    return function(lua);
+    return Target(lua);
   } catch (core::InputError const& error) {
     push_error(lua, "input", error.what());
   } catch (core::Bug const& error) {
@@ -36,8 +36,8 @@ template<Function function> int guarded(lua_State* lua) {
 }
 
 /// Sets field `name` of the table on top of the stack to the guarded function.
-template<Function function> void add(lua_State* lua, char const* name) {
-  lua_pushcfunction(lua, guarded<function>);
+template<Function Target> void add(lua_State* lua, char const* name) {
+  lua_pushcfunction(lua, guarded<Target>);
   lua_setfield(lua, -2, name);
 }
 
