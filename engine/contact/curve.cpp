@@ -177,7 +177,7 @@ Foot Curve::nearest_start(Vec2 const& point, std::span<double const> x) const {
 
 Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x) const {
   Foot foot = guess.found() ? guess : nearest_start(point, x);
-  int crossings = 0;
+  int turns = 0, heading = 0; // how often the walk across segments has turned back; its last direction
   for (int iteration = 0; iteration < 200; ++iteration) {
     auto const [c, a, aa, aaa] = evaluate(foot, x).by_xi;
     Vec2 const d = point - c;
@@ -185,6 +185,7 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x) co
     double const step = std::clamp(d.dot(a) / (slope > 0 ? slope : a.squaredNorm()), -1.0, 1.0);
     double const target = foot.xi + step;
     bool const beyond = target > 1 || target < 0;
+    int const towards = target > 1 ? 1 : -1;
     int const neighbour =
         target > 1 ? segments_[ix(foot.segment)].next : segments_[ix(foot.segment)].previous;
     if (!beyond) {
@@ -195,10 +196,11 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x) co
       if (foot.xi == 0 || foot.xi == 1)
         return {}; // beyond the end of the curve
       foot.xi = target > 1 ? 1 : 0;
-    } else if (++crossings > 8 && (foot.xi == 0 || foot.xi == 1)) {
+    } else if ((turns += towards == -heading ? 1 : 0) > 8 && (foot.xi == 0 || foot.xi == 1)) {
       return foot; // a corner: the vertex itself is nearest
-    } else if (foot.xi == (target > 1 ? 1.0 : 0.0) || crossings < 4) {
+    } else if (foot.xi == (target > 1 ? 1.0 : 0.0) || turns < 4) {
       foot = {neighbour, target > 1 ? 0.0 : 1.0};
+      heading = towards;
     } else {
       foot.xi = target > 1 ? 1 : 0;
     }

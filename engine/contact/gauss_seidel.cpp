@@ -26,23 +26,20 @@ Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free
       .solve(dry + (p - state.dry) - state.adhesion_by_x * (W * p));
 }
 
+/// Sweeps over the points until the judge is content; the best forces judged if that never happens.
 template<int D, class Update>
 Solution sweep(Problem const& problem, Vector const& guess, double tolerance, int iterations,
                Update&& update) {
-  Solution solution;
-  solution.force = guess;
-  auto& p = solution.force;
-  Vector x = displacement(problem, p);
+  Solution best;
+  best.force = guess;
+  best.verdict = judge(problem, guess);
+  Vector p = guess, x = displacement(problem, p);
   Vector rho(problem.size());
   for (Index i = 0; i < problem.size(); ++i)
     rho[i] = natural_scale(problem, i);
-  auto judged = [&] {
-    solution.verdict = judge(problem, p);
-    return solution.converged = solution.verdict.relative() <= tolerance;
-  };
-  int next_judgement = 1;
-  while (!judged() && solution.iterations < iterations) {
-    for (int k = 0; k < next_judgement && solution.iterations < iterations; ++k, ++solution.iterations)
+  best.converged = best.verdict.relative() <= tolerance;
+  for (int sweeps = 1; !best.converged && best.iterations < iterations; sweeps = std::min(2 * sweeps, 32)) {
+    for (int k = 0; k < sweeps && best.iterations < iterations; ++k, ++best.iterations)
       for (Index i = 0; i < problem.size(); ++i) {
         Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
         Local<D> const free = here - problem.W.block<D, D>(D * i, D * i) * old;
@@ -53,9 +50,16 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
         x.noalias() += problem.W.middleCols<D>(D * i) * change;
       }
     x = displacement(problem, p); // no drift
-    next_judgement = std::min(2 * next_judgement, 32);
+    Verdict const verdict = judge(problem, p);
+    best.converged = verdict.relative() <= tolerance;
+    if (best.converged || verdict.residual < best.verdict.residual) {
+      best.force = p;
+      best.verdict = verdict;
+    } else if (!(verdict.residual <= 1e12 * best.verdict.residual)) {
+      break; // diverges
+    }
   }
-  return solution;
+  return best;
 }
 
 template<class Choice> class Sweeps : public Solver {

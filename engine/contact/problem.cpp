@@ -2,6 +2,8 @@
 #include "contact/problem.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
 
 namespace stiction::contact {
 
@@ -26,11 +28,19 @@ Vector displacement(Problem const& problem, Vector const& force) {
   return x;
 }
 
+double Verdict::relative() const {
+  if (!std::isfinite(residual) || !std::isfinite(scale))
+    return std::numeric_limits<double>::infinity();
+  return scale > 0 ? residual / scale : residual;
+}
+
 namespace {
 
 template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
   Verdict verdict;
   Vector const x = displacement(problem, force);
+  if (!x.allFinite() || !force.allFinite())
+    return {std::numeric_limits<double>::infinity(), 0};
   for (Index i = 0; i < problem.size(); ++i) {
     double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
     Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);

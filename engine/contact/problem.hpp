@@ -84,7 +84,8 @@ template<int D>
 struct Verdict {
   double residual = 0; ///< largest |pbar - Proj(...)| / A over the points, Pa
   double scale = 0;    ///< largest traction that the problem can feel, Pa: the yardstick of `residual`
-  [[nodiscard]] double relative() const { return scale > 0 ? residual / scale : residual; }
+  /// Infinite when any force or displacement is not finite.
+  [[nodiscard]] double relative() const;
 };
 [[nodiscard]] Verdict judge(Problem const& problem, Vector const& force);
 

@@ -11,10 +11,9 @@ core::Schema const& ThetaXi::schema() {
                   "weight of the end velocity in the displacement")
           .number("xi", &ThetaXi::xi, "1", {0.5, 1, false, false}, Need::optional, "weight of the end forces")
           .number("contact_weight", &ThetaXi::contact_weight, "1", {0.5, 1, false, false}, Need::optional,
-                  "weight of the end reaction; 1 as (45); xi averages reactions like forces "
-                  "(massless_contact implies it)")
-          .flag("massless_contact", &ThetaXi::massless_contact,
-                "take inertia off the contact nodes, the mass kept in total (mass redistribution)")
+                  "weight of the end reaction where contact_inertia = \"full\"; 1 is (45)")
+          .choice("contact_inertia", &ThetaXi::contact_inertia, {"full", "implicit", "none"}, Need::optional,
+                  "contact nodes: as all others, by backward Euler, or massless (mass redistribution)")
           .build();
   return made;
 }

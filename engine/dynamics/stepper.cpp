@@ -65,7 +65,7 @@ State Stepper::initial() {
                              interface::bond_energy(*model_->pairs[p].law.adhesion, point.bond, point.gap);
     }
   if (weights_.inertia) {
-    structure_.mass_times(state.v, mass_rate_);
+    structure_.mass().times(state.v, mass_rate_);
     state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
   }
   state.ledger.start = state.ledger.kinetic + state.ledger.bond;
@@ -102,24 +102,30 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   if (weights_.inertia) {
     double const t1 = old.t + dt;
     for (Index dof = 0; dof < d_.size(); ++dof)
-      rate_change_[dof] = driver_[ix(dof)] != nullptr ? driver_[ix(dof)]->path.rate_before(t1) - old.v[dof]
-                                                      : (d_[dof] - dt * old.v[dof]) / (weights_.theta * dt);
-    structure_.mass_times(rate_change_, inertia_);
+      rate_change_[dof] = driver_[ix(dof)] != nullptr
+                              ? driver_[ix(dof)]->path.rate_before(t1) - old.v[dof]
+                              : (d_[dof] - dt * old.v[dof]) / (apart(dof) ? dt : weights_.theta * dt);
+    structure_.mass().times(rate_change_, inertia_);
     inertia_ /= dt;
   } else {
     inertia_.setZero(d_.size());
   }
-  auto const& weight = structure_.weight();
+  auto const& weight = structure_.mass().weight;
   dry_ = inertia_ - (1 - weights_.xi) * (weight - old.internal) - weights_.xi * (weight - internal_) -
          (1 - weights_.contact) * old.reaction;
-  if (weights_.massless_contact)
+  if (weights_.surface_apart())
     for (Index dof = 0; dof < d_.size(); ++dof)
-      if (structure_.massless(dof / 2) && driver_[ix(dof)] == nullptr)
-        dry_[dof] = -weights_.xi * (weight[dof] - internal_[dof]);
+      if (apart(dof))
+        dry_[dof] = weights_.xi * (inertia_[dof] - (weight[dof] - internal_[dof]));
   Timer const timer(cost_.contact);
   contact_.locate(u_, outcome.iterations >= settle_after);
   contact_.reaction(reaction_);
   return true;
+}
+
+/// Contact nodes that balance by themselves at the step's end.
+bool Stepper::apart(Index dof) const {
+  return weights_.surface_apart() && structure_.on_surface(dof / 2) && driver_[ix(dof)] == nullptr;
 }
 
 /// Largest force on a free unknown that nothing balances, N.
@@ -181,7 +187,7 @@ Outcome Stepper::step(State const& old, double dt) {
       return outcome;
     force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
                              inertia_.lpNorm<Eigen::Infinity>(), contact_.force_scale(),
-                             structure_.weight().lpNorm<Eigen::Infinity>()});
+                             structure_.mass().weight.lpNorm<Eigen::Infinity>()});
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
     previous_imbalance_ = now;
@@ -209,10 +215,6 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.ledger = old.ledger;
   next.ledger.bond = 0;
   next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
-  if (weights_.massless_contact)
-    for (Index dof = 0; dof < d_.size(); ++dof)
-      if (structure_.massless(dof / 2))
-        next.v[dof] = d_[dof] / dt; // carries no momentum: the mean velocity
   contact_.finish(old, dt, next);
   account(old, next);
   outcome.verdict = StepVerdict::converged;
@@ -222,8 +224,8 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
   double const chi = weights_.contact;
-  Vector const mean_force = (1 - weights_.xi) * (structure_.weight() - old.internal) +
-                            weights_.xi * (structure_.weight() - internal_) + (1 - chi) * old.reaction +
+  Vector const mean_force = (1 - weights_.xi) * (structure_.mass().weight - old.internal) +
+                            weights_.xi * (structure_.mass().weight - internal_) + (1 - chi) * old.reaction +
                             chi * reaction_;
   next.drive.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
@@ -249,11 +251,11 @@ void Stepper::account(State const& old, State& next) const {
                                         (1 - chi) * old.reaction.segment<2>(2 * node));
   }
   ledger.strain = strain_;
-  ledger.potential = -structure_.weight().dot(next.u);
+  ledger.potential = -structure_.mass().weight.dot(next.u);
   if (!weights_.inertia)
     return;
   Vector momentum;
-  structure_.mass_times(next.v, momentum);
+  structure_.mass().times(next.v, momentum);
   ledger.kinetic = 0.5 * next.v.dot(momentum);
 }
 

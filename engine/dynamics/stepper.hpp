@@ -37,6 +37,7 @@ public:
 private:
   void predict(State const& old, double dt);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] bool apart(Index dof) const;
   [[nodiscard]] double imbalance() const;
   [[nodiscard]] bool converged(Outcome& outcome) const;
   [[nodiscard]] bool correct(double dt, Outcome& outcome);

@@ -39,14 +39,14 @@ template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
 } // namespace
 
 Structure::Structure(Model const& model, StepWeights const& weights) : model_(&model) {
-  massless_.assign(ix(model.node_count()), false);
-  if (weights.inertia && weights.massless_contact)
-    massless_ = contact_nodes(model);
+  on_surface_ = contact_nodes(model);
   number_unknowns(model);
   build_maps(model);
-  weight_.setZero(2 * model.node_count());
+  mass_.weight.setZero(2 * model.node_count());
   if (weights.inertia || !model.gravity.isZero())
-    assemble_mass(model);
+    mass_ = assemble_mass(model, on_surface_, weights.contact_inertia);
+  if (weights.inertia)
+    place_mass(weights);
   for (auto const& body : model.bodies)
     linear_ = linear_ && std::holds_alternative<material::LinearElastic>(body->material);
 }
@@ -57,7 +57,7 @@ void Structure::number_unknowns(Model const& model) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driven[ix(2 * node + motion.component)] = true;
-  auto const touched = contact_nodes(model);
+  auto const& touched = on_surface_;
   Indices free;
   std::vector<bool> last;
   unknown_of_.assign(ix(dofs), -1);
@@ -101,55 +101,20 @@ void Structure::build_maps(Model const& model) {
   });
 }
 
-void Structure::assemble_mass(Model const& model) {
-  std::vector<Indices> cliques;
-  for (std::size_t body = 0; body < model.cells.size(); ++body)
-    model.cells[body].each_cell([&](std::span<Index const> nodes) {
-      cliques.emplace_back();
-      for (Index const node : nodes)
-        cliques.back().push_back(model.first_node[body] + node);
-    });
-  mass_pattern_ = linear::pattern_of(model.node_count(), cliques);
-  mass_.assign(mass_pattern_.rows.size(), 0.0);
-
-  for (std::size_t body = 0; body < model.cells.size(); ++body) {
-    Index const first = model.first_node[body];
-    double total = 0, kept = 0;
-    std::vector<std::pair<Index, double>> entries; // of this body, to be scaled at the end
-    model.cells[body].each_mass([&](std::span<Index const> nodes, Dense const& mass) {
-      auto const n = static_cast<Eigen::Index>(nodes.size());
-      auto light = [&](Eigen::Index a) { return massless_[ix(first + nodes[static_cast<std::size_t>(a)])]; };
-      double const whole = mass.sum();
-      double rest = 0; // what the nodes with inertia hold of this cell
-      for (Eigen::Index a = 0; a < n; ++a)
-        for (Eigen::Index b = 0; b < n; ++b)
-          rest += light(a) || light(b) ? 0.0 : mass(a, b);
-      double const scale = rest > 0 ? whole / rest : 0.0;
-      total += whole;
-      kept += scale * rest;
-      for (Eigen::Index a = 0; a < n; ++a) {
-        Index const i = first + nodes[static_cast<std::size_t>(a)];
-        weight_.segment<2>(2 * i) += mass.row(a).sum() * model.gravity;
-        for (Eigen::Index b = 0; b <= a; ++b)
-          if (!light(a) && !light(b))
-            entries.emplace_back(mass_pattern_.find(i, first + nodes[static_cast<std::size_t>(b)]),
-                                 scale * mass(a, b));
-      }
-    });
-    // cells all of whose nodes are in contact give their mass to the whole body
-    for (auto const& [entry, value] : entries)
-      mass_[ix(entry)] += value * (kept > 0 ? total / kept : 0.0);
-  }
-
+/// Places M in the pattern of the effective stiffness, in the proportion to 1 / (theta dt^2) that (49) and
+/// the own balance of contact nodes ask for.
+void Structure::place_mass(StepWeights const& weights) {
   auto const& pattern = factor_->pattern();
   mass_in_matrix_.assign(pattern.rows.size(), 0.0);
-  for (Index j = 0; j < mass_pattern_.size(); ++j)
-    for (Index k = mass_pattern_.columns[ix(j)]; k < mass_pattern_.columns[ix(j) + 1]; ++k)
+  for (Index j = 0; j < mass_.pattern.size(); ++j) {
+    double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.theta : 1.0;
+    for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
       for (int c = 0; c < 2; ++c) {
-        Index const row = unknown_of(2 * mass_pattern_.rows[ix(k)] + c), column = unknown_of(2 * j + c);
+        Index const row = unknown_of(2 * mass_.pattern.rows[ix(k)] + c), column = unknown_of(2 * j + c);
         if (row >= 0 && column >= 0)
-          mass_in_matrix_[ix(pattern.find(row, column))] = mass_[ix(k)];
+          mass_in_matrix_[ix(pattern.find(row, column))] = share * mass_.values[ix(k)];
       }
+  }
 }
 
 solid::Pass Structure::internal_force(Vector const& u, Vector& force) const {
@@ -167,18 +132,6 @@ solid::Pass Structure::internal_force(Vector const& u, Vector& force) const {
     first_cell += model_->cells[body].count();
   }
   return all;
-}
-
-void Structure::mass_times(Vector const& x, Vector& y) const {
-  y.setZero(x.size());
-  for (Index j = 0; j < mass_pattern_.size(); ++j)
-    for (Index k = mass_pattern_.columns[ix(j)]; k < mass_pattern_.columns[ix(j) + 1]; ++k) {
-      Index const i = mass_pattern_.rows[ix(k)];
-      double const m = mass_[ix(k)];
-      y.segment<2>(2 * i) += m * x.segment<2>(2 * j);
-      if (i != j)
-        y.segment<2>(2 * j) += m * x.segment<2>(2 * i);
-    }
 }
 
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "dynamics/model.hpp"
+#include "dynamics/mass.hpp"
 #include "linear/cholesky.hpp"
 
 namespace stiction::dynamics {
@@ -24,14 +24,13 @@ public:
   [[nodiscard]] Index unknown_of(Index dof) const { return unknown_of_[ix(dof)]; }
   [[nodiscard]] Index dof_of(Index unknown) const { return dof_of_[ix(unknown)]; }
   [[nodiscard]] Index first_contact_unknown() const { return unknowns() - trailing_; }
-  [[nodiscard]] bool massless(Index node) const { return massless_[ix(node)]; }
+  /// True for nodes of contact surfaces.
+  [[nodiscard]] bool on_surface(Index node) const { return on_surface_[ix(node)]; }
 
   /// F_int(u) over all degrees of freedom, with the strain energy.
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
-  /// y = M x over all degrees of freedom.
-  void mass_times(Vector const& x, Vector& y) const;
-  /// Nodal weights, M g.
-  [[nodiscard]] Vector const& weight() const { return weight_; }
+  /// Mass and weight; no values in quasi-statics without gravity.
+  [[nodiscard]] Mass const& mass() const { return mass_; }
 
   /// Builds and factors xi K(u) + M / (theta dt^2), (49). False if not positive definite.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
@@ -45,19 +44,17 @@ public:
 
 private:
   void number_unknowns(Model const& model);
-  void assemble_mass(Model const& model);
+  void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
 
   Model const* model_;
   Indices unknown_of_, dof_of_;
   Index trailing_ = 0;
-  std::vector<bool> massless_;
-  linear::Pattern mass_pattern_; ///< by node
-  std::vector<double> mass_;
+  std::vector<bool> on_surface_;
+  Mass mass_;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;
-  Vector weight_;
   std::unique_ptr<linear::Cholesky> factor_;
   bool factored_ = false, linear_ = true;
   double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0;

@@ -44,12 +44,14 @@ public:
     series_.append(state.t, row_);
   }
   void frame(dynamics::State const& state) { fields_.write(frame_of(*scene_, state)); }
-  void problem(contact::Problem const& problem, long step) {
+  /// Returns the file, for messages; "" when there is no contact.
+  std::string problem(contact::Problem const& problem, std::string const& name) {
     if (problem.points.empty())
-      return;
+      return "";
     auto const folder = folder_ / "problems";
     record::prepare_output(folder);
-    record::save_problem(folder / fmt::format("{:06}.h5", step), problem);
+    record::save_problem(folder / (name + ".h5"), problem);
+    return (folder / (name + ".h5")).string();
   }
   void close() { series_.flush(); }
 
@@ -212,6 +214,9 @@ private:
     result_.verdict = "not converged";
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    if (outcome.verdict == dynamics::StepVerdict::contact_failed)
+      result_.reason +=
+          fmt::format("; its problem is {}", recorder_.problem(stepper_.contact().problem(), "failed"));
     return false;
   }
 
@@ -222,7 +227,7 @@ private:
     recorder_.step(state_, dt, outcome.iterations);
     int const every = scene_->part.output.problems_every;
     if (every > 0 && result_.steps % every == 0)
-      recorder_.problem(stepper_.contact().problem(), result_.steps);
+      recorder_.problem(stepper_.contact().problem(), fmt::format("{:06}", result_.steps));
     report(dt, outcome.iterations);
   }
 

@@ -22,11 +22,13 @@ local mm, um, m, s, ms, kg, J, N, MPa = units.mm, units.um, units.m, units.s, un
 -- The schemes that the README compares; "default" is the workbench's own.
 local schemes = {
   default = {},
-  paper = { theta = 0.5, xi = 0.5, contact_weight = 1, massless_contact = false },
-  backward_euler = { theta = 1, xi = 1, contact_weight = 1, massless_contact = false },
-  half_one = { theta = 0.5, xi = 1, contact_weight = 1, massless_contact = false },
-  averaged = { theta = 0.5, xi = 0.5, contact_weight = 0.5, massless_contact = false },
-  massless_backward = { theta = 1, xi = 1, contact_weight = 1, massless_contact = true },
+  paper = { theta = 0.5, xi = 0.5, contact_weight = 1, contact_inertia = "full" },
+  backward_euler = { theta = 1, xi = 1, contact_weight = 1, contact_inertia = "full" },
+  half_one = { theta = 0.5, xi = 1, contact_weight = 1, contact_inertia = "full" },
+  averaged = { theta = 0.5, xi = 0.5, contact_weight = 0.5, contact_inertia = "full" },
+  massless_backward = { theta = 1, xi = 1, contact_inertia = "none" },
+  massless = { theta = 0.5, xi = 0.5, contact_inertia = "none" },
+  damped = { theta = 0.55, xi = 0.55, contact_inertia = "implicit" },
 }
 
 local function scene(p)

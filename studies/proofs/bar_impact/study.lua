@@ -12,12 +12,14 @@ local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa
 
 local schemes = {
   default = {},
-  paper = { theta = 0.5, xi = 0.5, contact_weight = 1, massless_contact = false },
-  paper_055 = { theta = 0.55, xi = 0.5, contact_weight = 1, massless_contact = false },
-  backward_euler = { theta = 1, xi = 1, contact_weight = 1, massless_contact = false },
-  half_one = { theta = 0.5, xi = 1, contact_weight = 1, massless_contact = false },
-  averaged = { theta = 0.5, xi = 0.5, contact_weight = 0.5, massless_contact = false },
-  massless_backward = { theta = 1, xi = 1, contact_weight = 1, massless_contact = true },
+  paper = { theta = 0.5, xi = 0.5, contact_weight = 1, contact_inertia = "full" },
+  paper_055 = { theta = 0.55, xi = 0.55, contact_weight = 1, contact_inertia = "full" },
+  backward_euler = { theta = 1, xi = 1, contact_weight = 1, contact_inertia = "full" },
+  half_one = { theta = 0.5, xi = 1, contact_weight = 1, contact_inertia = "full" },
+  averaged = { theta = 0.5, xi = 0.5, contact_weight = 0.5, contact_inertia = "full" },
+  massless_backward = { theta = 1, xi = 1, contact_inertia = "none" },
+  massless = { theta = 0.5, xi = 0.5, contact_inertia = "none" },
+  damped = { theta = 0.55, xi = 0.55, contact_inertia = "implicit" },
 }
 
 local function scene(p)
@@ -52,7 +54,7 @@ local function ripple(run)
   local sum, count = 0, 0
   local pressure = run:series("foot", "pressure")
   for i, t in ipairs(run.time) do
-    if t > 0.55 and t < 1.1 then
+    if t > 0.7 and t < 1.1 then
       sum, count = sum + (pressure[i] - 300) ^ 2, count + 1
     end
   end
@@ -72,7 +74,8 @@ return stiction.study {
   },
   chosen = { courant = { 1, "a step is the time a wave takes through a cell" } },
   sweep = {
-    scheme = { "default", "paper", "paper_055", "backward_euler", "half_one", "averaged", "massless_backward" },
+    scheme = { "default", "paper", "paper_055", "backward_euler", "half_one", "averaged", "massless", "massless_backward",
+      "damped" },
   },
   case_id = function(p) return p.scheme end,
   scene = scene,
@@ -91,7 +94,7 @@ return stiction.study {
       local r = case.results
       check.within(case.p.scheme .. ": the ledger closes to rounding", r.balance, -1e-9, 1e-9)
       if case.p.scheme == "default" then
-        check.within("default: energy kept", r.energy_kept, 0.999, 1.0001)
+        check.within("default: energy kept", r.energy_kept, 0.98, 1.0005)
         check.within("default: pressure ripple", r.pressure_rms, 0, 3)
       elseif case.p.scheme == "paper" then
         check.within("paper: pressure rings, 300 +- 173", r.pressure_rms, 165, 181)

@@ -1,0 +1,100 @@
+// Assembly of the mass matrix; every variant keeps each body's total mass.
+#include "dynamics/mass.hpp"
+
+namespace stiction::dynamics {
+
+namespace {
+
+/// Consistent mass of one cell and which of its nodes lie on a contact surface.
+struct CellMass {
+  Dense values;
+  std::vector<bool> on_surface;
+  [[nodiscard]] bool touches(Eigen::Index a, Eigen::Index b) const {
+    return on_surface[static_cast<std::size_t>(a)] || on_surface[static_cast<std::size_t>(b)];
+  }
+};
+
+/// Entries of contact nodes go to the diagonal, row by row.
+void lump_surface(CellMass& cell) {
+  auto& m = cell.values;
+  for (Eigen::Index a = 0; a < m.rows(); ++a)
+    for (Eigen::Index b = 0; b < m.cols(); ++b)
+      if (a != b && cell.touches(a, b)) {
+        m(a, a) += m(a, b);
+        m(a, b) = 0;
+      }
+}
+
+/// Entries of contact nodes vanish and the others grow so that the cell keeps its mass. A cell whose nodes
+/// all lie on the surface is left empty.
+void strip_surface(CellMass& cell) {
+  auto& m = cell.values;
+  double const whole = m.sum();
+  for (Eigen::Index a = 0; a < m.rows(); ++a)
+    for (Eigen::Index b = 0; b < m.cols(); ++b)
+      if (cell.touches(a, b))
+        m(a, b) = 0;
+  if (double const rest = m.sum(); rest > 0)
+    m *= whole / rest;
+}
+
+/// Adds one body's cells to the matrix, scaled so that the body keeps its mass.
+void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_surface,
+              ContactInertia inertia, Mass& mass) {
+  Index const first = model.first_node[body];
+  double whole = 0, kept = 0;
+  std::vector<std::pair<Index, double>> entries;
+  model.cells[body].each_mass([&](std::span<Index const> nodes, Dense const& consistent) {
+    CellMass cell{consistent, {}};
+    for (Index const node : nodes)
+      cell.on_surface.push_back(on_surface[ix(first + node)]);
+    whole += consistent.sum();
+    if (inertia == ContactInertia::none)
+      strip_surface(cell);
+    if (inertia == ContactInertia::implicit)
+      lump_surface(cell);
+    kept += cell.values.sum();
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      auto const row = static_cast<Eigen::Index>(a);
+      mass.weight.segment<2>(2 * (first + nodes[a])) += consistent.row(row).sum() * model.gravity;
+      for (std::size_t b = 0; b <= a; ++b)
+        entries.emplace_back(mass.pattern.find(first + nodes[a], first + nodes[b]),
+                             cell.values(row, static_cast<Eigen::Index>(b)));
+    }
+  });
+  for (auto const& [entry, value] : entries)
+    mass.values[ix(entry)] += kept > 0 ? value * (whole / kept) : 0.0;
+}
+
+} // namespace
+
+Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface, ContactInertia inertia) {
+  std::vector<Indices> cliques;
+  for (std::size_t body = 0; body < model.cells.size(); ++body)
+    model.cells[body].each_cell([&](std::span<Index const> nodes) {
+      cliques.emplace_back();
+      for (Index const node : nodes)
+        cliques.back().push_back(model.first_node[body] + node);
+    });
+  Mass mass;
+  mass.pattern = linear::pattern_of(model.node_count(), cliques);
+  mass.values.assign(mass.pattern.rows.size(), 0.0);
+  mass.weight.setZero(2 * model.node_count());
+  for (std::size_t body = 0; body < model.cells.size(); ++body)
+    add_body(model, body, on_surface, inertia, mass);
+  return mass;
+}
+
+void Mass::times(Vector const& x, Vector& y) const {
+  y.setZero(x.size());
+  for (Index j = 0; j < pattern.size(); ++j)
+    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k) {
+      Index const i = pattern.rows[ix(k)];
+      double const m = values[ix(k)];
+      y.segment<2>(2 * i) += m * x.segment<2>(2 * j);
+      if (i != j)
+        y.segment<2>(2 * j) += m * x.segment<2>(2 * i);
+    }
+}
+
+} // namespace stiction::dynamics
