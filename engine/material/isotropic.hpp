@@ -1,5 +1,6 @@
 // From an energy of the invariants of C = F^T F to stress and tangent.
 #pragma once
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
