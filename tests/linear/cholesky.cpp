@@ -1,0 +1,167 @@
+// Factorization, solution, the trailing block of the inverse, and that refactoring takes no memory.
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <numeric>
+#include <random>
+
+#include "linear/cholesky.hpp"
+#include "linear/recycling.hpp"
+
+using namespace stiction;
+using namespace stiction::linear;
+
+namespace {
+
+/// A grid of springs, each node tied to its neighbours.
+Pattern grid(Index side) {
+  std::vector<Indices> cliques;
+  for (Index i = 0; i + 1 < side; ++i)
+    for (Index j = 0; j + 1 < side; ++j)
+      cliques.push_back({i * side + j, (i + 1) * side + j, (i + 1) * side + j + 1, i * side + j + 1});
+  return pattern_of(side * side, cliques);
+}
+
+/// The pattern with its unknowns renumbered by `order`.
+Pattern reordered(Pattern const& pattern, Indices const& order) {
+  Indices number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    number[ix(order[k])] = static_cast<Index>(k);
+  std::vector<Indices> pairs;
+  for (Index j = 0; j < pattern.size(); ++j)
+    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k)
+      pairs.push_back({number[ix(j)], number[ix(pattern.rows[ix(k)])]});
+  return pattern_of(pattern.size(), pairs);
+}
+
+/// Random symmetric values, diagonally dominant.
+std::vector<double> values_of(Pattern const& pattern, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> values(pattern.rows.size());
+  for (auto& value : values)
+    value = uniform(random);
+  for (Index j = 0; j < pattern.size(); ++j)
+    values[ix(pattern.columns[ix(j)])] = 10 + uniform(random);
+  return values;
+}
+
+Dense dense(Pattern const& pattern, std::vector<double> const& values) {
+  Dense A = Dense::Zero(pattern.size(), pattern.size());
+  for (Index j = 0; j < pattern.size(); ++j)
+    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k)
+      A(pattern.rows[ix(k)], j) = A(j, pattern.rows[ix(k)]) = values[ix(k)];
+  return A;
+}
+
+std::vector<bool> marked(Index n, Indices const& last) {
+  std::vector<bool> flags(ix(n), false);
+  for (Index const i : last)
+    flags[ix(i)] = true;
+  return flags;
+}
+
+} // namespace
+
+TEST_SUITE("linear") {
+  TEST_CASE("a pattern holds each coupling of its cliques once and leaves negative unknowns out") {
+    auto const pattern = pattern_of(4, {{0, 2}, {2, 0, -1}, {3, 2}});
+    CHECK(pattern.columns == Indices{0, 2, 3, 5, 6});
+    CHECK(pattern.rows == Indices{0, 2, 1, 2, 3, 3});
+    CHECK(pattern.find(0, 2) == 1);
+    CHECK(pattern.find(2, 0) == 1);
+    CHECK(pattern.find(3, 3) == 5);
+    CHECK(pattern.find(0, 3) == -1);
+    CHECK(pattern.find(1, 0) == -1);
+  }
+
+  TEST_CASE("the product with a vector is that of the full symmetric matrix") {
+    auto const pattern = grid(5);
+    auto const values = values_of(pattern, 3);
+    Vector const x = Vector::LinSpaced(pattern.size(), -1, 2);
+    Vector y;
+    multiply(pattern, values, x, y);
+    CHECK((y - dense(pattern, values) * x).norm() < 1e-13 * y.norm());
+  }
+
+  TEST_CASE("the elimination order is a permutation with the marked unknowns last, as given") {
+    auto const pattern = grid(9);
+    for (auto const& last : {Indices{}, Indices{3, 4, 5, 40, 80}}) {
+      auto const order = elimination_order(pattern, marked(pattern.size(), last));
+      Indices sorted = order, all(order.size());
+      std::sort(sorted.begin(), sorted.end());
+      std::iota(all.begin(), all.end(), 0);
+      CHECK(sorted == all);
+      CHECK(order.size() == 81);
+      CHECK(std::equal(last.begin(), last.end(), order.end() - static_cast<std::ptrdiff_t>(last.size())));
+    }
+    auto const none_inside = elimination_order(grid(2), {true, true, true, true});
+    CHECK(none_inside == Indices{0, 1, 2, 3});
+  }
+
+  TEST_CASE("solutions and trailing inverse are those of dense algebra, for value after value") {
+    auto const natural = grid(12);
+    Indices last;
+    for (Index i = 0; i < 12; ++i)
+      last.push_back(i);
+    auto const order = elimination_order(natural, marked(natural.size(), last));
+    Cholesky cholesky(reordered(natural, order), 12);
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      auto const values = values_of(cholesky.pattern(), seed);
+      Dense const A = dense(cholesky.pattern(), values);
+      REQUIRE(cholesky.factorize(values));
+      Vector const exact = Vector::LinSpaced(A.rows(), 1, 3);
+      Vector b = A * exact;
+      cholesky.solve(b);
+      CHECK((b - exact).norm() < 1e-12 * exact.norm());
+      Dense const inverse = A.llt().solve(Dense::Identity(A.rows(), A.rows()));
+      Dense const block = inverse.bottomRightCorner(12, 12);
+      CHECK((cholesky.trailing_inverse() - block).norm() < 1e-12 * block.norm());
+      CHECK((cholesky.trailing_inverse() - cholesky.trailing_inverse().transpose()).norm() == 0);
+    }
+  }
+
+  TEST_CASE("no trailing unknowns, one, or all of them") {
+    auto const pattern = grid(4);
+    auto const values = values_of(pattern, 5);
+    Dense const inverse = dense(pattern, values).inverse();
+    for (Index const trailing : {0, 1, 16}) {
+      Cholesky cholesky(pattern, trailing);
+      REQUIRE(cholesky.factorize(values));
+      REQUIRE(cholesky.trailing_inverse().rows() == trailing);
+      if (trailing > 0)
+        CHECK((cholesky.trailing_inverse() - inverse.bottomRightCorner(trailing, trailing)).norm() < 1e-13);
+    }
+  }
+
+  TEST_CASE("a matrix that is not positive definite is refused, and a good one after it accepted") {
+    Cholesky cholesky(grid(6), 4);
+    auto const good = values_of(cholesky.pattern(), 2);
+    for (Index const where : {0, 20, 35}) { // early, amid and in the trailing block
+      auto bad = good;
+      bad[ix(cholesky.pattern().columns[ix(where)])] = -1;
+      CHECK_FALSE(cholesky.factorize(bad));
+    }
+    CHECK(cholesky.factorize(good));
+    Vector b = dense(cholesky.pattern(), good) * Vector::Ones(36);
+    cholesky.solve(b);
+    CHECK((b - Vector::Ones(36)).norm() < 1e-13);
+  }
+
+  TEST_CASE("refactoring and solving take no further blocks from the system") {
+    Cholesky cholesky(grid(15), 15);
+    auto const round = [&](unsigned seed) {
+      REQUIRE(cholesky.factorize(values_of(cholesky.pattern(), seed)));
+      Vector b = Vector::Ones(cholesky.pattern().size());
+      cholesky.solve(b);
+      static_cast<void>(cholesky.trailing_inverse());
+    };
+    round(1);
+    auto const blocks = blocks_from_system();
+    CHECK(blocks > 0);
+    for (unsigned seed = 2; seed < 52; ++seed)
+      round(seed);
+    CHECK(blocks_from_system() == blocks);
+  }
+}
