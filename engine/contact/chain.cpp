@@ -30,6 +30,21 @@ std::map<Index, Index> successors(mesh::Set const& set, std::string const& name)
   return next;
 }
 
+/// The nodes from `start` on; takes their links out of `next`.
+Chain follow(Index start, std::map<Index, Index>& next) {
+  Chain chain{{start}, false};
+  for (auto link = next.find(start); link != next.end(); link = next.find(chain.nodes.back())) {
+    Index const to = link->second;
+    next.erase(link);
+    if (to == start) {
+      chain.closed = true;
+      break;
+    }
+    chain.nodes.push_back(to);
+  }
+  return chain;
+}
+
 } // namespace
 
 std::vector<Chain> chains_of(mesh::Set const& set, std::string const& name) {
@@ -42,28 +57,15 @@ std::vector<Chain> chains_of(mesh::Set const& set, std::string const& name) {
   for (auto const& [from, to] : next)
     has_predecessor[to] = true;
 
-  std::vector<Chain> chains;
-  auto follow = [&](Index start) {
-    Chain chain{{start}, false};
-    for (auto link = next.find(start); link != next.end(); link = next.find(chain.nodes.back())) {
-      Index const to = link->second;
-      next.erase(link);
-      if (to == start) {
-        chain.closed = true;
-        break;
-      }
-      chain.nodes.push_back(to);
-    }
-    chains.push_back(std::move(chain));
-  };
   std::vector<Index> starts;
   for (auto const& [from, to] : next)
     if (!has_predecessor.contains(from))
       starts.push_back(from);
+  std::vector<Chain> chains;
   for (Index const start : starts)
-    follow(start);
+    chains.push_back(follow(start, next));
   while (!next.empty())
-    follow(next.begin()->first); // closed loops remain
+    chains.push_back(follow(next.begin()->first, next)); // closed loops remain
   return chains;
 }
 

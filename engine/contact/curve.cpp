@@ -90,54 +90,65 @@ Segment straight_segment(Index from, Index to) {
   return segment;
 }
 
+/// Places in the chain where it turns by more than the corner angle.
+Indices corners_of(Chain const& chain, Matrix const& reference) {
+  auto const n = static_cast<Index>(chain.nodes.size());
+  auto direction = [&](Index i) -> Vec2 {
+    return reference.row(chain.nodes[ix((i + 1) % n)]) - reference.row(chain.nodes[ix(i)]);
+  };
+  Indices corners;
+  for (Index i = chain.closed ? 0 : 1; i < (chain.closed ? n : n - 1); ++i)
+    if (turn(direction((i + n - 1) % n), direction(i)) > corner_angle)
+      corners.push_back(i);
+  return corners;
+}
+
+/// The chain itself if it has no corner, else the open runs between its corners, both ends included.
+std::vector<Chain> smooth_runs(Chain const& chain, Matrix const& reference) {
+  auto const n = static_cast<Index>(chain.nodes.size());
+  auto corners = corners_of(chain, reference);
+  if (corners.empty())
+    return {chain};
+  if (chain.closed) {
+    corners.push_back(corners.front() + n);
+  } else {
+    corners.insert(corners.begin(), 0);
+    corners.push_back(n - 1);
+  }
+  std::vector<Chain> runs(corners.size() - 1);
+  for (std::size_t c = 0; c < runs.size(); ++c)
+    for (Index i = corners[c]; i <= corners[c + 1]; ++i)
+      runs[c].nodes.push_back(chain.nodes[ix(i % n)]);
+  return runs;
+}
+
 } // namespace
 
 Curve::Curve(std::vector<Chain> const& chains, Matrix const& reference, Smoothing smoothing) {
   for (auto const& chain : chains) {
-    auto const n = static_cast<Index>(chain.nodes.size());
-    auto direction = [&](Index i) -> Vec2 {
-      return reference.row(chain.nodes[ix((i + 1) % n)]) - reference.row(chain.nodes[ix(i)]);
-    };
-    Indices corners;
-    for (Index i = chain.closed ? 0 : 1; i < (chain.closed ? n : n - 1); ++i)
-      if (turn(direction((i + n - 1) % n), direction(i)) > corner_angle)
-        corners.push_back(i);
     auto const first = static_cast<int>(segments_.size());
-    if (corners.empty()) {
-      add_piece(chain.nodes, chain.closed, reference, smoothing);
-    } else {
-      if (!chain.closed) {
-        corners.insert(corners.begin(), 0);
-        corners.push_back(n - 1);
-      } else {
-        corners.push_back(corners.front() + n);
-      }
-      for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
-        Indices piece;
-        for (Index i = corners[c]; i <= corners[c + 1]; ++i)
-          piece.push_back(chain.nodes[ix(i % n)]);
-        add_piece(piece, false, reference, smoothing);
-      }
-    }
+    for (auto const& run : smooth_runs(chain, reference))
+      add_run(run, reference, smoothing);
     auto const last = static_cast<int>(segments_.size()) - 1;
     for (int s = first; s <= last; ++s) {
       segments_[ix(s)].previous = s > first ? s - 1 : (chain.closed ? last : -1);
       segments_[ix(s)].next = s < last ? s + 1 : (chain.closed ? first : -1);
     }
   }
-  segment_length_ /= static_cast<double>(segments_.size());
+  if (!segments_.empty())
+    segment_length_ /= static_cast<double>(segments_.size());
 }
 
-void Curve::add_piece(Indices const& nodes, bool closed, Matrix const& reference, Smoothing smoothing) {
-  Piece piece{nodes, closed, {}};
-  Index const pieces = closed ? piece.size() : piece.size() - 1;
-  for (Index i = 0; i < pieces; ++i) {
+void Curve::add_run(Chain const& run, Matrix const& reference, Smoothing smoothing) {
+  Piece piece{run.nodes, run.closed, {}};
+  Index const segments = run.closed ? piece.size() : piece.size() - 1;
+  for (Index i = 0; i < segments; ++i) {
     auto const next = piece.nodes[ix((i + 1) % piece.size())];
     piece.spacing.push_back((reference.row(next) - reference.row(piece.nodes[ix(i)])).norm());
     segment_length_ += piece.spacing.back();
   }
-  for (Index i = 0; i < pieces; ++i)
-    segments_.push_back(smoothing == Smoothing::spline && piece.size() >= (closed ? 4 : 3)
+  for (Index i = 0; i < segments; ++i)
+    segments_.push_back(smoothing == Smoothing::spline && piece.size() >= (run.closed ? 4 : 3)
                             ? spline_segment(piece, i)
                             : straight_segment(piece.nodes[ix(i)], piece.nodes[ix((i + 1) % piece.size())]));
 }

@@ -66,7 +66,7 @@ public:
   [[nodiscard]] double segment_length() const { return segment_length_; }
 
 private:
-  void add_piece(Indices const& nodes, bool closed, Matrix const& reference, Smoothing smoothing);
+  void add_run(Chain const& run, Matrix const& reference, Smoothing smoothing);
   [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
   [[nodiscard]] double partial_length(int segment, double from, double to, std::span<double const> x) const;
 
