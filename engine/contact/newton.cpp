@@ -35,7 +35,8 @@ public:
       direction.segment<D>(D * i) = -p_.segment<D>(D * i);
     double const before = merit_;
     Vector const start = p_;
-    for (double length = 1; length > 0.05; length *= 0.5) {
+    double length = 1;
+    for (int halvings = 0; halvings < 5; ++halvings, length *= 0.5) { // down to 1/16
       p_ = start + length * direction;
       merit_ = evaluate_all(p_, x_);
       if (merit_ <= (1 - 1e-4 * length) * before)
