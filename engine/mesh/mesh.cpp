@@ -65,6 +65,7 @@ std::vector<Facet> boundary(Mesh const& mesh) {
   }
   std::sort(single.begin(), single.end()); // back to the order of the cells
   std::vector<Facet> facets;
+  facets.reserve(single.size());
   for (std::size_t const i : single)
     facets.push_back(sides[i].facet);
   return facets;

@@ -36,6 +36,7 @@ std::vector<Elements> elements_on(int dim, std::vector<int> const& entities) {
       by_type[types[i]].insert(by_type[types[i]].end(), nodes[i].begin(), nodes[i].end());
   }
   std::vector<Elements> result;
+  result.reserve(by_type.size());
   for (auto& [type, nodes] : by_type)
     result.push_back({type, std::move(nodes)});
   return result;
