@@ -107,7 +107,7 @@ std::string to_string(Dimension dimension) {
       text += ' ';
     text += name;
     if (exponent != 1)
-      text += "^" + std::to_string(exponent);
+      text.append("^").append(std::to_string(exponent));
   };
   append("kg", dimension.kilogram);
   append("m", dimension.metre);
