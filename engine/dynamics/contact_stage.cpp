@@ -179,7 +179,6 @@ void ContactStage::assemble_rows() {
 
 void ContactStage::build_problem(Vector const& y, double weight) {
   auto const n = static_cast<Index>(unknowns_.size()), m = static_cast<Index>(H_.rows());
-  Index const first = structure_->first_contact_unknown();
   Dense const& inverse = structure_->factor().trailing_inverse();
   V_.resize(n, n);
   for (Index j = 0; j < n; ++j)
@@ -188,7 +187,7 @@ void ContactStage::build_problem(Vector const& y, double weight) {
   // (I - weight V K_geo) du = y + weight V H^T p
   right_.resize(n, m + 1);
   for (Index i = 0; i < n; ++i)
-    right_(i, m) = y[first + unknowns_[ix(i)]];
+    right_(i, m) = y[unknowns_[ix(i)]];
   right_.leftCols(m).noalias() = weight * V_ * H_.transpose();
   if (!geometric_.isZero(0)) {
     reduced_.noalias() = -weight * V_ * geometric_;
@@ -209,7 +208,7 @@ void ContactStage::build_problem(Vector const& y, double weight) {
 
 bool ContactStage::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
-  c.setZero(structure_->unknowns());
+  c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
   if (active_.empty())
     return true;
   gather_unknowns();
@@ -228,11 +227,11 @@ bool ContactStage::solve(Vector const& y, double weight, Vector& c, Cost& cost) 
     point.force = solution.force.segment<2>(2 * static_cast<Index>(row));
     point.rho = contact::natural_scale(problem_, static_cast<Index>(row));
   }
-  Index const m = static_cast<Index>(H_.rows()), first = structure_->first_contact_unknown();
+  auto const m = H_.rows();
   Vector const motion = right_.col(m) + right_.leftCols(m) * solution.force;
   Vector const force = weight * (geometric_ * motion + H_.transpose() * solution.force);
   for (std::size_t i = 0; i < unknowns_.size(); ++i)
-    c[first + unknowns_[i]] = force[static_cast<Index>(i)];
+    c[unknowns_[i]] = force[static_cast<Index>(i)];
   return true;
 }
 

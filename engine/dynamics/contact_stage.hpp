@@ -20,8 +20,8 @@ public:
   /// H^T p with the current forces and kinematics, [degrees of freedom], N.
   void reaction(Vector& force) const;
 
-  /// Solves the contact problem linearised at the last `locate`. y: motion of the unknowns without contact.
-  /// On return c holds weight (K_geo du + H^T p) on the unknowns. False if the solver did not converge.
+  /// Solves the contact problem linearised at the last `locate`. y: motion of the contact unknowns without
+  /// contact. On return c holds weight (K_geo du + H^T p) on them. False if the solver did not converge.
   [[nodiscard]] bool solve(Vector const& y, double weight, Vector& c, Cost& cost);
 
   /// Largest natural-map residual of the present forces at the present kinematics, N; infinite while points

@@ -1,6 +1,7 @@
 // The step: predictor, balance of forces, correction, acceptance, energy account.
 #include "dynamics/stepper.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -155,23 +156,29 @@ bool Stepper::correct(double dt, Outcome& outcome) {
     outcome.reason = "the effective stiffness is not positive definite";
     return false;
   }
+  auto& factor = structure_.factor();
+  Index const surface = structure_.unknowns() - structure_.first_contact_unknown();
   correction_.resize(structure_.unknowns());
   {
     Timer const timer(cost_.solve);
     for (Index k = 0; k < structure_.unknowns(); ++k)
       correction_[k] = -dry_[structure_.dof_of(k)];
-    structure_.factor().solve(correction_);
-    ++cost_.solves;
+    factor.forward(correction_);
+    surface_ = correction_.tail(surface);
+    factor.trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(surface_);
   }
-  if (!contact_.solve(correction_, weights_.contact, push_, cost_)) {
+  if (!contact_.solve(surface_, weights_.contact, push_, cost_)) {
     outcome.verdict = StepVerdict::contact_failed;
     outcome.reason = "the contact solver did not reach its tolerance";
     return false;
   }
-  if (!push_.isZero(0)) {
+  {
     Timer const timer(cost_.solve);
-    structure_.factor().solve(push_);
-    correction_ += push_;
+    if (!push_.isZero(0)) {
+      factor.trailing_factor().triangularView<Eigen::Lower>().solveInPlace(push_);
+      correction_.tail(surface) += push_;
+    }
+    factor.backward(correction_);
     ++cost_.solves;
   }
   for (Index k = 0; k < structure_.unknowns(); ++k)

@@ -51,7 +51,7 @@ private:
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
-  Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, push_;
+  Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
   Vector mass_rate_;
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor

@@ -61,12 +61,12 @@ bool Cholesky::factorize(std::span<double const> values) {
   core::expect(values.size() == pattern_.rows.size(), "one value per entry of the pattern");
   auto& w = *work_;
   w.matrix.x = const_cast<double*>(values.data()); // CHOLMOD reads only
-  inverse_ready_ = false;
+  factor_ready_ = inverse_ready_ = false;
   cholmod_factorize(&w.matrix, w.factor, &w.common);
   return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
 }
 
-void Cholesky::solve(Vector& b) {
+void Cholesky::solve_system(int system, Vector& b) {
   auto& w = *work_;
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(b.size());
@@ -74,13 +74,25 @@ void Cholesky::solve(Vector& b) {
   rhs.x = b.data();
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  int const solved = cholmod_solve2(CHOLMOD_A, w.factor, &rhs, nullptr, &w.solution, nullptr, &w.scratch1,
+  int const solved = cholmod_solve2(system, w.factor, &rhs, nullptr, &w.solution, nullptr, &w.scratch1,
                                     &w.scratch2, &w.common);
   core::expect(solved == 1, "CHOLMOD to solve with its factor");
   std::copy_n(static_cast<double const*>(w.solution->x), b.size(), b.data());
 }
 
-void Cholesky::gather_trailing_factor() {
+void Cholesky::solve(Vector& b) {
+  solve_system(CHOLMOD_A, b);
+}
+void Cholesky::forward(Vector& b) {
+  solve_system(CHOLMOD_L, b);
+}
+void Cholesky::backward(Vector& z) {
+  solve_system(CHOLMOD_Lt, z);
+}
+
+Dense const& Cholesky::trailing_factor() {
+  if (factor_ready_)
+    return trailing_factor_;
   cholmod_factor const& L = *work_->factor;
   auto const* super = static_cast<int const*>(L.super);
   auto const* pi = static_cast<int const*>(L.pi);
@@ -88,22 +100,24 @@ void Cholesky::gather_trailing_factor() {
   auto const* s = static_cast<int const*>(L.s);
   auto const* x = static_cast<double const*>(L.x);
   int const first = static_cast<int>(L.n) - trailing_;
-  inverse_.setZero();
+  trailing_factor_.setZero(trailing_, trailing_);
   for (std::ptrdiff_t q = static_cast<std::ptrdiff_t>(L.nsuper) - 1; q >= 0; --q) {
     int const begin = super[q], end = super[q + 1], rows = pi[q + 1] - pi[q];
     if (end <= first)
       break;
     for (int j = std::max(begin, first); j < end; ++j)
       for (int r = j - begin; r < rows; ++r)
-        inverse_(s[pi[q] + r] - first, j - first) =
+        trailing_factor_(s[pi[q] + r] - first, j - first) =
             x[px[q] + static_cast<std::ptrdiff_t>(j - begin) * rows + r];
   }
+  factor_ready_ = true;
+  return trailing_factor_;
 }
 
 Dense const& Cholesky::trailing_inverse() {
   if (inverse_ready_ || trailing_ == 0)
     return inverse_;
-  gather_trailing_factor(); // L_cc L_cc^T = Schur complement
+  inverse_ = trailing_factor(); // L_cc L_cc^T = Schur complement
   int info = 0;
   dpotri_("L", &trailing_, inverse_.data(), &trailing_, &info);
   core::expect(info == 0, "the trailing factor to be regular");

@@ -21,6 +21,12 @@ public:
   [[nodiscard]] bool factorize(std::span<double const> values);
   /// Solves A x = b in place; b[n].
   void solve(Vector& b);
+  /// The halves of solve: z = L^-1 b, then b = L^-T z, in place. Between them what acts on the trailing
+  /// unknowns only may be added to z as (trailing factor)^-1 of it.
+  void forward(Vector& b);
+  void backward(Vector& z);
+  /// Lower triangular factor of the Schur complement onto the trailing unknowns. [trailing, trailing]
+  [[nodiscard]] Dense const& trailing_factor();
   /// Inverse of the Schur complement onto the trailing unknowns: the trailing block of A^-1. [trailing,
   /// trailing]
   [[nodiscard]] Dense const& trailing_inverse();
@@ -28,12 +34,12 @@ public:
 
 private:
   struct Workspace;
-  void gather_trailing_factor();
+  void solve_system(int system, Vector& b);
 
   Pattern pattern_;
   Index trailing_;
-  Dense inverse_;
-  bool inverse_ready_ = false;
+  Dense trailing_factor_, inverse_;
+  bool factor_ready_ = false, inverse_ready_ = false;
   std::unique_ptr<Workspace> work_;
 };
 

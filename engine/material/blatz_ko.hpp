@@ -17,8 +17,9 @@ struct BlatzKo {
     W.second = {0, 0, half * (2 * I2 / (I3 * I3 * I3) - 0.5 / (I3 * J)), 0, 0, -half / (I3 * I3)};
     return W;
   }
-  template<int N> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
-    return isotropic<N>(*this, strain);
+  template<int N, Wanted wanted = Wanted::tangent>
+  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+    return isotropic<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return {2.5 * shear_modulus, 0.25}; }
 

@@ -10,7 +10,7 @@ struct LinearElastic {
   double poisson = 0; ///< 1
   static constexpr bool small_strain = true;
 
-  template<int N> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted = Wanted::tangent> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
     return hooke<N>(moduli(), strain);
   }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }

@@ -20,8 +20,9 @@ struct NeoHookean {
     W.second = {0, 0, 2 * G / 9 * p * I1 / (I3 * I3) + K / 4 / (I3 * J), 0, -G / 6 * p / I3, 0};
     return W;
   }
-  template<int N> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
-    return isotropic<N>(*this, strain);
+  template<int N, Wanted wanted = Wanted::tangent>
+  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+    return isotropic<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }
 

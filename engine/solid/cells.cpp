@@ -109,7 +109,7 @@ Pass Cells::add_force(std::span<double const> u, std::span<double> force) const 
           Index const point = c * block.points + q;
           typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
           double const* hoop = Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr;
-          auto const state = K::evaluate(law, G, hoop, local);
+          auto const state = K::template evaluate<material::Wanted::stress>(law, G, hoop, local);
           if (!(state.jacobian > 0)) {
             if (pass.sound())
               pass.inverted_cell = first + c;
@@ -145,7 +145,7 @@ void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap c
           Index const point = c * block.points + q;
           typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
           double const* hoop = Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr;
-          auto const state = K::evaluate(law, G, hoop, local);
+          auto const state = K::template evaluate<material::Wanted::tangent>(law, G, hoop, local);
           K::add_stiffness(state, G, hoop, factor * block.weights[ix(point)], stiffness);
         }
         for (int i = 0; i < K::dofs; ++i)
@@ -169,8 +169,8 @@ NodalStress Cells::stress(std::span<double const> u) const {
         for (int q = 0; q < block.points; ++q) {
           Index const point = c * block.points + q;
           typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
-          auto const state =
-              K::evaluate(law, G, Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr, local);
+          auto const state = K::template evaluate<material::Wanted::stress>(
+              law, G, Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr, local);
           if (!(state.jacobian > 0))
             continue;
           auto const& S = state.response.stress; // sigma = F S F^T / J

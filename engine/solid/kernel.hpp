@@ -23,6 +23,7 @@ template<class Law, int Nodes, bool Axisymmetric> struct Kernel {
     material::Response<4> response;
   };
 
+  template<material::Wanted wanted>
   static PointState evaluate(Law const& law, Gradients const& G, double const* hoop, Displacements const& u) {
     PointState point;
     Eigen::Matrix2d const H = u.transpose() * G;
@@ -39,7 +40,7 @@ template<class Law, int Nodes, bool Axisymmetric> struct Kernel {
       point.jacobian = in_plane > 0 && point.F33 > 0 ? in_plane * point.F33 : 0.0;
     }
     if (point.jacobian > 0)
-      point.response = law.template respond<4>(strain);
+      point.response = law.template respond<4, wanted>(strain);
     return point;
   }
 

@@ -16,8 +16,7 @@
 --     ./stiction run studies/paper/plate_on_cylinder --quick    3 cases on a coarser mesh; run in CI
 local stiction = require "stiction"
 local units = stiction.units
-local mm, um, m, s, ms, kg, J, N, MPa = units.mm, units.um, units.m, units.s, units.ms, units.kg, units.J, units.N,
-  units.MPa
+local mm, um, m, s, kg, J, N, MPa = units.mm, units.um, units.m, units.s, units.kg, units.J, units.N, units.MPa
 
 -- The schemes that the README compares; "default" is the workbench's own.
 local schemes = {
@@ -161,4 +160,124 @@ return stiction.study {
     { name = "scheme_loss", unit = "J/m", meaning = "energy lost by the time scheme over the run",
       function(run) local loss = run:series("energy", "scheme_loss") return loss[#loss] end },
   },
+  check = function(cases, check)
+    local published = { -- an independent solver of ours, theta = xi = 1, Q4 at 0.25 mm and halved; SI
+      { v = 1, mu = 0, beta_peak = 0.228, adhesion_t_peak = 29.4e3, delay = 0.36e-3, force_y_onset = 23.66e3 },
+      { v = 1, mu = 0.4, beta_peak = 0.411, adhesion_t_peak = 85.6e3, delay = 1.30e-3, force_y_onset = 24.09e3,
+        force_x_max = 10.21e3 },
+      { v = 0.5, mu = 0, beta_peak = 0.422, adhesion_t_peak = 88.4e3, delay = 0.35e-3 },
+      { v = 0.25, mu = 0.4, beta_peak = 1.000, adhesion_t_peak = 441e3, delay = 1.38e-3 },
+      { v = 0.2, mu = 0, beta_peak = 1.000, adhesion_t_peak = 433e3, delay = 0.41e-3 },
+    }
+    local function find(v, mu)
+      for _, case in ipairs(cases) do
+        if math.abs(case.p.v / (1*m/s) - v) < 1e-9 and case.p.mu == mu then return case end
+      end
+    end
+
+    for _, case in ipairs(cases) do
+      local p = case.p
+      local bonded = math.min(1, (p.w / p.b * (p.depth / p.v)) / 1)
+      check.close(case.id .. ": beta at the end of the descent is w t / b", case.results.beta_onset, bonded, 1e-3)
+    end
+
+    for _, row in ipairs(published) do
+      local case = find(row.v, row.mu)
+      if case then
+        local r, name = case.results, case.id .. ": "
+        check.close(name .. "peak beta", r.beta_peak, row.beta_peak, 0.02)
+        check.close(name .. "peak tangential adhesion", r.adhesion_t_peak, row.adhesion_t_peak, 0.05)
+        check.equal(name .. "delay of the peak", r.delay, row.delay, 0.05e-3)
+        for _, force in ipairs { "force_y_onset", "force_x_max" } do
+          if row[force] then check.close(name .. force, r[force], row[force], 0.01) end
+        end
+      end
+    end
+    local burst = find(1, 0.8)
+    if burst then
+      check.equal("v1000_mu0.8: peak beta", burst.results.beta_peak, 0.69, 0.06)
+      check.close("v1000_mu0.8: peak tangential adhesion", burst.results.adhesion_t_peak, 268e3, 0.3)
+    end
+
+    -- what the paper claims, over the whole grid; a time is known to one step on either side
+    local function line(name, list)
+      if #list < 2 then return end
+      check.non_decreasing(name .. ": peak beta", list:values "beta_peak", 1e-3)
+      check.non_decreasing(name .. ": delay of the peak", list:values "delay",
+        2 * (list[1].p.sliding_step / list[1].p.sliding_speed))
+      local peaks = {}
+      for _, case in ipairs(list) do
+        if case.results.beta_peak < 1 then peaks[#peaks + 1] = case.results.adhesion_t_peak end
+      end
+      if #peaks >= 2 then check.increasing(name .. ": peak adhesion while beta < 1", peaks) end
+    end
+    local seen = {}
+    for _, case in ipairs(cases) do
+      for _, axis in ipairs { "v", "mu" } do
+        local value = case.p[axis]
+        local name = axis == "mu" and ("mu = " .. value .. ", slower descent")
+          or ("v = " .. math.floor(value / (1*mm/s) + 0.5) .. " mm/s, more friction")
+        if not seen[name] then
+          seen[name] = true
+          line(name, cases:where { [axis] = value })
+        end
+      end
+    end
+  end,
+
+  figures = function(cases)
+    local figure = stiction.figure
+    local function speed(p) return string.format("%.4g mm/s", p.v / (1*mm/s)) end
+    local function curves(list, label, y, sign)
+      local result = {}
+      for i, case in ipairs(list) do
+        result[i] = { label = label(case.p), case = case, y = y, y_sign = sign, colour = i }
+      end
+      return result
+    end
+    local time = { label = "time", unit = "ms" }
+    local fastest = cases:where { v = cases[1].p.v }
+    local smooth = cases:where { mu = cases[1].p.mu }
+    local function by_mu(p) return "μ = " .. p.mu end
+
+    local list = {}
+    local example = cases:where { mu = 0.4 }[1] or cases[1]
+    local pressed = onset(example.p)
+    local function field(name, title, at)
+      return figure.field {
+        name = name, title = title, case = example, time = at, array = "von_mises", label = "von Mises stress",
+        unit = "MPa", deformed = true, mesh = true, range = { 0*MPa, 12*MPa },
+        window = { -6.5*mm, 9.5*mm, -0.3*mm, 7.3*mm }, window_unit = "mm", width = "double",
+      }
+    end
+    list[#list + 1] = field("figure_4b", "end of the descent, " .. speed(example.p) .. ", " .. by_mu(example.p), pressed)
+    list[#list + 1] = field("figure_4c", "end of sliding, " .. speed(example.p) .. ", " .. by_mu(example.p), "last")
+    local descent = {}
+    for i, case in ipairs(smooth) do
+      local t = case.p.depth / case.p.v
+      local last = t + case.p.travel / case.p.sliding_speed
+      descent[i] = { label = speed(case.p), x = { 0*s, t, last }, y = { 0*mm, case.p.depth, case.p.depth }, colour = i }
+    end
+    list[#list + 1] = figure.lines { name = "figure_5a", x = time, y = { label = "descent of the plate", unit = "mm" },
+      curves = descent }
+    local beta, adhesion = { label = "bond intensity β", unit = "1" }, { label = "tangential adhesion", unit = "kPa" }
+    local marks = { { x = onset(fastest[1].p), label = "sliding starts" } }
+    list[#list + 1] = figure.lines { name = "figure_5b", title = "descent at " .. speed(fastest[1].p), x = time, y = beta,
+      curves = curves(fastest, by_mu, "crown/beta"), marks = marks }
+    list[#list + 1] = figure.lines { name = "figure_5c", title = by_mu(smooth[1].p), x = time, y = beta,
+      curves = curves(smooth, speed, "crown/beta") }
+    list[#list + 1] = figure.lines { name = "figure_5d", title = "descent at " .. speed(fastest[1].p), x = time,
+      y = adhesion, curves = curves(fastest, by_mu, "crown/adhesion_t", -1), marks = marks }
+    list[#list + 1] = figure.lines { name = "figure_5e", title = by_mu(smooth[1].p), x = time, y = adhesion,
+      curves = curves(smooth, speed, "crown/adhesion_t", -1) }
+    local terms = {}
+    for i, term in ipairs { { "motion_work", "work of the motions" }, { "strain", "strain" }, { "kinetic", "kinetic" },
+      { "bond", "bond" }, { "friction_loss", "friction" }, { "bonding_loss", "bonding" }, { "scheme_loss", "scheme" } } do
+      terms[i] = { label = term[2], case = example, y = "energy/" .. term[1], colour = i }
+    end
+    list[#list + 1] = figure.lines { name = "energy", title = speed(example.p) .. ", " .. by_mu(example.p), x = time,
+      y = { label = "energy", unit = "J/m" }, curves = terms, width = "double",
+      marks = { { x = pressed, label = "sliding starts" } } }
+    return list
+  end,
 }
