@@ -6,16 +6,15 @@
 
 namespace stiction::contact {
 
-/// Damped semismooth Newton on one point. Returns the force; `free` is the displacement without it.
+/// Damped semismooth Newton on one point from the force p; leaves the better force in p. Returns the
+/// residual, N.
 template<int D>
-[[nodiscard]] Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
+[[nodiscard]] double improve_point(Problem const& problem, Index point, Local<D> const& free, Local<D>& p,
                                    double rho) {
   LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
   auto state = evaluate<D>(problem, point, p, free + W * p, rho);
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    double const norm = state.residual.norm();
-    if (norm <= 1e-15 * (p.norm() + rho * free.norm()))
-      break;
+  double norm = state.residual.norm();
+  for (int iteration = 0; iteration < 30 && norm > 1e-15 * (p.norm() + rho * free.norm()); ++iteration) {
     LocalMatrix<D> const J =
         state.residual_by_dry + (state.residual_by_x - state.residual_by_dry * state.adhesion_by_x) * W;
     Local<D> const step = -J.fullPivLu().solve(state.residual);
@@ -29,8 +28,21 @@ template<int D>
     }
     p = trial;
     state = next;
+    norm = state.residual.norm();
   }
-  return p;
+  return norm;
+}
+
+/// The force of one point; `free` is the displacement without it. Where the search from p gets stuck, as at
+/// the fold of a snapping bond, it starts again from no force.
+template<int D>
+[[nodiscard]] Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
+                                   double rho) {
+  double const residual = improve_point<D>(problem, point, free, p, rho);
+  if (residual <= 1e-8 * (p.norm() + rho * free.norm()))
+    return p;
+  Local<D> other = Local<D>::Zero();
+  return improve_point<D>(problem, point, free, other, rho) < residual ? other : p;
 }
 
 } // namespace stiction::contact

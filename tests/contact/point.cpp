@@ -133,12 +133,18 @@ TEST_SUITE("contact") {
           double const end = 3 * (1 + 1 / stiffness);
           auto const pulled = pull(choice, stiffness, step, end);
           CHECK(pulled.finite);
+          if (!std::holds_alternative<BipotentialUzawa>(choice)) // whose fixed point repels past the limit
+            CHECK(pulled.all_converged);
           if (!pulled.all_converged)
             continue;
           double const s = pulled.opening.back(); // snapped: on the softened branch
           CHECK(s > 1);
           CHECK(s + 1 / (stiffness * s * s * s) == doctest::Approx(end).epsilon(step / end + 1e-6));
         }
+    auto const snapped = pull(BipotentialNewton{}, 2, 0.001, 1.51);
+    CHECK(snapped.all_converged);
+    CHECK(largest_jump(snapped.opening) > 0.15);
+    CHECK(snapped.opening.back() == doctest::Approx(1.26).epsilon(0.005)); // s + s^-3/2 = 1.51
   }
 
   TEST_CASE("many softening points: the verdict holds and nothing is NaN") {
