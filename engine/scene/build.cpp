@@ -284,22 +284,21 @@ private:
 
   void check_probes() {
     for (auto const& [name, probe] : scene_.part.probes) {
-      std::vector<std::string> const where{"probes", name};
-      std::visit(
-          [&](auto const& part) {
-            if constexpr (requires { part.pair; })
-              check_pair_name({"probes", name, "pair"}, part.pair);
-            if constexpr (requires { part.set; })
-              static_cast<void>(resolve({"probes", name, "set"}, part.set));
-            if constexpr (requires { part.near; })
-              if (part.near.size() != 2)
-                complain({"probes", name, "near"},
-                         fmt::format("has {} numbers; two are wanted: {{x, y}}", part.near.size()));
-          },
-          probe);
+      std::visit([this, &name = name](auto const& part) { check_probe(name, part); }, probe);
       if (name == "time" || name == "step")
-        complain(where, "this name is taken by the series itself; choose another");
+        complain({"probes", name}, "this name is taken by the series itself; choose another");
     }
+  }
+
+  template<class Part> void check_probe(std::string const& name, Part const& part) {
+    if constexpr (requires { part.pair; })
+      check_pair_name({"probes", name, "pair"}, part.pair);
+    if constexpr (requires { part.set; })
+      static_cast<void>(resolve({"probes", name, "set"}, part.set));
+    if constexpr (requires { part.near; })
+      if (part.near.size() != 2)
+        complain({"probes", name, "near"},
+                 fmt::format("has {} numbers; two are wanted: {{x, y}}", part.near.size()));
   }
 
   void check_pair_name(std::vector<std::string> const& where, std::string const& name) {
