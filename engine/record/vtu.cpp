@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t block_size = std::size_t{1} << 16; ///< bytes compressed at once; VTK reads any
 
 void append_bytes(std::string& bytes, std::span<std::uint64_t const> numbers) {
-  bytes.append(reinterpret_cast<char const*>(numbers.data()), numbers.size_bytes()); // NOLINT
+  bytes.append(reinterpret_cast<char const*>(numbers.data()), numbers.size_bytes());
 }
 
 /// VTK's compressed array: number of blocks, size of a block, size of the last if partial, compressed sizes,
@@ -27,9 +27,8 @@ std::string compress_array(std::string_view raw) {
     auto const part = raw.substr(first, block_size);
     uLongf size = compressBound(part.size());
     std::string packed(size, '\0');
-    int const status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,           // NOLINT
-                                 reinterpret_cast<Bytef const*>(part.data()), part.size(), // NOLINT
-                                 Z_BEST_SPEED);
+    int const status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                                 reinterpret_cast<Bytef const*>(part.data()), part.size(), Z_BEST_SPEED);
     core::expect(status == Z_OK, "zlib to compress a block");
     blocks.append(packed, 0, size);
     head.push_back(size);
@@ -41,11 +40,11 @@ std::string compress_array(std::string_view raw) {
 
 template<class Number> std::string bytes_of(std::span<double const> values) {
   std::vector<Number> const numbers(values.begin(), values.end());
-  return {reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number)}; // NOLINT
+  return {reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number)};
 }
 
 template<class Number> std::string bytes_of(std::vector<Number> const& numbers) {
-  return {reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number)}; // NOLINT
+  return {reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number)};
 }
 
 std::string escaped(std::string_view text) {
