@@ -199,12 +199,15 @@ return stiction.study {
       check.close("v1000_mu0.8: peak tangential adhesion", burst.results.adhesion_t_peak, 268e3, 0.3)
     end
 
-    -- what the paper claims, over the whole grid; a time is known to one step on either side
+    -- What the paper claims, over the whole grid. A time is known to one step on either side. At mu = 0.8 the
+    -- plate slips in bursts, and which burst carries the largest adhesion is chance (README): no order of delays.
     local function line(name, list)
       if #list < 2 then return end
       check.non_decreasing(name .. ": peak beta", list:values "beta_peak", 1e-3)
-      check.non_decreasing(name .. ": delay of the peak", list:values "delay",
-        2 * (list[1].p.sliding_step / list[1].p.sliding_speed))
+      if list[1].p.mu ~= 0.8 then
+        check.non_decreasing(name .. ": delay of the peak", list:values "delay",
+          2 * (list[1].p.sliding_step / list[1].p.sliding_speed))
+      end
       local peaks = {}
       for _, case in ipairs(list) do
         if case.results.beta_peak < 1 then peaks[#peaks + 1] = case.results.adhesion_t_peak end
@@ -246,8 +249,8 @@ return stiction.study {
     local function field(name, title, at)
       return figure.field {
         name = name, title = title, case = example, time = at, array = "von_mises", label = "von Mises stress",
-        unit = "MPa", deformed = true, mesh = true, range = { 0*MPa, 12*MPa },
-        window = { -6.5*mm, 9.5*mm, -0.3*mm, 7.3*mm }, window_unit = "mm", width = "double",
+        unit = "MPa", deformed = true, mesh = true, range = { 0*MPa, 8*MPa },
+        window = { -6.5*mm, 9.5*mm, -0.3*mm, 6.5*mm }, window_unit = "mm", width = "double",
       }
     end
     list[#list + 1] = field("figure_4b", "end of the descent, " .. speed(example.p) .. ", " .. by_mu(example.p), pressed)
@@ -270,14 +273,22 @@ return stiction.study {
       y = adhesion, curves = curves(fastest, by_mu, "crown/adhesion_t", -1), marks = marks }
     list[#list + 1] = figure.lines { name = "figure_5e", title = by_mu(smooth[1].p), x = time, y = adhesion,
       curves = curves(smooth, speed, "crown/adhesion_t", -1) }
-    local terms = {}
-    for i, term in ipairs { { "motion_work", "work of the motions" }, { "strain", "strain" }, { "kinetic", "kinetic" },
-      { "bond", "bond" }, { "friction_loss", "friction" }, { "bonding_loss", "bonding" }, { "scheme_loss", "scheme" } } do
-      terms[i] = { label = term[2], case = example, y = "energy/" .. term[1], colour = i }
+    local function ledger(height, terms)
+      local lines = {}
+      for i, term in ipairs(terms) do
+        lines[i] = { label = term[2], case = example, y = "energy/" .. term[1], colour = term[3] }
+      end
+      return figure.lines { x = time, y = { label = "energy", unit = "J/m" }, curves = lines, height = height,
+        legend = "below", marks = { { x = pressed, label = "sliding starts" } } }
     end
-    list[#list + 1] = figure.lines { name = "energy", title = speed(example.p) .. ", " .. by_mu(example.p), x = time,
-      y = { label = "energy", unit = "J/m" }, curves = terms, width = "double",
-      marks = { { x = pressed, label = "sliding starts" } } }
+    list[#list + 1] = figure.panel {
+      name = "energy", title = speed(example.p) .. ", " .. by_mu(example.p), columns = 2,
+      figures = {
+        ledger(80, { { "motion_work", "work of motions", 1 }, { "strain", "strain", 2 }, { "friction_loss", "friction", 5 } }),
+        ledger(80, { { "kinetic", "kinetic", 3 }, { "bond", "bond", 4 }, { "bonding_loss", "bonding", 6 },
+          { "scheme_loss", "lost by scheme", 7 } }),
+      },
+    }
     return list
   end,
 }
