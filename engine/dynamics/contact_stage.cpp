@@ -217,9 +217,13 @@ bool ContactStage::solve(Vector const& y, double weight, Vector& c, Cost& cost) 
   Vector guess(H_.rows());
   for (std::size_t row = 0; row < active_.size(); ++row)
     guess.segment<2>(2 * static_cast<Index>(row)) = points_[ix(active_[row])].force;
-  auto const solution = solver_->solve(problem_, guess);
+  auto solution = solver_->solve(problem_, guess);
   ++cost.contact_problems;
   cost.contact_iterations += solution.iterations;
+  if (!solution.converged) { // the last forces may be a bad start: once more from none
+    solution = solver_->solve(problem_, Vector::Zero(guess.size()));
+    cost.contact_iterations += solution.iterations;
+  }
   if (!solution.converged)
     return false;
   for (std::size_t row = 0; row < active_.size(); ++row) {

@@ -148,14 +148,29 @@ bool Stepper::converged(Outcome& outcome) const {
   return worst <= tolerance;
 }
 
+/// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
+/// one.
 bool Stepper::correct(double dt, Outcome& outcome) {
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
   bool const keep = structure_.has_factor(weights_, dt) && (structure_.linear() || !slow);
-  if (!keep && !structure_.factorize(u_, weights_, dt, cost_)) {
-    outcome.verdict = StepVerdict::indefinite;
-    outcome.reason = "the effective stiffness is not positive definite";
-    return false;
+  if (keep && apply_factor())
+    return true;
+  if (!keep || !structure_.linear()) {
+    if (!structure_.factorize(u_, weights_, dt, cost_)) {
+      outcome.verdict = StepVerdict::indefinite;
+      outcome.reason = "the effective stiffness is not positive definite";
+      return false;
+    }
+    if (apply_factor())
+      return true;
   }
+  outcome.verdict = StepVerdict::contact_failed;
+  outcome.reason = "the contact solver did not reach its tolerance";
+  return false;
+}
+
+/// Solves for the correction and adds it to the displacement; false if the contact problem was not solved.
+bool Stepper::apply_factor() {
   auto& factor = structure_.factor();
   Index const surface = structure_.unknowns() - structure_.first_contact_unknown();
   correction_.resize(structure_.unknowns());
@@ -167,11 +182,8 @@ bool Stepper::correct(double dt, Outcome& outcome) {
     surface_ = correction_.tail(surface);
     factor.trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(surface_);
   }
-  if (!contact_.solve(surface_, weights_.contact, push_, cost_)) {
-    outcome.verdict = StepVerdict::contact_failed;
-    outcome.reason = "the contact solver did not reach its tolerance";
+  if (!contact_.solve(surface_, weights_.contact, push_, cost_))
     return false;
-  }
   {
     Timer const timer(cost_.solve);
     if (!push_.isZero(0)) {

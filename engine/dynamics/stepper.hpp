@@ -41,6 +41,7 @@ private:
   [[nodiscard]] double imbalance() const;
   [[nodiscard]] bool converged(Outcome& outcome) const;
   [[nodiscard]] bool correct(double dt, Outcome& outcome);
+  [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
   void account(State const& old, State& next) const;
 

@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "dynamics/timer.hpp"
+#include "linear/recycling.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "record/problem_file.hpp"
@@ -139,6 +140,10 @@ public:
         {"contact_problems", static_cast<double>(cost.contact_problems)},
         {"cells", cells},
         {"cells_evaluated", cells * static_cast<double>(cost.force_passes + cost.stiffness_passes)},
+        {"cells_per_second",
+         cells * static_cast<double>(cost.force_passes + cost.stiffness_passes) / cost.assembly},
+        {"heap_blocks_of_factor_after_first_step",
+         static_cast<double>(linear::blocks_from_system() - blocks_)},
         {"unknowns", static_cast<double>(stepper_.structure().unknowns())},
         {"peak_memory", peak_memory()}};
     return result_;
@@ -222,7 +227,8 @@ private:
 
   void accept(dynamics::Outcome outcome, double dt) {
     state_ = std::move(outcome.state);
-    ++result_.steps;
+    if (++result_.steps == 1)
+      blocks_ = linear::blocks_from_system();
     Timed const timed(*this);
     recorder_.step(state_, dt, outcome.iterations);
     int const every = scene_->part.output.problems_every;
@@ -261,6 +267,7 @@ private:
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
+  std::size_t blocks_ = 0; ///< that SuiteSparse had taken from the system after the first step
 };
 
 } // namespace
