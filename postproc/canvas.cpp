@@ -82,15 +82,17 @@ std::vector<std::vector<Point>> dashes(std::vector<Point> const& line, std::vect
   double left = lengths[0];
   for (std::size_t i = 1; i < line.size(); ++i) {
     Point from = line[i - 1];
-    for (double rest = length(line[i] - from); rest > left; rest = length(line[i] - from)) {
+    double rest = length(line[i] - from);
+    while (rest > left) {
       from = from + (left / rest) * (line[i] - from);
       if (phase % 2 == 0)
         pieces.back().push_back(from);
       else
         pieces.push_back({from});
       left = lengths[++phase % lengths.size()];
+      rest = length(line[i] - from);
     }
-    left -= length(line[i] - from);
+    left -= rest;
     if (phase % 2 == 0)
       pieces.back().push_back(line[i]);
   }
@@ -178,6 +180,7 @@ void Canvas::frame(Box const& box, Pen const& pen) {
 void Canvas::disc(Point centre, double radius, Colour colour) {
   constexpr int corners = 24;
   std::vector<Point> rim;
+  rim.reserve(corners);
   for (int i = 0; i < corners; ++i)
     rim.push_back(centre + turned({radius, 0}, 2 * std::numbers::pi * i / corners));
   fill(rim, colour);

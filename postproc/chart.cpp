@@ -128,6 +128,7 @@ std::vector<Point> Chart::pixels(std::vector<Point> const& given) const {
     return start + std::clamp(fraction, -20.0, 20.0) * length;
   };
   std::vector<Point> line;
+  line.reserve(given.size());
   for (auto const& point : given)
     line.push_back({place(x.fraction(point.x), plot.left, plot.width),
                     place(y.fraction(point.y), plot.bottom, plot.height)});

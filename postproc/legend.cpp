@@ -73,9 +73,9 @@ void Legend::draw(Canvas& canvas, Point lower_left, bool boxed) const {
   lettering.size = legend_size;
   lettering.along = Along::centre;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    auto const column = static_cast<double>(i % columns_), row = static_cast<double>(i / columns_);
-    double const left = box.left + padding + column * (cell_.width + 3 * gap);
-    double const middle = box.top() - padding - (row + 0.5) * cell_.height;
+    std::size_t const column = i % columns_, row = i / columns_;
+    double const left = box.left + padding + static_cast<double>(column) * (cell_.width + 3 * gap);
+    double const middle = box.top() - padding - (static_cast<double>(row) + 0.5) * cell_.height;
     auto const& pen = entries_[i]->pen;
     if (pen.dash == Dash::points)
       canvas.stroke({{left + sample / 2, middle}}, pen);

@@ -40,10 +40,11 @@ void draw_curves(Canvas& canvas, Chart const& chart) {
   double const half = points(curve_width) / 2; // a curve along the frame keeps its full width
   Box const& plot = chart.plot;
   Box const wide{plot.left - half, plot.bottom - half, plot.width + 2 * half, plot.height + 2 * half};
+  auto const outside = [&wide](Point p) { return !wide.contains(p); };
   for (auto const& curve : chart.curves) {
     auto line = chart.pixels(curve.points);
     if (curve.pen.dash == Dash::points) { // whole discs, also on the frame
-      std::erase_if(line, [&wide](Point p) { return !wide.contains(p); });
+      std::erase_if(line, outside);
       canvas.stroke(line, curve.pen);
       continue;
     }
