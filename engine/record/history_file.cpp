@@ -23,17 +23,23 @@ hsize_t chunk_rows(std::size_t width) {
   return std::clamp<hsize_t>(2048 / width, 32, 1024);
 }
 
+/// Creation without time stamps: equal runs give equal files. `kind` is H5P_FILE_CREATE, ...
+Handle timeless(hid_t kind) {
+  Handle creation(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
+  return creation;
+}
+
 Handle create_dataset(hid_t file, std::string const& name, std::size_t width) {
   std::array<hsize_t, 2> const size{0, width}, limit{H5S_UNLIMITED, width}, chunk{chunk_rows(width), width};
   int const rank = width == 1 ? 1 : 2;
   double const unwritten = std::numeric_limits<double>::quiet_NaN(); // tells the reader where a kill struck
   Handle const space(H5Screate_simple(rank, size.data(), limit.data()), H5Sclose);
-  Handle const creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  Handle const creation = timeless(H5P_DATASET_CREATE);
   H5Pset_chunk(creation, rank, chunk.data());
   H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &unwritten);
-  Handle const link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(link, 1);
-  return {H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, link, creation, H5P_DEFAULT), H5Dclose};
+  return {H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+          H5Dclose};
 }
 
 bool write_rows(hid_t dataset, hsize_t first, std::span<double const> values, std::size_t width) {
@@ -51,7 +57,7 @@ bool write_rows(hid_t dataset, hsize_t first, std::span<double const> values, st
 
 HistoryFile::HistoryFile(std::filesystem::path path) : path_(std::move(path)), part_(part_name(path_)) {
   hdf5::keep_reasons();
-  file_ = Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5::file_access()), H5Fclose);
+  file_ = Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), hdf5::file_access()), H5Fclose);
   if (!file_.valid())
     throw unwritable(path_, hdf5::last_reason());
 }
@@ -72,21 +78,27 @@ HistoryFile::~HistoryFile() {
 void HistoryFile::add_column(std::string const& name, int width, std::string const& unit,
                              std::string const& meaning) {
   auto const size = static_cast<std::size_t>(width);
+  if (auto const slash = name.rfind('/'); slash != std::string::npos && slash > 0)
+    require(open_group(name.substr(0, slash)).valid());
   columns_.push_back({create_dataset(file_, name, size), size});
   Handle const& dataset = columns_.back().handle;
   require(dataset.valid());
   require(hdf5::write_attribute(dataset, "unit", unit) && hdf5::write_attribute(dataset, "meaning", meaning));
 }
 
+/// Opens "a/b", making what is missing of the way.
 Handle HistoryFile::open_group(std::string const& group) {
-  if (group.empty())
-    return {H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose};
-  Handle const link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(link, 1);
-  Handle found(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
-  if (found.valid())
-    return found;
-  return {H5Gcreate2(file_, group.c_str(), link, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+  Handle here(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose);
+  for (std::size_t begin = 0; begin < group.size();) {
+    std::size_t const end = std::min(group.find('/', begin), group.size());
+    std::string const name = group.substr(begin, end - begin);
+    here = H5Lexists(here, name.c_str(), H5P_DEFAULT) > 0
+               ? Handle(H5Gopen2(here, name.c_str(), H5P_DEFAULT), H5Gclose)
+               : Handle(H5Gcreate2(here, name.c_str(), H5P_DEFAULT, timeless(H5P_GROUP_CREATE), H5P_DEFAULT),
+                        H5Gclose);
+    begin = end + 1;
+  }
+  return here;
 }
 
 void HistoryFile::set_attribute(std::string const& group, std::string const& name, std::string const& text) {

@@ -86,6 +86,11 @@ local function onset(p)
   return p.depth / p.v
 end
 
+-- The contact probe reports the force on the secondary surface.
+local function on_plate(p)
+  return p.secondary == "plate" and 1 or -1
+end
+
 -- Index and value of the first peak of |tangential adhesion| at the crown.
 local function peak(run)
   local adhesion, best = run:series("crown", "adhesion_t"), 1
@@ -152,9 +157,12 @@ return stiction.study {
     { name = "delay", unit = "s", meaning = "time of that peak after sliding starts",
       function(run, p) return run.time[peak(run)] - onset(p) / (1*s) end },
     { name = "force_y_onset", unit = "N/m", meaning = "vertical contact force on the plate at the end of the descent",
-      function(run, p) return run:at(onset(p), "contact", "force_y") end },
+      function(run, p) return on_plate(p) * run:at(onset(p), "contact", "force_y") end },
     { name = "force_x_max", unit = "N/m", meaning = "largest tangential contact force on the plate",
-      function(run) return -(run:min("contact", "force_x")) end },
+      function(run, p)
+        local low, high = run:min("contact", "force_x"), run:max("contact", "force_x")
+        return on_plate(p) > 0 and -low or high
+      end },
     { name = "top_force_y_onset", unit = "N/m", meaning = "vertical force of the drive at the end of the descent",
       function(run, p) return -run:at(onset(p), "top", "force_y") end },
     { name = "scheme_loss", unit = "J/m", meaning = "energy lost by the time scheme over the run",
