@@ -1,6 +1,8 @@
 // Assembly of the mass matrix; every variant keeps each body's total mass.
 #include "dynamics/mass.hpp"
 
+#include <algorithm>
+
 namespace stiction::dynamics {
 
 namespace {
@@ -14,9 +16,16 @@ struct CellMass {
   }
 };
 
-/// Entries of contact nodes go to the diagonal, row by row.
+/// Entries of contact nodes go to the diagonal, row by row. Cells of second order, whose corners would be
+/// left with no mass or a negative one, are lumped whole, in proportion to their diagonal.
 void lump_surface(CellMass& cell) {
   auto& m = cell.values;
+  bool const touched =
+      std::find(cell.on_surface.begin(), cell.on_surface.end(), true) != cell.on_surface.end();
+  if (touched && m.rowwise().sum().minCoeff() < 1e-6 * m.sum()) {
+    m = (m.sum() / m.trace() * m.diagonal()).asDiagonal().toDenseMatrix();
+    return;
+  }
   for (Eigen::Index a = 0; a < m.rows(); ++a)
     for (Eigen::Index b = 0; b < m.cols(); ++b)
       if (a != b && cell.touches(a, b)) {
