@@ -1,0 +1,161 @@
+// The contract of a step: state in, state out; failure is a verdict; nothing allocated in the long run.
+#include "dynamics/stepper.hpp"
+
+#include <cstring>
+#include <doctest/doctest.h>
+
+#include "dynamics/marching.hpp"
+#include "linear/recycling.hpp"
+
+using namespace stiction;
+using dynamics::StepVerdict;
+
+namespace {
+
+bool same(Vector const& a, Vector const& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+}
+
+bool same(dynamics::ContactState const& a, dynamics::ContactState const& b) {
+  return a.foot.segment == b.foot.segment && a.foot.xi == b.foot.xi && a.gap == b.gap && a.slip == b.slip &&
+         a.path == b.path && a.dry == b.dry && a.adhesion == b.adhesion && a.bond.beta == b.bond.beta &&
+         a.bond.stretch == b.bond.stretch && a.status == b.status && a.in_reach == b.in_reach;
+}
+
+/// Bit by bit, but for the sign of zeros in points and ledger.
+bool same(test::State const& a, test::State const& b) {
+  bool equal = a.t == b.t && same(a.u, b.u) && same(a.v, b.v) && same(a.internal, b.internal) &&
+               same(a.reaction, b.reaction) && same(a.drive, b.drive) &&
+               a.contacts.size() == b.contacts.size();
+  for (std::size_t p = 0; equal && p < a.contacts.size(); ++p)
+    for (std::size_t i = 0; equal && i < a.contacts[p].size(); ++i)
+      equal = same(a.contacts[p][i], b.contacts[p][i]);
+  return equal && std::memcmp(&a.ledger, &b.ledger, sizeof a.ledger) == 0;
+}
+
+/// Two rubber blocks with friction and adhesion, the upper one narrower, pressed and dragged dynamically.
+test::Input rubbing() {
+  auto table = test::two_blocks();
+  test::at(table, "bodies.upper") = test::block({{0.12, 0}, {0.7, 1}, {3, 4}}, test::linear_elastic(1, 0));
+  for (std::string const body : {"lower", "upper"})
+    test::at(table, "bodies." + body + ".material") =
+        test::make("material.blatz_ko", {{"shear_modulus", test::value(400, "Pa")}});
+  test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
+  test::at(table, "pairs.joint.adhesion") = test::rcc(0.1, 100, 1);
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  return table;
+}
+
+/// A rubber block without any support.
+test::Input floating() {
+  auto table = test::foot_on_floor();
+  for (char const* part : {"pairs", "obstacles", "motions"})
+    test::remove(table, part);
+  return table;
+}
+
+} // namespace
+
+TEST_CASE("a step leaves its state alone and gives the same again from a fresh workspace") {
+  auto const scene = scene::build(rubbing());
+  dynamics::Stepper one(*scene.model), other(*scene.model);
+  auto const state = test::march(one, one.initial(), 0.05, 24);
+  auto const kept = state;
+  static_cast<void>(other.initial());
+  auto const first = other.step(state, 0.05);
+  CHECK(same(state, kept));
+  dynamics::Stepper third(*scene.model);
+  auto const second = third.step(state, 0.05);
+  REQUIRE(first.converged());
+  REQUIRE(second.converged());
+  CHECK(first.iterations == second.iterations);
+  CHECK(first.out_of_balance == second.out_of_balance);
+  CHECK(same(first.state, second.state));
+  CHECK_FALSE(same(first.state, state));
+}
+
+TEST_CASE("what a workspace did before changes a step by no more than its tolerance") {
+  auto const scene = scene::build(rubbing());
+  scene.model->control.force_tolerance = 1e-10;
+  dynamics::Stepper used(*scene.model), fresh(*scene.model);
+  auto const state = test::march(used, used.initial(), 0.05, 24);
+  test::march(used, state, 0.02, 5);
+  auto const a = used.step(state, 0.05), b = fresh.step(state, 0.05);
+  REQUIRE(a.converged());
+  REQUIRE(b.converged());
+  CHECK(test::largest(a.state.u - b.state.u) < 1e-9);
+  CHECK(test::largest(a.state.reaction - b.state.reaction) < 1e-7);
+}
+
+TEST_CASE("linear bodies: the same stepper repeats a step bit by bit") {
+  auto table = test::two_blocks();
+  test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const state = test::march(stepper, stepper.initial(), 0.1, 12);
+  auto const first = stepper.step(state, 0.1), second = stepper.step(state, 0.1);
+  REQUIRE(first.converged());
+  CHECK(same(first.state, second.state));
+}
+
+TEST_CASE("a press deeper than the block turns cells inside out; smaller steps then get through") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.material") =
+      test::make("material.blatz_ko", {{"shear_modulus", test::value(400, "Pa")}});
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 2}, {}, {0, -1}), test::fix("foot.all", true, false)});
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const start = stepper.initial();
+  auto const failed = stepper.step(start, 1);
+  REQUIRE_FALSE(failed.converged());
+  CHECK(failed.verdict == StepVerdict::inverted_cell);
+  CHECK(failed.reason.find("inside out") != std::string::npos);
+  auto const end = test::march(stepper, start, 1.0 / 16, 16);
+  CHECK(test::contact_force(scene, end).y() > 100);
+}
+
+TEST_CASE("a contact solver that gives up is a verdict") {
+  auto table = rubbing();
+  test::at(table, "solver") =
+      test::make("solver.uzawa", {{"iterations", test::value(1)}, {"tolerance", test::value(1e-14)}});
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const outcome = stepper.step(stepper.initial(), 0.5);
+  CHECK(outcome.verdict == StepVerdict::contact_failed);
+  CHECK(outcome.reason.find("contact") != std::string::npos);
+}
+
+TEST_CASE("a body that nothing holds ends in a verdict with a reason") {
+  auto table = floating();
+  test::at(table, "gravity") = test::values({0, -10}, "m/s^2");
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const outcome = stepper.step(stepper.initial(), 1);
+  CHECK_FALSE(outcome.converged());
+  CHECK_FALSE(outcome.reason.empty());
+}
+
+TEST_CASE("a step that may not iterate says how far it came") {
+  auto const scene = scene::build(rubbing());
+  scene.model->control.iterations = 1;
+  dynamics::Stepper stepper(*scene.model);
+  auto const outcome = stepper.step(stepper.initial(), 1);
+  CHECK(outcome.verdict == StepVerdict::not_converged);
+  CHECK(outcome.reason.find("out of balance") != std::string::npos);
+  CHECK(outcome.out_of_balance > scene.model->control.force_tolerance);
+}
+
+TEST_CASE("after the first step SuiteSparse takes nothing from the system") {
+  auto const scene = scene::build(rubbing());
+  dynamics::Stepper stepper(*scene.model);
+  auto const state = test::march(stepper, stepper.initial(), 0.05, 1);
+  auto const before = linear::blocks_from_system();
+  auto const factorizations = stepper.cost().factorizations;
+  auto later = state;
+  for (double const dt : {0.05, 0.04, 0.03, 0.02, 0.03, 0.04}) // a new size asks for a new factor
+    later = test::march(stepper, later, dt, 3);
+  CHECK(stepper.cost().factorizations > factorizations + 4);
+  CHECK(linear::blocks_from_system() == before);
+}
