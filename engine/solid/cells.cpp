@@ -13,64 +13,154 @@ namespace stiction::solid {
 namespace {
 
 /// Node coordinates of one cell, [nodes, 2].
-Matrix corners(mesh::Mesh const& mesh, std::span<Index const> cell) {
+Matrix corners(mesh::Mesh const &mesh, std::span<Index const> cell) {
   Matrix X(static_cast<Eigen::Index>(cell.size()), 2);
   for (std::size_t a = 0; a < cell.size(); ++a)
     X.row(static_cast<Eigen::Index>(a)) = mesh.nodes.row(cell[a]);
   return X;
 }
 
-/// Factor that turns an area into the integration measure: 1, or the circumference at radius R.
+/// Factor that turns an area into the integration measure: 1, or the
+/// circumference at radius R.
 double circumference(Kinematics kinematics, double R) {
-  return kinematics == Kinematics::axisymmetric ? 2 * std::numbers::pi * R : 1.0;
+  return kinematics == Kinematics::axisymmetric ? 2 * std::numbers::pi * R
+                                                : 1.0;
 }
 
-template<int Nodes>
-Eigen::Matrix<double, Nodes, 2, Eigen::RowMajor> gather(Index const* cell, std::span<double const> u) {
-  Eigen::Matrix<double, Nodes, 2, Eigen::RowMajor> local;
-  for (int a = 0; a < Nodes; ++a) {
-    local(a, 0) = u[ix(2 * cell[a])];
-    local(a, 1) = u[ix(2 * cell[a] + 1)];
+/// Mass per component of a cell with corners X and this density.
+Dense consistent_mass(mesh::Interpolation const &rule, Matrix const &X,
+                      double density, Kinematics kinematics) {
+  Dense mass = Dense::Zero(X.rows(), X.rows());
+  for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+    auto const N = rule.shape.row(q);
+    double const area =
+        (X.transpose() * rule.gradients[ix(static_cast<Index>(q))])
+            .determinant();
+    mass += density * rule.weights[q] * area *
+            circumference(kinematics, N.dot(X.col(0))) * (N.transpose() * N);
   }
-  return local;
+  return mass;
+}
+
+/// sigma = F S F^T / J: 11, 22, 33, 12.
+template <class PointState>
+Eigen::RowVector4d cauchy_stress(PointState const &point) {
+  auto const &S = point.response.stress;
+  Eigen::Matrix2d in_plane;
+  in_plane << S[0], S[3], S[3], S[1];
+  Eigen::Matrix2d const sigma =
+      point.F * in_plane * point.F.transpose() / point.jacobian;
+  return {sigma(0, 0), sigma(1, 1),
+          point.F33 * point.F33 * S[2] / point.jacobian, sigma(0, 1)};
+}
+
+double von_mises(Eigen::RowVector4d const &s) {
+  return std::sqrt(0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) +
+                          std::pow(s[2] - s[0], 2)) +
+                   3 * s[3] * s[3]);
 }
 
 } // namespace
 
-Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics_(kinematics) {
-  for (auto const& block : body.mesh.blocks) {
-    auto const& rule = mesh::stiffness_rule(block.kind);
-    Prepared prepared{
-        block.kind, mesh::info(block.kind).nodes, static_cast<int>(rule.weights.size()), block.nodes, {}, {},
-        {}};
-    for (Index c = 0; c < prepared.cells(); ++c) {
-      std::span<Index const> const cell(&block.nodes[ix(c * prepared.nodes)], ix(prepared.nodes));
-      Matrix const X = corners(body.mesh, cell);
-      for (int q = 0; q < prepared.points; ++q) {
-        Eigen::Matrix2d const jacobian = X.transpose() * rule.gradients[ix(q)];
-        Matrix const G = rule.gradients[ix(q)] * jacobian.inverse();
-        prepared.gradients.insert(prepared.gradients.end(), G.data(), G.data() + G.size());
-        double const R = rule.shape.row(q).dot(X.col(0));
-        prepared.weights.push_back(rule.weights[q] * jacobian.determinant() * circumference(kinematics, R));
-        if (kinematics == Kinematics::axisymmetric)
-          for (int a = 0; a < prepared.nodes; ++a)
-            prepared.hoop.push_back(rule.shape(q, a) / R);
-      }
+/// One cell with its displacements, for a kernel K.
+template <class K> class Cells::Cell {
+public:
+  Cell(Prepared const &block, Index number, std::span<double const> u)
+      : block_(&block), first_point_(number * block.points),
+        nodes_(&block.connectivity[ix(number * K::nodes)]) {
+    for (int a = 0; a < K::nodes; ++a) {
+      u_(a, 0) = u[ix(2 * nodes_[a])];
+      u_(a, 1) = u[ix(2 * nodes_[a] + 1)];
     }
-    blocks_.push_back(std::move(prepared));
   }
+  [[nodiscard]] Index node(int a) const { return nodes_[a]; }
+  [[nodiscard]] int points() const { return block_->points; }
+  [[nodiscard]] double weight(int q) const {
+    return block_->weights[ix(first_point_ + q)];
+  }
+  [[nodiscard]] typename K::Gradients gradients(int q) const {
+    return typename K::Gradients(
+        &block_->gradients[ix((first_point_ + q) * 2 * K::nodes)]);
+  }
+  [[nodiscard]] double const *hoop(int q) const {
+    return K::axisymmetric ? &block_->hoop[ix((first_point_ + q) * K::nodes)]
+                           : nullptr;
+  }
+  template <material::Wanted wanted, class Law>
+  [[nodiscard]] auto evaluate(Law const &law, int q) const {
+    return K::template evaluate<wanted>(law, gradients(q), hoop(q), u_);
+  }
+
+  /// Adds force and energy; false if a point is turned inside out.
+  template <class Law>
+  bool add_force(Law const &law, typename K::Force &force,
+                 double &energy) const {
+    for (int q = 0; q < points(); ++q) {
+      auto const state = evaluate<material::Wanted::stress>(law, q);
+      if (!(state.jacobian > 0))
+        return false;
+      energy += weight(q) * state.response.energy;
+      force.noalias() +=
+          K::strain_operator(state, gradients(q), hoop(q)).transpose() *
+          (weight(q) * state.response.stress);
+    }
+    return true;
+  }
+
+private:
+  Prepared const *block_;
+  Index first_point_;
+  Index const *nodes_;
+  typename K::Displacements u_;
+};
+
+Cells::Cells(Body const &body, Kinematics kinematics)
+    : body_(&body), kinematics_(kinematics) {
+  for (auto const &block : body.mesh.blocks)
+    blocks_.push_back(prepare(block));
+}
+
+Cells::Prepared Cells::prepare(mesh::Block const &block) const {
+  auto const &rule = mesh::stiffness_rule(block.kind);
+  Prepared prepared{block.kind,
+                    mesh::info(block.kind).nodes,
+                    static_cast<int>(rule.weights.size()),
+                    block.nodes,
+                    {},
+                    {},
+                    {}};
+  for (Index c = 0; c < prepared.cells(); ++c) {
+    std::span<Index const> const cell(&block.nodes[ix(c * prepared.nodes)],
+                                      ix(prepared.nodes));
+    Matrix const X = corners(body_->mesh, cell);
+    for (int q = 0; q < prepared.points; ++q) {
+      Eigen::Matrix2d const jacobian = X.transpose() * rule.gradients[ix(q)];
+      Matrix const G = rule.gradients[ix(q)] * jacobian.inverse();
+      prepared.gradients.insert(prepared.gradients.end(), G.data(),
+                                G.data() + G.size());
+      double const R = rule.shape.row(q).dot(X.col(0));
+      prepared.weights.push_back(rule.weights[q] * jacobian.determinant() *
+                                 circumference(kinematics_, R));
+      if (kinematics_ == Kinematics::axisymmetric)
+        for (int a = 0; a < prepared.nodes; ++a)
+          prepared.hoop.push_back(rule.shape(q, a) / R);
+    }
+  }
+  return prepared;
 }
 
 Index Cells::count() const {
   Index total = 0;
-  for (auto const& block : blocks_)
+  for (auto const &block : blocks_)
     total += block.cells();
   return total;
 }
 
-/// Calls kernel.template operator()<Law, Nodes, Axisymmetric>(law) for the block's law, kind and kinematics.
-template<class KernelCall> void Cells::dispatch(Prepared const& block, KernelCall&& call) const {
-  auto by_nodes = [&]<bool Axisymmetric>(auto const& law) {
+/// Calls kernel.template operator()<Law, Nodes, Axisymmetric>(law) for the
+/// block's law, kind and kinematics.
+template <class KernelCall>
+void Cells::dispatch(Prepared const &block, KernelCall &&call) const {
+  auto by_nodes = [&]<bool Axisymmetric>(auto const &law) {
     using Law = std::decay_t<decltype(law)>;
     switch (block.nodes) {
     case 3:
@@ -86,7 +176,7 @@ template<class KernelCall> void Cells::dispatch(Prepared const& block, KernelCal
     }
   };
   std::visit(
-      [&](auto const& law) {
+      [&](auto const &law) {
         if (kinematics_ == Kinematics::axisymmetric)
           by_nodes.template operator()<true>(law);
         else
@@ -95,129 +185,97 @@ template<class KernelCall> void Cells::dispatch(Prepared const& block, KernelCal
       body_->material);
 }
 
-Pass Cells::add_force(std::span<double const> u, std::span<double> force) const {
+/// Calls visit(law, cell) for every cell in order, the cell for the kernel of
+/// its law, kind and kinematics.
+template <class Visit>
+void Cells::each_deformed(std::span<double const> u, Visit &&visit) const {
+  for (auto const &block : blocks_)
+    dispatch(
+        block, [&]<class Law, int Nodes, bool Axisymmetric>(Law const &law) {
+          for (Index c = 0; c < block.cells(); ++c)
+            visit(law, Cell<Kernel<Law, Nodes, Axisymmetric>>(block, c, u));
+        });
+}
+
+Pass Cells::add_force(std::span<double const> u,
+                      std::span<double> force) const {
   Pass pass;
-  Index first = 0;
-  for (auto const& block : blocks_) {
-    dispatch(block, [&]<class Law, int Nodes, bool Axisymmetric>(Law const& law) {
-      using K = Kernel<Law, Nodes, Axisymmetric>;
-      for (Index c = 0; c < block.cells(); ++c) {
-        Index const* cell = &block.connectivity[ix(c * Nodes)];
-        auto const local = gather<Nodes>(cell, u);
-        typename K::Force f = K::Force::Zero();
-        for (int q = 0; q < block.points; ++q) {
-          Index const point = c * block.points + q;
-          typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
-          double const* hoop = Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr;
-          auto const state = K::template evaluate<material::Wanted::stress>(law, G, hoop, local);
-          if (!(state.jacobian > 0)) {
-            if (pass.sound())
-              pass.inverted_cell = first + c;
-            return;
-          }
-          double const weight = block.weights[ix(point)];
-          pass.energy += weight * state.response.energy;
-          f.noalias() += K::strain_operator(state, G, hoop).transpose() * (weight * state.response.stress);
-        }
-        for (int a = 0; a < Nodes; ++a) {
-          force[ix(2 * cell[a])] += f[2 * a];
-          force[ix(2 * cell[a] + 1)] += f[2 * a + 1];
-        }
-      }
-    });
+  Index number = 0;
+  each_deformed(u, [&]<class K>(auto const &law, Cell<K> const &cell) {
     if (!pass.sound())
-      return pass;
-    first += block.cells();
-  }
+      return;
+    typename K::Force f = K::Force::Zero();
+    if (!cell.add_force(law, f, pass.energy)) {
+      pass.inverted_cell = number;
+      return;
+    }
+    for (int a = 0; a < K::nodes; ++a) {
+      force[ix(2 * cell.node(a))] += f[2 * a];
+      force[ix(2 * cell.node(a) + 1)] += f[2 * a + 1];
+    }
+    ++number;
+  });
   return pass;
 }
 
-void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
+void Cells::add_stiffness(std::span<double const> u, double factor,
+                          ScatterMap const &map,
                           std::span<double> values) const {
-  Index const* target = map.data();
-  for (auto const& block : blocks_)
-    dispatch(block, [&]<class Law, int Nodes, bool Axisymmetric>(Law const& law) {
-      using K = Kernel<Law, Nodes, Axisymmetric>;
-      for (Index c = 0; c < block.cells(); ++c) {
-        auto const local = gather<Nodes>(&block.connectivity[ix(c * Nodes)], u);
-        typename K::Stiffness stiffness = K::Stiffness::Zero();
-        for (int q = 0; q < block.points; ++q) {
-          Index const point = c * block.points + q;
-          typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
-          double const* hoop = Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr;
-          auto const state = K::template evaluate<material::Wanted::tangent>(law, G, hoop, local);
-          K::add_stiffness(state, G, hoop, factor * block.weights[ix(point)], stiffness);
-        }
-        for (int i = 0; i < K::dofs; ++i)
-          for (int j = 0; j <= i; ++j, ++target)
-            if (*target >= 0)
-              values[ix(*target)] += stiffness(i, j);
-      }
-    });
+  Index const *target = map.data();
+  each_deformed(u, [&]<class K>(auto const &law, Cell<K> const &cell) {
+    typename K::Stiffness stiffness = K::Stiffness::Zero();
+    for (int q = 0; q < cell.points(); ++q)
+      K::add_stiffness(
+          cell.template evaluate<material::Wanted::tangent>(law, q),
+          cell.gradients(q), cell.hoop(q), factor * cell.weight(q), stiffness);
+    for (int i = 0; i < K::dofs; ++i)
+      for (int j = 0; j <= i; ++j, ++target)
+        if (*target >= 0)
+          values[ix(*target)] += stiffness(i, j);
+  });
 }
 
 NodalStress Cells::stress(std::span<double const> u) const {
   Index const nodes = body_->mesh.node_count();
   NodalStress result{Matrix::Zero(nodes, 4), Vector::Zero(nodes)};
   Vector volume = Vector::Zero(nodes);
-  for (auto const& block : blocks_)
-    dispatch(block, [&]<class Law, int Nodes, bool Axisymmetric>(Law const& law) {
-      using K = Kernel<Law, Nodes, Axisymmetric>;
-      for (Index c = 0; c < block.cells(); ++c) {
-        Index const* cell = &block.connectivity[ix(c * Nodes)];
-        auto const local = gather<Nodes>(cell, u);
-        for (int q = 0; q < block.points; ++q) {
-          Index const point = c * block.points + q;
-          typename K::Gradients const G(&block.gradients[ix(point * 2 * Nodes)]);
-          auto const state = K::template evaluate<material::Wanted::stress>(
-              law, G, Axisymmetric ? &block.hoop[ix(point * Nodes)] : nullptr, local);
-          if (!(state.jacobian > 0))
-            continue;
-          auto const& S = state.response.stress; // sigma = F S F^T / J
-          Eigen::Matrix2d in_plane;
-          in_plane << S[0], S[3], S[3], S[1];
-          Eigen::Matrix2d const sigma = state.F * in_plane * state.F.transpose() / state.jacobian;
-          Eigen::RowVector4d const cauchy(sigma(0, 0), sigma(1, 1),
-                                          state.F33 * state.F33 * S[2] / state.jacobian, sigma(0, 1));
-          double const weight = block.weights[ix(point)];
-          for (int a = 0; a < Nodes; ++a) {
-            result.cauchy.row(cell[a]) += weight * cauchy;
-            volume[cell[a]] += weight;
-          }
-        }
-      }
-    });
+  auto add = [&](Index node, double weight, Eigen::RowVector4d const &cauchy) {
+    result.cauchy.row(node) += weight * cauchy;
+    volume[node] += weight;
+  };
+  each_deformed(u, [&]<class K>(auto const &law, Cell<K> const &cell) {
+    for (int q = 0; q < cell.points(); ++q) {
+      auto const state =
+          cell.template evaluate<material::Wanted::stress>(law, q);
+      if (!(state.jacobian > 0))
+        continue;
+      for (int a = 0; a < K::nodes; ++a)
+        add(cell.node(a), cell.weight(q), cauchy_stress(state));
+    }
+  });
   for (Index i = 0; i < nodes; ++i) {
     if (volume[i] > 0)
       result.cauchy.row(i) /= volume[i];
-    auto const s = result.cauchy.row(i);
-    result.von_mises[i] =
-        std::sqrt(0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) +
-                  3 * s[3] * s[3]);
+    result.von_mises[i] = von_mises(result.cauchy.row(i));
   }
   return result;
 }
 
-void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const {
-  for (auto const& block : blocks_) {
-    auto const& rule = mesh::mass_rule(block.kind);
+void Cells::each_mass(std::function<void(std::span<Index const>,
+                                         Dense const &)> const &visit) const {
+  for (auto const &block : blocks_)
     for (Index c = 0; c < block.cells(); ++c) {
-      std::span<Index const> const cell(&block.connectivity[ix(c * block.nodes)], ix(block.nodes));
+      std::span<Index const> const cell(
+          &block.connectivity[ix(c * block.nodes)], ix(block.nodes));
       Matrix const X = corners(body_->mesh, cell);
-      Dense mass = Dense::Zero(block.nodes, block.nodes);
-      for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-        auto const N = rule.shape.row(q);
-        double const area = (X.transpose() * rule.gradients[ix(static_cast<Index>(q))]).determinant();
-        mass += body_->density * rule.weights[q] * area * circumference(kinematics_, N.dot(X.col(0))) *
-                (N.transpose() * N);
-      }
-      visit(cell, mass);
+      visit(cell, consistent_mass(mesh::mass_rule(block.kind), X,
+                                  body_->density, kinematics_));
     }
-  }
 }
 
-void Cells::each_cell(std::function<void(std::span<Index const>)> const& visit) const {
-  for (auto const& block : blocks_)
+void Cells::each_cell(
+    std::function<void(std::span<Index const>)> const &visit) const {
+  for (auto const &block : blocks_)
     for (Index c = 0; c < block.cells(); ++c)
       visit({&block.connectivity[ix(c * block.nodes)], ix(block.nodes)});
 }

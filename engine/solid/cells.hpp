@@ -53,7 +53,10 @@ private:
     std::vector<double> weights;   ///< [cells, points], m^2 (m^3 when axisymmetric)
     [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
   };
+  template<class Kernel> class Cell;
+  [[nodiscard]] Prepared prepare(mesh::Block const& block) const;
   template<class Kernel> void dispatch(Prepared const& block, Kernel&& kernel) const;
+  template<class Visit> void each_deformed(std::span<double const> u, Visit&& visit) const;
 
   Body const* body_;
   Kinematics kinematics_;

@@ -8,7 +8,8 @@ namespace stiction::solid {
 
 /// A cell with a fixed number of nodes, so that all its arithmetic is of fixed size.
 template<class Law, int Nodes, bool Axisymmetric> struct Kernel {
-  static constexpr int dofs = 2 * Nodes;
+  static constexpr int nodes = Nodes, dofs = 2 * Nodes;
+  static constexpr bool axisymmetric = Axisymmetric;
   using Displacements = Eigen::Matrix<double, Nodes, 2, Eigen::RowMajor>;
   using Gradients = Eigen::Map<Displacements const>;
   using Hoop = Eigen::Map<Eigen::Matrix<double, Nodes, 1> const>;
