@@ -7,6 +7,7 @@
 
 #include "dynamics/timer.hpp"
 #include "linear/recycling.hpp"
+#include "mesh/quality.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "record/problem_file.hpp"
@@ -65,6 +66,18 @@ private:
   std::vector<double> row_;
 };
 
+nlohmann::json quality_of(mesh::Mesh const& mesh) {
+  auto const quality = mesh::quality(mesh);
+  return {{"nodes", quality.nodes},
+          {"cells", quality.cells},
+          {"min_scaled_jacobian", quality.min_jacobian},
+          {"median_scaled_jacobian", quality.median_jacobian},
+          {"min_angle_deg", quality.min_angle},
+          {"max_angle_deg", quality.max_angle},
+          {"max_aspect_ratio", quality.max_aspect},
+          {"min_edge_m", quality.min_edge}};
+}
+
 nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOptions const& options) {
   auto manifest =
       options.manifest_json.empty() ? nlohmann::json::object() : nlohmann::json::parse(options.manifest_json);
@@ -92,6 +105,8 @@ nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOpti
     if (pair.law.adhesion)
       laws["rcc"] = record::describe(&*pair.law.adhesion, interface::Rcc::schema());
   }
+  for (auto const& body : scene.model->bodies)
+    settings["meshes"][body->name] = quality_of(body->mesh);
   settings["unknowns"] = 2 * scene.model->node_count();
   return manifest;
 }
