@@ -57,7 +57,8 @@ bool write_rows(hid_t dataset, hsize_t first, std::span<double const> values, st
 
 HistoryFile::HistoryFile(std::filesystem::path path) : path_(std::move(path)), part_(part_name(path_)) {
   hdf5::keep_reasons();
-  file_ = Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), hdf5::file_access()), H5Fclose);
+  file_ = Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), hdf5::file_access()),
+                 H5Fclose);
   if (!file_.valid())
     throw unwritable(path_, hdf5::last_reason());
 }
