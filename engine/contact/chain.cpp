@@ -62,6 +62,7 @@ std::vector<Chain> chains_of(mesh::Set const& set, std::string const& name) {
     if (!has_predecessor.contains(from))
       starts.push_back(from);
   std::vector<Chain> chains;
+  chains.reserve(starts.size());
   for (Index const start : starts)
     chains.push_back(follow(start, next));
   while (!next.empty())
