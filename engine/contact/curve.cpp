@@ -12,6 +12,10 @@ namespace stiction::contact {
 
 namespace {
 
+/// How far an open end reaches beyond its last node, in parts of a segment: a corner flush with it must not
+/// lose its counterpart to rounding or to the turning of an iterate.
+constexpr double overhang = 0.01;
+
 constexpr double corner_angle = 40 * std::numbers::pi / 180;
 
 Vec2 position(std::span<double const> x, Index node) {
@@ -195,18 +199,19 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x) co
     double const slope = a.squaredNorm() - d.dot(aa);
     double const step = std::clamp(d.dot(a) / (slope > 0 ? slope : a.squaredNorm()), -1.0, 1.0);
     double const target = foot.xi + step;
-    bool const beyond = target > 1 || target < 0;
-    int const towards = target > 1 ? 1 : -1;
-    int const neighbour =
-        target > 1 ? segments_[ix(foot.segment)].next : segments_[ix(foot.segment)].previous;
+    auto const& segment = segments_[ix(foot.segment)];
+    double const low = segment.previous < 0 ? -overhang : 0, high = segment.next < 0 ? 1 + overhang : 1;
+    bool const beyond = target > high || target < low;
+    int const towards = target > high ? 1 : -1;
+    int const neighbour = target > high ? segment.next : segment.previous;
     if (!beyond) {
       foot.xi = target;
       if (std::abs(step) < 1e-13)
         return foot;
     } else if (neighbour < 0) {
-      if (foot.xi == 0 || foot.xi == 1)
+      if (foot.xi == low || foot.xi == high)
         return {}; // beyond the end of the curve
-      foot.xi = target > 1 ? 1 : 0;
+      foot.xi = target > high ? high : low;
     } else if ((turns += towards == -heading ? 1 : 0) > 8 && (foot.xi == 0 || foot.xi == 1)) {
       return foot; // a corner: the vertex itself is nearest
     } else if (foot.xi == (target > 1 ? 1.0 : 0.0) || turns < 4) {
