@@ -17,7 +17,7 @@ struct Rate {
   [[nodiscard]] std::string words() const {
     std::string text = "errors of central differences:";
     for (double const e : errors)
-      text += " " + std::to_string(std::log10(std::max(e, 1e-300)));
+      text.append(" ").append(std::to_string(std::log10(std::max(e, 1e-300))));
     return text + " (log10), derivative " + std::to_string(scale);
   }
 };

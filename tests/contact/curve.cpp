@@ -42,7 +42,7 @@ Arc square(int per_side) {
   for (int i = 0; i < 4 * per_side; ++i) {
     double const part = static_cast<double>(i % per_side) / per_side;
     Vec2 const from = corners[i / per_side], to = corners[(i / per_side + 1) % 4];
-    arc.nodes.row(i) = ((1 - part) * from + part * to).transpose();
+    arc.nodes.row(i).head<2>() = ((1 - part) * from + part * to).transpose();
   }
   arc.chain.closed = true;
   return arc;

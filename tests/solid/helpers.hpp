@@ -37,7 +37,7 @@ inline mesh::Mesh distorted(mesh::CellKind kind, int nx, int ny) {
     bool const inner = x > 1 + 1e-9 && x < 3 - 1e-9 && y > 1e-9 && y < 1.5 - 1e-9;
     Eigen::RowVector2d const shift(uniform(random) * 2 / nx, uniform(random) * 1.5 / ny);
     if (inner)
-      mesh.nodes.row(i) += shift;
+      mesh.nodes.row(i).head<2>() += shift;
   }
   straighten(mesh);
   return mesh;
