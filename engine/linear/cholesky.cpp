@@ -2,10 +2,10 @@
 #include "linear/cholesky.hpp"
 
 #include <algorithm>
-#include <cholmod.h>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "linear/cholmod_view.hpp"
 #include "linear/recycling.hpp"
 
 extern "C" {
@@ -34,18 +34,15 @@ Cholesky::Cholesky(Pattern pattern, Index trailing)
   common.method[0].ordering = CHOLMOD_NATURAL; // the pattern comes ordered
   common.postorder = 0;                        // and the trailing unknowns stay last
   auto& matrix = work_->matrix;
-  matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern_.size());
-  matrix.nzmax = pattern_.rows.size();
-  matrix.p = pattern_.columns.data();
-  matrix.i = pattern_.rows.data();
-  matrix.stype = -1;
-  matrix.itype = CHOLMOD_INT;
-  matrix.xtype = CHOLMOD_PATTERN;
-  matrix.dtype = CHOLMOD_DOUBLE;
-  matrix.sorted = matrix.packed = 1;
+  matrix = view_of(pattern_);
   work_->factor = cholmod_analyze(&matrix, &common);
   core::expect(work_->factor != nullptr, "CHOLMOD to analyse the pattern");
   matrix.xtype = CHOLMOD_REAL;
+  // what solving needs is taken now, lest it takes the blocks that the next factorization counts on
+  auto const n = matrix.nrow, edge = std::max<std::size_t>(work_->factor->maxesize, 1);
+  work_->solution = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
+  work_->scratch1 = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
+  work_->scratch2 = cholmod_allocate_dense(edge, 1, edge, CHOLMOD_REAL, &common);
   inverse_.resize(trailing_, trailing_);
 }
 

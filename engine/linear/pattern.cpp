@@ -2,10 +2,10 @@
 #include "linear/pattern.hpp"
 
 #include <algorithm>
-#include <cholmod.h>
 #include <memory>
 
 #include "core/error.hpp"
+#include "linear/cholmod_view.hpp"
 
 namespace stiction::linear {
 
@@ -68,16 +68,7 @@ Indices elimination_order(Pattern const& pattern, std::vector<bool> const& last)
     cholmod_common common;
     cholmod_start(&common);
     common.print = 0;
-    cholmod_sparse view{};
-    view.nrow = view.ncol = order.size();
-    view.nzmax = part.rows.size();
-    view.p = part.columns.data();
-    view.i = part.rows.data();
-    view.stype = -1;
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_PATTERN;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = view.packed = 1;
+    cholmod_sparse view = view_of(part);
     common.supernodal = CHOLMOD_SUPERNODAL;
     cholmod_factor* factor = cholmod_analyze(&view, &common);
     core::expect(factor != nullptr, "CHOLMOD to order the unknowns");

@@ -22,6 +22,20 @@ dynamics::Path path(Numbers const& times, Numbers const& values) {
   return {times, values};
 }
 
+/// What stands under "name", or under "name[k]" in a list; nothing if there is no such part.
+core::Input const* part_of(core::Input const& input, std::string const& key) {
+  auto const bracket = key.find('[');
+  auto const* table = input.table();
+  if (table == nullptr)
+    return nullptr;
+  auto const found = table->find(key.substr(0, bracket));
+  if (found == table->end() || bracket == std::string::npos)
+    return found == table->end() ? nullptr : &found->second;
+  auto const* list = found->second.list();
+  auto const number = std::stoul(key.substr(bracket + 1));
+  return list != nullptr && number >= 1 && number <= list->size() ? &(*list)[number - 1] : nullptr;
+}
+
 /// Gathers complaints by path and finds the script line of the table that the path leads to.
 class Builder {
 public:
@@ -60,10 +74,7 @@ private:
     std::string place = at->place, full;
     for (auto const& key : where) {
       full += (full.empty() ? "" : ".") + key;
-      if (auto const* table = at == nullptr ? nullptr : at->table(); table != nullptr && table->contains(key))
-        at = &table->find(key)->second;
-      else
-        at = nullptr;
+      at = at == nullptr ? nullptr : part_of(*at, key);
       if (at != nullptr && !at->place.empty())
         place = at->place;
     }

@@ -1,4 +1,5 @@
 -- Finds a study's file and runs it in its own sandbox.
+local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local ordered = require "stiction.ordered"
@@ -8,14 +9,6 @@ local loader = {}
 local plain = { "assert", "error", "getmetatable", "ipairs", "next", "pcall", "rawequal", "rawget", "rawlen", "rawset",
   "select", "setmetatable", "tonumber", "tostring", "type", "xpcall", "_VERSION" }
 local libraries = { "coroutine", "math", "string", "table", "utf8" }
-
-local function copy(t)
-  local twin = {}
-  for key, value in pairs(t) do
-    twin[key] = value
-  end
-  return twin
-end
 
 local function print_to_output(...)
   local words = {}

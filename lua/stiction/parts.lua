@@ -1,4 +1,5 @@
 -- The constructors of everything a scene holds, made from the engine's catalog.
+local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 
@@ -6,11 +7,8 @@ local function construct(tag, t)
   if type(t) ~= "table" or getmetatable(t) ~= nil then
     fault.script("%s takes one table: %s{ ... }", tag, tag)
   end
-  local part = {} -- a copy: one table of the script may serve several parts
-  for key, value in pairs(t) do
-    part[key] = value
-  end
-  return setmetatable(part, { tag = tag, place = engine.where(), __metatable = "part" })
+  -- a copy: one table of the script may serve several parts
+  return setmetatable(copy(t), { tag = tag, place = engine.where(), __metatable = "part" })
 end
 
 local function names_of(list)

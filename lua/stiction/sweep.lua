@@ -1,4 +1,5 @@
 -- The cases of a study: its sweep, its quick form and what the command line sets, multiplied out.
+local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local ordered = require "stiction.ordered"
@@ -6,14 +7,6 @@ local study_module = require "stiction.study"
 local units = require "stiction.units"
 
 local sweep = {}
-
-local function copy(t)
-  local twin = {}
-  for key, value in pairs(t) do
-    twin[key] = value
-  end
-  return twin
-end
 
 --- Explicit cases, the first axis varying slowest.
 local function multiply(axes)

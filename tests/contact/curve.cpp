@@ -116,7 +116,7 @@ TEST_SUITE("contact") {
     CHECK(fine[0] < 1e-5);
   }
 
-  TEST_CASE("a polyline runs straight between its nodes; corners break a spline") {
+  TEST_CASE("a polyline runs straight between its nodes, corners break a spline") {
     auto const arc = Arc(5, 0, 2);
     auto const line = arc.curve(Smoothing::polyline);
     auto const x = flat(arc.nodes);
@@ -169,7 +169,7 @@ TEST_SUITE("contact") {
     }
   }
 
-  TEST_CASE("outside a corner the vertex is the foot; beside it the side") {
+  TEST_CASE("outside a corner the vertex is the foot, beside it the side") {
     auto const box = square(4);
     auto const curve = box.curve();
     auto const x = flat(box.nodes);

@@ -131,7 +131,7 @@ TEST_SUITE("core") {
         has(complaint("temperature", number(1)), "known are count, density, mode, on, origin, ratio, time"));
   }
 
-  TEST_CASE("a wrong unit is refused with the one wanted; a bare zero has every unit") {
+  TEST_CASE("a wrong unit is refused with the one wanted, a bare zero has every unit") {
     CHECK(has(complaint("time", number(3, "m")), "3 m has the wrong unit; s is wanted"));
     auto const bare = complaint("time", number(1.5));
     CHECK(has(bare, "1.5 (a pure number)"));
@@ -164,7 +164,7 @@ TEST_SUITE("core") {
     CHECK(outcome.complaints.at(0).place == "study.lua:31");
   }
 
-  TEST_CASE("the tag picks the alternative; an unknown one is refused with what was meant") {
+  TEST_CASE("the tag picks the alternative, an unknown one is refused with what was meant") {
     Complaints complaints;
     Input const good = table({{"length", number(2, "mm")}}, "shape.other");
     auto const picked = Reader(good, "x", complaints).alternative<std::variant<Part, Other>>();

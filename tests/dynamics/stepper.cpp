@@ -99,7 +99,7 @@ TEST_CASE("linear bodies: the same stepper repeats a step bit by bit") {
   CHECK(same(first.state, second.state));
 }
 
-TEST_CASE("a press deeper than the block turns cells inside out; smaller steps then get through") {
+TEST_CASE("a press deeper than the block turns cells inside out, smaller steps then get through") {
   auto table = test::foot_on_floor();
   test::at(table, "bodies.foot.material") =
       test::make("material.blatz_ko", {{"shear_modulus", test::value(400, "Pa")}});

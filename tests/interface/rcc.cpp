@@ -111,7 +111,7 @@ TEST_SUITE("interface") {
     CHECK(read_with("damage_power", quantity(2.5, "1")).damage_power == 2.5);
   }
 
-  TEST_CASE("friction left by the bond: all of mu, or mu (1 - beta)^p; mu 0 without a law") {
+  TEST_CASE("friction left by the bond: all of mu, or mu (1 - beta)^p, mu 0 without a law") {
     Rcc law = sample();
     BondStep const step = step_from(0.8, 0.01, false);
     Local<2> const x(0.03, 0.002);

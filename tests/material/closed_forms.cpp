@@ -79,7 +79,7 @@ TEST_SUITE("material") {
         doctest::Approx(G / 2 * (std::pow(J, -2.0 / 3) * I1 - 3) + K / 2 * (J - 1) * (J - 1)).epsilon(1e-13));
   }
 
-  TEST_CASE("St Venant-Kirchhoff: S = lambda tr E I + 2 G E at any strain; linear elasticity the same of its "
+  TEST_CASE("St Venant-Kirchhoff: S = lambda tr E I + 2 G E at any strain, linear elasticity the same of its "
             "strain") {
     double const E = 3e6, nu = 0.2, lame = E * nu / (1.2 * 0.6), G = E / 2.4;
     Matrix3 const F = (Matrix3() << 1.4, 0.3, 0, 0.1, 0.7, 0.2, 0, -0.1, 1.1).finished();

@@ -200,7 +200,7 @@ TEST_CASE("cell data, a window and a fixed range") {
   CHECK(image.count({253, 231, 37}) > 5000);
 }
 
-TEST_CASE("second-order cells are drawn curved; a field of one value still has a colour") {
+TEST_CASE("second-order cells are drawn curved, a field of one value still has a colour") {
   samples::write_curved(work / "curved.vtu");
   auto const result = draw("curved", R"({"name":"it","kind":"field","file":"curved.vtu","array":"beta",
     "range":[0,1],"window":[0,1,-0.5,0]})");
@@ -210,7 +210,7 @@ TEST_CASE("second-order cells are drawn curved; a field of one value still has a
   CHECK(image.count({253, 231, 37}, {0.02, 0.1, 0.3, 0.7}) == 0);
 }
 
-TEST_CASE("panels carry letters and all parts; pictures repeat bit by bit") {
+TEST_CASE("panels carry letters and all parts, pictures repeat bit by bit") {
   std::string const panel = R"({"name":"panel","kind":"panel","columns":2,"figures":[)" + beta_lines + "," +
                             von_mises + "," + beta_lines + "]}";
   REQUIRE(draw("panel", panel).code == 0);

@@ -190,7 +190,7 @@ TEST_CASE("a run that is asked to stop says so and leaves readable files") {
   CHECK(std::filesystem::exists(folder / "case/fields.pvd"));
 }
 
-TEST_CASE("a step that fails is halved and grows back; the end is that of small steps") {
+TEST_CASE("a step that fails is halved and grows back, the end is that of small steps") {
   test::Folder const folder;
   auto table = deep_press();
   auto const cut = run(table, folder / "cut");
@@ -238,7 +238,7 @@ TEST_CASE("a contact problem that no solver step can solve is kept for `solve`")
   CHECK(report.converged);
 }
 
-TEST_CASE("a saved contact problem is solved by every solver; unknown names are refused") {
+TEST_CASE("a saved contact problem is solved by every solver, unknown names are refused") {
   test::Folder const folder;
   static_cast<void>(run(probed(), folder / "case"));
   auto const problem = folder / "case/problems/000010.h5";
