@@ -88,8 +88,12 @@ return stiction.study {
     for _, case in ipairs(cases) do
       local r = case.results
       if case.p.scheme == "default" then
-        check.within("default: energy kept", r.energy_kept, 0.98, 1.0005)
-        check.within("default: pressure ripple", r.pressure_rms, 0, 3)
+        -- it may lose what the contact cell holds and a little more, never make energy
+        check.within("default: energy kept", r.energy_kept, 0.985, 1)
+        check.within("default: pressure ripple", r.pressure_rms, 0, 0.1)
+      elseif case.p.scheme == "massless" then
+        check.equal("massless: energy", r.energy_kept, 1, 0.0005)
+        check.within("massless: pressure ripple", r.pressure_rms, 0, 0.01)
       elseif case.p.scheme == "paper" then
         check.within("paper: pressure rings, 300 +- 173", r.pressure_rms, 165, 181)
         check.equal("paper: energy", r.energy_kept, 0.9987, 0.001)
