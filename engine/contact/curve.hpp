@@ -4,12 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/types.hpp"
+#include "contact/foot.hpp"
 #include "mesh/mesh.hpp"
 
 namespace stiction::contact {
-
-using Vec2 = Eigen::Vector2d;
 
 /// Nodes of a contact surface in walking order, the body to the left. Several chains if the set is in pieces.
 struct Chain {
@@ -30,13 +28,6 @@ struct Segment {
   int count = 0;
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
   int previous = -1, next = -1; ///< neighbouring segments, -1 at an end
-};
-
-/// A point of a primary surface: segment and local coordinate. Material: it moves with the surface.
-struct Foot {
-  int segment = -1; ///< -1: no counterpart
-  double xi = 0;
-  [[nodiscard]] bool found() const { return segment >= 0; }
 };
 
 /// The curve and its derivatives by xi at one foot.

@@ -1,4 +1,4 @@
-// First and second derivatives of the closest-point projection.
+// First and second derivatives of the closest-point projection onto a curve.
 #include "contact/kinematics.hpp"
 
 #include <cmath>
@@ -6,6 +6,10 @@
 namespace stiction::contact {
 
 namespace {
+
+/// Over (x, y) of the node and of up to four primary nodes.
+using Row = Eigen::Matrix<double, 10, 1>;
+using FullBlock = Eigen::Matrix<double, 10, 10>;
 
 /// Everything about the foot that both derivative orders need. D du is the motion of P1 relative to the
 /// material point at the foot; D' du the change of the curve's tangent there, D'' of its second derivative.
@@ -54,9 +58,9 @@ Vec2 node_position(std::span<double const> x, Index node) {
 
 } // namespace
 
-PointKinematics kinematics(Curve const& curve, Index node, Foot start, Foot guess,
-                           std::span<double const> x) {
-  PointKinematics point;
+PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot guess,
+                              std::span<double const> x) {
+  PointKinematics<2> point;
   Vec2 const p1 = node_position(x, node);
   point.foot = curve.project(p1, guess, x);
   if (!point.foot.found())
@@ -65,28 +69,30 @@ PointKinematics kinematics(Curve const& curve, Index node, Foot start, Foot gues
   auto const& segment = curve.segments()[ix(point.foot.segment)];
   point.found = true;
   point.gap = f.gap;
-  point.n = f.n;
-  point.t = -f.walk;
-  point.slip = start.found() ? -curve.path_length(start, point.foot, x) : 0.0;
+  point.frame << f.n, -f.walk;
+  point.slip[0] = start.found() ? -curve.path_length(start, point.foot, x) : 0.0;
   point.count = 1 + segment.count;
   point.nodes[0] = node;
   for (int k = 0; k < segment.count; ++k)
     point.nodes[ix(k + 1)] = segment.nodes[ix(k)];
-  point.normal = f.D.transpose() * f.n;
-  point.tangential = -f.length * f.xi;
+  Row const normal = f.D.transpose() * f.n;
+  point.H.resize(2, point.unknowns());
+  point.H.row(0) = normal.head(point.unknowns()).transpose();
+  point.H.row(1) = -f.length * f.xi.head(point.unknowns()).transpose();
   return point;
 }
 
-Block geometric_stiffness(Curve const& curve, PointKinematics const& point, std::span<double const> x,
-                          Vec2 const& force_nt) {
+Block<2> geometric_stiffness(Curve const& curve, PointKinematics<2> const& point, std::span<double const> x,
+                             Vec2 const& force_nt) {
+  int const n = point.unknowns();
   auto const f = frame(curve, point.foot, node_position(x, point.nodes[0]), x);
   Row const turn = f.D1.transpose() * f.n;      // n . D' du
   Row const along = f.D.transpose() * f.walk;   // walk . D du
   Row const normal_turn = turn + f.bend * f.xi; // n . (D' du + x'' d xi)
   // d(n . D du): dn = - walk (n . da) / |x'|, dD = - D' d xi
-  Block gap2 = -along * normal_turn.transpose() / f.length - turn * f.xi.transpose();
+  FullBlock gap2 = -along * normal_turn.transpose() / f.length - turn * f.xi.transpose();
   if (force_nt[1] == 0)
-    return force_nt[0] * gap2;
+    return (force_nt[0] * gap2).topLeftCorner(n, n);
 
   // d(|x'| xi) with xi = (D^T a + g D'^T n) / q; columns are du
   Eigen::Matrix<double, 2, 10> const da = f.D1 + f.aa * f.xi.transpose();
@@ -95,36 +101,12 @@ Block geometric_stiffness(Curve const& curve, PointKinematics const& point, std:
   Row const dg = f.D.transpose() * f.n;
   Row const dbend = dn.transpose() * f.aa + (f.D2 + f.aaa * f.xi.transpose()).transpose() * f.n;
   Row const dq = 2 * f.length * dl - f.bend * dg - f.gap * dbend;
-  Block dxi = f.D.transpose() * da - f.D1.transpose() * f.a * f.xi.transpose() + turn * dg.transpose() +
-              f.gap * (f.D1.transpose() * dn + f.D2.transpose() * f.n * f.xi.transpose()) -
-              f.xi * dq.transpose();
+  FullBlock dxi = f.D.transpose() * da - f.D1.transpose() * f.a * f.xi.transpose() + turn * dg.transpose() +
+                  f.gap * (f.D1.transpose() * dn + f.D2.transpose() * f.n * f.xi.transpose()) -
+                  f.xi * dq.transpose();
   dxi /= f.q;
-  Block const slip2 = -(f.xi * dl.transpose() + f.length * dxi);
-  return force_nt[0] * gap2 + force_nt[1] * slip2;
-}
-
-PointKinematics kinematics(Obstacle const& obstacle, Index node, Foot start, std::span<double const> x,
-                           Vec2 const& offset) {
-  auto const seen = view(obstacle, node_position(x, node), offset);
-  PointKinematics point;
-  point.found = true;
-  point.foot = {0, seen.coordinate};
-  point.gap = seen.gap;
-  point.n = seen.normal;
-  point.t = seen.tangent;
-  point.slip = start.found() ? coordinate_difference(obstacle, seen.coordinate, start.xi) : 0.0;
-  point.nodes[0] = node;
-  point.normal.head<2>() = seen.normal;
-  point.tangential.head<2>() = seen.coordinate_by_x;
-  return point;
-}
-
-Block geometric_stiffness(Obstacle const& obstacle, PointKinematics const& point, std::span<double const> x,
-                          Vec2 const& offset, Vec2 const& force_nt) {
-  auto const seen = view(obstacle, node_position(x, point.nodes[0]), offset);
-  Block stiffness = Block::Zero();
-  stiffness.topLeftCorner<2, 2>() = force_nt[0] * seen.gap_by_xx + force_nt[1] * seen.coordinate_by_xx;
-  return stiffness;
+  FullBlock const slip2 = -(f.xi * dl.transpose() + f.length * dxi);
+  return (force_nt[0] * gap2 + force_nt[1] * slip2).topLeftCorner(n, n);
 }
 
 } // namespace stiction::contact

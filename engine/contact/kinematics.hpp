@@ -1,39 +1,73 @@
 // Node-to-segment kinematics of one contact point: gap, slip, their rows of H and the geometric stiffness.
 #pragma once
+#include <array>
+
 #include "contact/curve.hpp"
 #include "contact/obstacle.hpp"
+#include "interface/cone.hpp"
 
 namespace stiction::contact {
 
-/// Unknowns of one point: (x, y) of the secondary node, then of up to four primary nodes.
-using Row = Eigen::Matrix<double, 10, 1>;
-using Block = Eigen::Matrix<double, 10, 10>;
+using interface::Local;
 
-/// Gap and slip of one point at the current positions, with H row by row: dx_n = normal . du, ds = tangential
-/// . du.
-struct PointKinematics {
+/// Most nodes that the force and the stiffness of one point may reach: the secondary node, then those of the
+/// primary.
+template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
+
+/// H of one point, row by row (n, t1 [, t2]) over (x, y [, z]) of its nodes: d(gap, slip) = H . du. [D, D
+/// count]
+template<int D> using Rows = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, D * max_nodes<D>>;
+/// A matrix over the unknowns of one point. [D count, D count]
+template<int D>
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, D * max_nodes<D>,
+                            D * max_nodes<D>>;
+
+/// Gap and slip of one point at the current positions.
+template<int D> struct PointKinematics {
   bool found = false;
-  Foot foot;       ///< counterpart P2; for obstacles xi is the material coordinate, m
-  double gap = 0;  ///< x_n, m
-  double slip = 0; ///< s over the step, m: path of P2 along the surface since the step's start
-  Vec2 n = Vec2::Zero(), t = Vec2::Zero(); ///< unit normal of the primary at P2, tangent; (t, n) right-handed
-  std::array<Index, 5> nodes{};            ///< model nodes behind Row, [count]
-  int count = 1;
-  Row normal = Row::Zero(), tangential = Row::Zero();
-  [[nodiscard]] int unknowns() const { return 2 * count; }
+  Foot foot;                                ///< counterpart P2
+  double gap = 0;                           ///< x_n, m
+  Local<D - 1> slip = Local<D - 1>::Zero(); ///< s over the step, m: path of P2 along the surface, (t1 [, t2])
+  Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit normal of the primary at P2, tangents; (t1,
+                                 ///< n) or (t1, t2, n) right-handed
+  std::array<Index, max_nodes<D>> nodes{}; ///< model nodes behind the columns of H, [count]
+  int count = 0;
+  Rows<D> H;
+  [[nodiscard]] int unknowns() const { return D * count; }
+  [[nodiscard]] Vec<D> normal() const { return frame.col(0); }
 };
 
 /// Against a deformable curve. `start`: foot at the step's start, or not found if there was none (slip 0).
-[[nodiscard]] PointKinematics kinematics(Curve const& curve, Index node, Foot start, Foot guess,
-                                         std::span<double const> x);
+[[nodiscard]] PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot guess,
+                                            std::span<double const> x);
 /// f_n d2(x_n)/du2 + f_t d2(s)/du2: what turning and sliding of the counterpart adds to the stiffness, N/m.
-[[nodiscard]] Block geometric_stiffness(Curve const& curve, PointKinematics const& point,
-                                        std::span<double const> x, Vec2 const& force_nt);
+[[nodiscard]] Block<2> geometric_stiffness(Curve const& curve, PointKinematics<2> const& point,
+                                           std::span<double const> x, Vec2 const& force_nt);
 
-/// Against an obstacle displaced by `offset`; start.xi is the coordinate at the step's start.
-[[nodiscard]] PointKinematics kinematics(Obstacle const& obstacle, Index node, Foot start,
-                                         std::span<double const> x, Vec2 const& offset);
-[[nodiscard]] Block geometric_stiffness(Obstacle const& obstacle, PointKinematics const& point,
-                                        std::span<double const> x, Vec2 const& offset, Vec2 const& force_nt);
+/// Where an obstacle is: the material point X of its description lies at place + rotation (X - pivot).
+template<int D> struct Pose {
+  Vec<D> pivot = Vec<D>::Zero(), place = Vec<D>::Zero(); ///< m
+  Mat<D> rotation = Mat<D>::Identity();
+  /// Of a free body: the nodes whose unknowns are its translation and its turn (in 2D the first component);
+  /// -1 if the obstacle follows a path.
+  Index translation = -1, turn = -1;
+  [[nodiscard]] bool free() const { return translation >= 0; }
+  [[nodiscard]] Vec<D> local(Vec<D> const& x) const { return pivot + rotation.transpose() * (x - place); }
+};
+
+/// An obstacle at its pose; direction as in view(), in the obstacle's frame.
+template<int D> struct PosedObstacle {
+  Obstacle const* shape = nullptr;
+  Pose<D> pose;
+  Vec3 direction = Vec3::UnitX();
+};
+
+/// Against an obstacle; the force on a free body acts where the node is, so that moments balance.
+template<int D>
+[[nodiscard]] PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot start,
+                                            Foot guess, std::span<double const> x);
+template<int D>
+[[nodiscard]] Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D> const& point,
+                                           std::span<double const> x, Local<D> const& force);
 
 } // namespace stiction::contact

@@ -9,11 +9,12 @@ namespace stiction::contact {
 
 core::Schema const& RigidPlane::schema() {
   using core::Need;
-  static auto const made =
-      core::Describe<RigidPlane>{"plane", "rigid half-plane", ""}
-          .numbers("point", &RigidPlane::point, "m", Need::optional, "a point {x, y} of the line")
-          .numbers("normal", &RigidPlane::normal, "1", Need::optional, "outward normal {x, y}, of any length")
-          .build();
+  static auto const made = core::Describe<RigidPlane>{"plane", "rigid half-space", ""}
+                               .numbers("point", &RigidPlane::point, "m", Need::optional,
+                                        "a point {x, y [, z]} of it; default the origin")
+                               .numbers("normal", &RigidPlane::normal, "1", Need::optional,
+                                        "outward normal {x, y [, z]}, of any length; default the last axis")
+                               .build();
   return made;
 }
 
@@ -33,37 +34,61 @@ Vec2 right_of(Vec2 const& n) {
   return {n.y(), -n.x()};
 }
 
-ObstacleView look(RigidPlane const& plane, Vec2 const& x) {
+/// A shape of the plane with a coordinate along its surface, by which slip is measured.
+struct View2 {
+  double gap = 0;
+  Vec2 normal;
+  double coordinate = 0; ///< material arc length in the direction of the tangent, m
+  Vec2 coordinate_by_x;
+  Mat<2> gap_by_xx = Mat<2>::Zero(), coordinate_by_xx = Mat<2>::Zero();
+  double circumference = 0; ///< of closed shapes: slip goes the short way round; 0 if open
+};
+
+View2 look(RigidPlane const& plane, Vec2 const& x) {
   Vec2 const n = Vec2(plane.normal[0], plane.normal[1]).normalized(), t = right_of(n);
   Vec2 const d = x - Vec2(plane.point[0], plane.point[1]);
-  return {n.dot(d), n, t, t.dot(d), t, Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};
+  return {n.dot(d), n, t.dot(d), t};
 }
 
-ObstacleView look(RigidCircle const& circle, Vec2 const& x) {
+View2 look(RigidCircle const& circle, Vec2 const& x) {
   Vec2 const d = x - Vec2(circle.centre[0], circle.centre[1]);
   double const distance = d.norm(), R = circle.radius;
   Vec2 const n = distance > 0 ? Vec2(d / distance) : Vec2(0, 1), t = right_of(n);
-  ObstacleView seen;
+  View2 seen;
   seen.gap = distance - R;
   seen.normal = n;
-  seen.tangent = t;
   seen.coordinate = -R * std::atan2(d.y(), d.x());
   seen.coordinate_by_x = R / distance * t;
   seen.gap_by_xx = t * t.transpose() / distance;
   seen.coordinate_by_xx = -R / (distance * distance) * (n * t.transpose() + t * n.transpose());
+  seen.circumference = 2 * std::numbers::pi * R;
   return seen;
 }
 
 } // namespace
 
-ObstacleView view(Obstacle const& obstacle, Vec2 const& point, Vec2 const& offset) {
-  return std::visit([&](auto const& shape) { return look(shape, point - offset); }, obstacle);
+template<>
+ObstacleView<2> view(Obstacle const& obstacle, Vec2 const& point, Foot start, Foot /*guess*/,
+                     Vec3 const& /*direction*/) {
+  auto const seen = std::visit([&](auto const& shape) { return look(shape, point); }, obstacle);
+  ObstacleView<2> result;
+  result.found = true;
+  result.foot = {0, seen.coordinate};
+  result.gap = seen.gap;
+  result.frame << seen.normal, right_of(seen.normal);
+  if (start.found()) {
+    double const slip = seen.coordinate - start.xi;
+    result.slip[0] = seen.circumference > 0 ? std::remainder(slip, seen.circumference) : slip;
+  }
+  result.by_x << seen.normal.transpose(), seen.coordinate_by_x.transpose();
+  return result;
 }
 
-double coordinate_difference(Obstacle const& obstacle, double to, double from) {
-  double const difference = to - from;
-  auto const* circle = std::get_if<RigidCircle>(&obstacle);
-  return circle == nullptr ? difference : std::remainder(difference, 2 * std::numbers::pi * circle->radius);
+template<>
+Mat<2> curvature_stiffness(Obstacle const& obstacle, ObstacleView<2> const& /*seen*/, Vec2 const& point,
+                           Local<2> const& force, Vec3 const& /*direction*/) {
+  auto const seen = std::visit([&](auto const& shape) { return look(shape, point); }, obstacle);
+  return force[0] * seen.gap_by_xx + force[1] * seen.coordinate_by_xx;
 }
 
 } // namespace stiction::contact
