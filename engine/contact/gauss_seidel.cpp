@@ -66,7 +66,7 @@ template<class Choice> class Sweeps : public Solver {
 public:
   explicit Sweeps(Choice const& choice) : choice_(choice) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    return problem.dim == 2 ? run<2>(problem, guess) : run<3>(problem, guess);
+    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
   }
 
 private:

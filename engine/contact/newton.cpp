@@ -114,7 +114,7 @@ class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    return problem.dim == 2 ? run<2>(problem, guess) : run<3>(problem, guess);
+    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
   }
 
 private:

@@ -11,7 +11,9 @@ double natural_scale(Problem const& problem, Index point) {
   Eigen::Index const d = problem.dim, first = d * point;
   auto const block = problem.W.block(first, first, d, d);
   double largest = 0;
-  if (d == 2) { // closed form of the symmetric part
+  if (d == 1) {
+    largest = block(0, 0);
+  } else if (d == 2) { // closed form of the symmetric part
     double const mean = 0.5 * (block(0, 0) + block(1, 1)), half = 0.5 * (block(0, 0) - block(1, 1));
     largest = mean + std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
   } else {
@@ -56,7 +58,7 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
 } // namespace
 
 Verdict judge(Problem const& problem, Vector const& force) {
-  return problem.dim == 2 ? judge_in<2>(problem, force) : judge_in<3>(problem, force);
+  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force); });
 }
 
 } // namespace stiction::contact

@@ -19,9 +19,9 @@ struct ProblemPoint {
 };
 
 /// Find forces p with x = free + W p and pbar = p - A rtilde(x) such that pbar = Proj(pbar - rho (x_n + mu
-/// |x_t|, x_t)). Components contact by contact, (n, t1 [, t2]).
+/// |x_t|, x_t)). Components contact by contact, (n [, t1 [, t2]]).
 struct Problem {
-  int dim = 2;                      ///< components per contact: 2 or 3
+  int dim = 2;                      ///< components per contact: 1 (nothing acts along the surface), 2 or 3
   Dense W;                          ///< Delassus operator, [dim n, dim n], m/N
   Vector free;                      ///< gap and slip at zero contact force, [dim n], m
   std::vector<ProblemPoint> points; ///< [n]
@@ -72,6 +72,13 @@ template<int D>
 [[nodiscard]] PointState<D> evaluate(Problem const& problem, Index point, Local<D> const& p,
                                      Local<D> const& x, double rho) {
   return evaluate<D>(problem, problem.points[ix(point)], p, x, rho);
+}
+
+/// call.operator()<D>() for the D of a problem.
+template<class Call> auto by_dimension(int dim, Call&& call) {
+  return dim == 1   ? call.template operator()<1>()
+         : dim == 2 ? call.template operator()<2>()
+                    : call.template operator()<3>();
 }
 
 /// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.

@@ -1,18 +1,80 @@
-// Kinematics, elimination and solution of the contact points of one step.
+// Kinematics and forces of the contact points of one step.
 #include "dynamics/contact_stage.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
+#include "dynamics/reduced.hpp"
 #include "dynamics/timer.hpp"
 
 namespace stiction::dynamics {
 
+namespace {
+
 using contact::Foot;
+using contact::Local;
 using contact::PointKinematics;
 
-ContactStage::ContactStage(Model const& model, Structure& structure)
-    : model_(&model), structure_(&structure), solver_(contact::make_solver(model.solver)) {
+/// Components C of forces in D dimensions: C = D, or 1 where nothing acts along the surface.
+template<int D, int C> class Stage : public ContactStage {
+public:
+  Stage(Model const& model, Structure& structure);
+  void begin(State const& old, double t1, double dt) override;
+  void locate(Vector const& u, bool settle) override;
+  void reaction(Vector& force) const override;
+  [[nodiscard]] bool solve(Vector const& y, double weight, Vector& c, Cost& cost) override;
+  [[nodiscard]] double residual() const override;
+  [[nodiscard]] double force_scale() const override;
+  void finish(State const& old, double dt, State& next) const override;
+  [[nodiscard]] contact::Problem const& problem() const override { return problem_; }
+
+private:
+  struct Point {
+    int pair = 0;
+    Index index = 0;
+    PointKinematics<D> kinematics;
+    Local<C> force = Local<C>::Zero(); ///< p = A r, N
+    double rho = 0;                    ///< of the last problem, N/m; 0 before
+    contact::ProblemPoint law;         ///< area, mu, bond
+    bool active = false;
+    [[nodiscard]] Local<C> x() const {
+      Local<C> x;
+      x[0] = kinematics.gap;
+      x.template tail<C - 1>() = kinematics.slip.template head<C - 1>();
+      return x;
+    }
+  };
+  [[nodiscard]] PointKinematics<D> look(Point const& point, Foot start) const;
+  [[nodiscard]] contact::Block<D> stiffness(Point const& point) const;
+  [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
+  void place_rigid_bodies(Vector const& u);
+  void choose_active(Point& point) const;
+  void gather();
+
+  [[nodiscard]] std::span<double const> positions() const {
+    return {positions_.data(), static_cast<std::size_t>(positions_.size())};
+  }
+
+  Model const* model_;
+  Structure* structure_;
+  std::unique_ptr<contact::Solver> solver_;
+  std::vector<Point> points_;
+  std::vector<Index> active_; ///< into points_
+  Vector positions_;
+  std::vector<contact::Pose<D>> poses_; ///< [rigids]
+  State const* old_ = nullptr;
+  double t1_ = 0;
+  bool bonding_changed_ = false;
+  Indices unknowns_; ///< trailing unknowns of one point
+  Reduced reduced_;
+  contact::Problem problem_;
+};
+
+template<int D, int C>
+Stage<D, C>::Stage(Model const& model, Structure& structure)
+    : model_(&model), structure_(&structure), solver_(contact::make_solver(model.solver)),
+      poses_(model.rigids.size()) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     int law = -1;
@@ -30,33 +92,77 @@ ContactStage::ContactStage(Model const& model, Structure& structure)
   }
 }
 
-void ContactStage::begin(State const& old, double t1, double dt) {
+template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, double dt) {
   old_ = &old;
   t1_ = t1;
   bonding_changed_ = false;
   for (auto& point : points_) {
-    auto const& state = old.contacts[ix(point.pair)][ix(point.index)];
-    point.force = point.law.area * (state.dry + state.adhesion);
+    ContactState const& state = old.contacts[ix(point.pair)][ix(point.index)];
+    point.force = point.law.area * (state.dry + state.adhesion).template head<C>();
     point.rho = 0;
     point.law.bond = {state.bond, dt, state.status != interface::Status::open};
     point.kinematics.foot = state.foot;
   }
 }
 
-PointKinematics ContactStage::look(Point const& point, Foot start) const {
-  auto const& pair = model_->pairs[ix(point.pair)];
-  Index const node = pair.secondary[ix(point.index)];
-  std::span<double const> const x(positions_.data(), static_cast<std::size_t>(positions_.size()));
-  if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
-    return contact::kinematics(*curve, node, start, point.kinematics.foot, x);
-  auto const& obstacle = std::get<MovingObstacle>(pair.primary);
-  return contact::kinematics(obstacle.shape, node, start, x, obstacle.offset(t1_));
+template<int D, int C> void Stage<D, C>::place_rigid_bodies(Vector const& u) {
+  for (std::size_t r = 0; r < poses_.size(); ++r) {
+    auto const& rigid = model_->rigids[r];
+    auto& pose = poses_[r];
+    pose.pivot = rigid.pivot.head<D>();
+    Vec3 turn = rigid.angle.value(t1_) * rigid.axis;
+    Eigen::Matrix3d before = Eigen::Matrix3d::Identity();
+    if (rigid.free()) {
+      pose.translation = rigid.node;
+      pose.turn = rigid.node + 1;
+      pose.place = pose.pivot + u.segment<D>(D * rigid.node);
+      auto const unknowns = u.segment<D>(D * pose.turn);
+      if constexpr (D == 2) {
+        turn = unknowns[0] * Vec3::UnitZ();
+      } else {
+        turn = unknowns - old_->u.segment<D>(D * pose.turn);
+        before = old_->turned[r];
+      }
+    } else {
+      pose.place = pose.pivot + rigid.offset(t1_).template head<D>();
+    }
+    double const angle = turn.norm();
+    if (angle > 0)
+      before = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * before;
+    pose.rotation = before.template topLeftCorner<D, D>();
+  }
 }
 
-void ContactStage::choose_active(Point& point) const {
+template<int D, int C> contact::PosedObstacle<D> Stage<D, C>::posed(RigidSide const& side) const {
+  return {&model_->rigids[side.body].shape, poses_[side.body], side.direction};
+}
+
+template<int D, int C> PointKinematics<D> Stage<D, C>::look(Point const& point, Foot start) const {
+  auto const& pair = model_->pairs[ix(point.pair)];
+  Index const node = pair.secondary[ix(point.index)];
+  Foot const guess = point.kinematics.foot;
+  if constexpr (D == 2)
+    if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
+      return contact::kinematics(*curve, node, start, guess, positions());
+  return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start, guess, positions());
+}
+
+template<int D, int C> contact::Block<D> Stage<D, C>::stiffness(Point const& point) const {
+  auto const& primary = model_->pairs[ix(point.pair)].primary;
+  Local<D> force = Local<D>::Zero();
+  force.template head<C>() = point.force;
+  if constexpr (D == 2)
+    if (auto const* curve = std::get_if<contact::Curve>(&primary))
+      return contact::geometric_stiffness(*curve, point.kinematics, positions(), force);
+  return contact::geometric_stiffness(posed(std::get<RigidSide>(primary)), point.kinematics, positions(),
+                                      force);
+}
+
+template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
   auto const& pair = model_->pairs[ix(point.pair)];
   bool const held = point.law.bond.old.beta > 0 || !point.force.isZero(0);
-  bool const near = point.kinematics.gap < pair.reach && point.kinematics.gap > -6 * pair.reach;
+  double const gap = point.kinematics.gap;
+  bool const near = gap < pair.reach && gap > -6 * pair.reach;
   bool const was = point.active;
   point.active = point.kinematics.found && (held || near);
   if (!point.active)
@@ -65,10 +171,11 @@ void ContactStage::choose_active(Point& point) const {
     point.rho = 0;
 }
 
-void ContactStage::locate(Vector const& u, bool settle) {
+template<int D, int C> void Stage<D, C>::locate(Vector const& u, bool settle) {
   positions_.resize(u.size());
   for (Index i = 0; i < model_->node_count(); ++i)
-    positions_.segment<2>(2 * i) = model_->reference.row(i).transpose() + u.segment<2>(2 * i);
+    positions_.segment<D>(D * i) = model_->reference.row(i).transpose() + u.template segment<D>(D * i);
+  place_rigid_bodies(u);
   active_.clear();
   bonding_changed_ = false;
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -81,142 +188,86 @@ void ContactStage::locate(Vector const& u, bool settle) {
     if (point.law.law < 0 || point.rho == 0 || settle)
       continue;
     // a point touches if its dry reaction presses; the adhesion at a closed point has no normal part
-    contact::Local<2> const x(point.kinematics.gap, point.kinematics.slip);
-    auto const state = contact::evaluate<2>(problem_, point.law, point.force, x, point.rho);
+    auto const state = contact::evaluate<C>(problem_, point.law, point.force, point.x(), point.rho);
     bool const closed = state.status != interface::Status::open;
     bonding_changed_ = bonding_changed_ || closed != point.law.bond.closed;
     point.law.bond.closed = closed;
   }
 }
 
-void ContactStage::reaction(Vector& force) const {
+template<int D, int C> void Stage<D, C>::reaction(Vector& force) const {
   force.setZero(positions_.size());
   for (Index const k : active_) {
     auto const& kinematics = points_[ix(k)].kinematics;
-    Vec2 const& p = points_[ix(k)].force;
+    auto const& p = points_[ix(k)].force;
     if (p.isZero(0))
       continue;
     for (int a = 0; a < kinematics.count; ++a)
-      force.segment<2>(2 * kinematics.nodes[ix(a)]) +=
-          p[0] * kinematics.normal.segment<2>(2 * a) + p[1] * kinematics.tangential.segment<2>(2 * a);
+      force.segment<D>(D * kinematics.nodes[ix(a)]) +=
+          kinematics.H.template block<C, D>(0, D * a).transpose() * p;
   }
 }
 
-double ContactStage::residual() const {
+template<int D, int C> double Stage<D, C>::residual() const {
   if (bonding_changed_)
     return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (Index const k : active_) {
     auto const& point = points_[ix(k)];
-    contact::Local<2> const x(point.kinematics.gap, point.kinematics.slip);
+    auto const x = point.x();
     if (point.rho == 0) { // no problem has seen this point
       if (x[0] < 0 || point.law.bond.old.beta > 0)
         return std::numeric_limits<double>::infinity();
       continue;
     }
-    auto const state = contact::evaluate<2>(problem_, point.law, point.force, x, point.rho);
+    auto const state = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho);
     largest = std::max(largest, state.residual.norm());
   }
   return largest;
 }
 
-double ContactStage::force_scale() const {
+template<int D, int C> double Stage<D, C>::force_scale() const {
   double largest = 0;
   for (Index const k : active_)
     largest = std::max(largest, points_[ix(k)].force.norm());
   return largest;
 }
 
-void ContactStage::gather_unknowns() {
+/// Hands rows and stiffness of the active points to the reduction.
+template<int D, int C> void Stage<D, C>::gather() {
+  reduced_.clear();
   Index const first = structure_->first_contact_unknown();
-  local_of_.assign(ix(structure_->unknowns() - first), -1);
   for (Index const k : active_) {
-    auto const& kinematics = points_[ix(k)].kinematics;
-    for (int a = 0; a < kinematics.unknowns(); ++a)
-      if (Index const u = structure_->unknown_of(2 * kinematics.nodes[ix(a / 2)] + a % 2); u >= 0)
-        local_of_[ix(u - first)] = 0;
-  }
-  unknowns_.clear();
-  for (Index u = 0; u < static_cast<Index>(local_of_.size()); ++u)
-    if (local_of_[ix(u)] == 0) {
-      local_of_[ix(u)] = static_cast<Index>(unknowns_.size());
-      unknowns_.push_back(u);
-    }
-}
-
-void ContactStage::assemble_rows() {
-  auto const n = static_cast<Index>(unknowns_.size()), m = 2 * static_cast<Index>(active_.size());
-  Index const first = structure_->first_contact_unknown();
-  H_.setZero(m, n);
-  geometric_.setZero(n, n);
-  std::span<double const> const x(positions_.data(), static_cast<std::size_t>(positions_.size()));
-  for (std::size_t row = 0; row < active_.size(); ++row) {
-    auto const& point = points_[ix(active_[row])];
+    auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
-    std::array<Index, 10> local{};
-    for (int a = 0; a < kinematics.unknowns(); ++a) {
-      Index const u = structure_->unknown_of(2 * kinematics.nodes[ix(a / 2)] + a % 2);
-      local[ix(a)] = u >= 0 ? local_of_[ix(u - first)] : -1;
-      if (u < 0)
-        continue;
-      H_(2 * static_cast<Index>(row), local[ix(a)]) = kinematics.normal[a];
-      H_(2 * static_cast<Index>(row) + 1, local[ix(a)]) = kinematics.tangential[a];
-    }
-    if (point.force.isZero(0))
-      continue;
-    auto const& primary = model_->pairs[ix(point.pair)].primary;
-    contact::Block const K =
-        std::holds_alternative<contact::Curve>(primary)
-            ? contact::geometric_stiffness(std::get<contact::Curve>(primary), kinematics, x, point.force)
-            : contact::geometric_stiffness(std::get<MovingObstacle>(primary).shape, kinematics, x,
-                                           std::get<MovingObstacle>(primary).offset(t1_), point.force);
+    auto& unknowns = unknowns_;
+    unknowns.assign(ix(kinematics.unknowns()), -1);
     for (int a = 0; a < kinematics.unknowns(); ++a)
-      for (int b = 0; b < kinematics.unknowns(); ++b)
-        if (local[ix(a)] >= 0 && local[ix(b)] >= 0)
-          geometric_(local[ix(a)], local[ix(b)]) += K(a, b);
+      if (Index const u = structure_->unknown_of(D * kinematics.nodes[ix(a / D)] + a % D); u >= 0)
+        unknowns[ix(a)] = u - first;
+    reduced_.add_point(unknowns, kinematics.H.template topRows<C>());
+    if (!point.force.isZero(0))
+      reduced_.add_stiffness(unknowns, stiffness(point));
   }
 }
 
-void ContactStage::build_problem(Vector const& y, double weight) {
-  auto const n = static_cast<Index>(unknowns_.size()), m = static_cast<Index>(H_.rows());
-  Dense const& inverse = structure_->factor().trailing_inverse();
-  V_.resize(n, n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      V_(i, j) = inverse(unknowns_[ix(i)], unknowns_[ix(j)]);
-  // (I - weight V K_geo) du = y + weight V H^T p
-  right_.resize(n, m + 1);
-  for (Index i = 0; i < n; ++i)
-    right_(i, m) = y[unknowns_[ix(i)]];
-  right_.leftCols(m).noalias() = weight * V_ * H_.transpose();
-  if (!geometric_.isZero(0)) {
-    reduced_.noalias() = -weight * V_ * geometric_;
-    reduced_.diagonal().array() += 1;
-    right_ = reduced_.partialPivLu().solve(right_);
-  }
-  problem_.dim = 2;
-  problem_.W.noalias() = H_ * right_.leftCols(m);
-  problem_.free.noalias() = H_ * right_.col(m);
-  problem_.points.clear();
-  for (std::size_t row = 0; row < active_.size(); ++row) {
-    auto& point = points_[ix(active_[row])];
-    problem_.free[2 * static_cast<Index>(row)] += point.kinematics.gap;
-    problem_.free[2 * static_cast<Index>(row) + 1] += point.kinematics.slip;
-    problem_.points.push_back(point.law);
-  }
-}
-
-bool ContactStage::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
+template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
   c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
   if (active_.empty())
     return true;
-  gather_unknowns();
-  assemble_rows();
-  build_problem(y, weight);
-  Vector guess(H_.rows());
-  for (std::size_t row = 0; row < active_.size(); ++row)
-    guess.segment<2>(2 * static_cast<Index>(row)) = points_[ix(active_[row])].force;
+  gather();
+  problem_.dim = C;
+  reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
+  problem_.points.clear();
+  Vector guess(C * static_cast<Index>(active_.size()));
+  for (std::size_t row = 0; row < active_.size(); ++row) {
+    auto& point = points_[ix(active_[row])];
+    auto const first = C * static_cast<Index>(row);
+    problem_.free.segment<C>(first) += point.x();
+    problem_.points.push_back(point.law);
+    guess.segment<C>(first) = point.force;
+  }
   auto solution = solver_->solve(problem_, guess);
   ++cost.contact_problems;
   cost.contact_iterations += solution.iterations;
@@ -228,21 +279,20 @@ bool ContactStage::solve(Vector const& y, double weight, Vector& c, Cost& cost) 
     return false;
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
-    point.force = solution.force.segment<2>(2 * static_cast<Index>(row));
+    point.force = solution.force.segment<C>(C * static_cast<Index>(row));
     point.rho = contact::natural_scale(problem_, static_cast<Index>(row));
   }
-  auto const m = H_.rows();
-  Vector const motion = right_.col(m) + right_.leftCols(m) * solution.force;
-  Vector const force = weight * (geometric_ * motion + H_.transpose() * solution.force);
-  for (std::size_t i = 0; i < unknowns_.size(); ++i)
-    c[unknowns_[i]] = force[static_cast<Index>(i)];
+  reduced_.push(solution.force, weight, c);
   return true;
 }
 
-void ContactStage::finish(State const& old, double dt, State& next) const {
+template<int D, int C> void Stage<D, C>::finish(State const& old, double dt, State& next) const {
+  if constexpr (D == 3)
+    for (std::size_t r = 0; r < poses_.size(); ++r)
+      next.turned[r] = poses_[r].rotation;
   for (auto const& point : points_) {
-    auto const& before = old.contacts[ix(point.pair)][ix(point.index)];
-    auto& after = next.contacts[ix(point.pair)][ix(point.index)];
+    ContactState const& before = old.contacts[ix(point.pair)][ix(point.index)];
+    ContactState& after = next.contacts[ix(point.pair)][ix(point.index)];
     after = {};
     if (!point.kinematics.found)
       continue;
@@ -251,22 +301,40 @@ void ContactStage::finish(State const& old, double dt, State& next) const {
     after.in_reach = point.active;
     if (!point.active)
       continue;
-    after.slip = point.kinematics.slip;
+    after.slip.head<D - 1>() = point.kinematics.slip;
     after.path = before.path + after.slip;
-    contact::Local<2> const x(after.gap, after.slip);
-    after.dry = point.force / point.law.area;
+    auto const x = point.x();
+    after.dry.head<C>() = point.force / point.law.area;
     if (point.law.law >= 0) {
       auto const& law = problem_.adhesions[ix(point.law.law)];
-      after.adhesion = interface::adhere<2>(law, point.law.bond, x).traction;
+      after.adhesion.head<C>() = interface::adhere<C>(law, point.law.bond, x).traction;
       after.dry -= after.adhesion;
-      after.bond = interface::advance<2>(law, point.law.bond, x);
+      after.bond = interface::advance<C>(law, point.law.bond, x);
       double const growth = after.bond.beta - before.bond.beta;
       next.ledger.bonding_loss += point.law.area * law.b * growth * growth / dt;
       next.ledger.bond += point.law.area * interface::bond_energy(law, after.bond, after.gap);
     }
     if (point.rho > 0)
-      after.status = contact::evaluate<2>(problem_, point.law, point.force, x, point.rho).status;
+      after.status = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho).status;
   }
+}
+
+bool acts_along_surface(Pair const& pair) {
+  return pair.law.mu() > 0 || (pair.law.adhesion && pair.law.adhesion->tangential());
+}
+
+} // namespace
+
+std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {
+  bool const tangential = std::any_of(model.pairs.begin(), model.pairs.end(), acts_along_surface);
+  if (model.dim() == 2) {
+    if (tangential)
+      return std::make_unique<Stage<2, 2>>(model, structure);
+    return std::make_unique<Stage<2, 1>>(model, structure);
+  }
+  if (tangential)
+    return std::make_unique<Stage<3, 3>>(model, structure);
+  return std::make_unique<Stage<3, 1>>(model, structure);
 }
 
 } // namespace stiction::dynamics

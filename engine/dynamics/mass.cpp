@@ -65,7 +65,8 @@ void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_
     kept += cell.values.sum();
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       auto const row = static_cast<Eigen::Index>(a);
-      mass.weight.segment<2>(2 * (first + nodes[a])) += consistent.row(row).sum() * model.gravity;
+      mass.weight.segment(mass.dim * (first + nodes[a]), mass.dim) +=
+          consistent.row(row).sum() * model.gravity.head(mass.dim);
       for (std::size_t b = 0; b <= a; ++b)
         entries.emplace_back(mass.pattern.find(first + nodes[a], first + nodes[b]),
                              cell.values(row, static_cast<Eigen::Index>(b)));
@@ -86,11 +87,19 @@ Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface, Cont
         cliques.back().push_back(model.first_node[body] + node);
     });
   Mass mass;
+  mass.dim = model.dim();
   mass.pattern = linear::pattern_of(model.node_count(), cliques);
   mass.values.assign(mass.pattern.rows.size(), 0.0);
-  mass.weight.setZero(2 * model.node_count());
+  mass.weight.setZero(model.dofs());
   for (std::size_t body = 0; body < model.cells.size(); ++body)
     add_body(model, body, on_surface, inertia, mass);
+  for (auto const& rigid : model.rigids)
+    if (rigid.free()) {
+      mass.values[ix(mass.pattern.find(rigid.node, rigid.node))] = rigid.mass;
+      mass.values[ix(mass.pattern.find(rigid.node + 1, rigid.node + 1))] = rigid.inertia;
+      mass.weight.segment(mass.dim * rigid.node, mass.dim) =
+          (rigid.mass * model.gravity + rigid.force).head(mass.dim);
+    }
   return mass;
 }
 
@@ -100,9 +109,11 @@ void Mass::times(Vector const& x, Vector& y) const {
     for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k) {
       Index const i = pattern.rows[ix(k)];
       double const m = values[ix(k)];
-      y.segment<2>(2 * i) += m * x.segment<2>(2 * j);
-      if (i != j)
-        y.segment<2>(2 * j) += m * x.segment<2>(2 * i);
+      for (int c = 0; c < dim; ++c) {
+        y[dim * i + c] += m * x[dim * j + c];
+        if (i != j)
+          y[dim * j + c] += m * x[dim * i + c];
+      }
     }
 }
 

@@ -5,11 +5,12 @@
 
 namespace stiction::dynamics {
 
-/// Consistent mass, the same for both components, by node.
+/// Consistent mass, the same for all components, by node; of free rigid bodies mass and inertia.
 struct Mass {
   linear::Pattern pattern; ///< of nodes
   std::vector<double> values;
-  Vector weight; ///< M g, [2 nodes], N
+  Vector weight; ///< M g and the constant forces on rigid bodies, [dim nodes], N
+  int dim = 2;
 
   /// y = M x over all degrees of freedom.
   void times(Vector const& x, Vector& y) const;

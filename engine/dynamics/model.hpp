@@ -6,8 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "contact/curve.hpp"
-#include "contact/obstacle.hpp"
+#include "contact/kinematics.hpp"
 #include "contact/solver.hpp"
 #include "dynamics/path.hpp"
 #include "dynamics/scheme.hpp"
@@ -17,19 +16,38 @@
 namespace stiction::dynamics {
 
 using contact::Vec2;
+using contact::Vec3;
 
 /// A displacement component of some nodes driven along a path.
 struct Motion {
   Indices nodes; ///< model numbers
   int component = 0;
-  Path path; ///< m
+  Path path; ///< m; rad for the turn of a rigid body
 };
 
-/// A rigid obstacle carried along a path.
-struct MovingObstacle {
+/// A rigid obstacle, carried along its paths or free. In 2D third components are unused.
+struct RigidBody {
+  std::string name;
   contact::Obstacle shape;
-  Path x, y; ///< m, relative to the described place
-  [[nodiscard]] Vec2 offset(double t) const { return {x.value(t), y.value(t)}; }
+  Vec3 pivot = Vec3::Zero(); ///< point that the paths move and the body turns about, m
+  std::array<Path, 3> shift; ///< of an obstacle that is not free: displacement, m
+  Path angle;                ///< of an obstacle that is not free: turn about `axis`, rad
+  Vec3 axis = Vec3::UnitZ(); ///< unit
+  double mass = 0;           ///< kg (kg/m in plane strain); > 0: free, with unknowns of its own
+  double inertia = 0; ///< of a free body about its pivot, the same about every axis, kg m^2; 0: never turns
+  Vec3 force = Vec3::Zero(); ///< constant load on a free body, N
+  Index node = -1;           ///< of a free body: model node of its translation; node + 1 is its turn
+  [[nodiscard]] bool free() const { return node >= 0; }
+  /// Displacement of an obstacle that is not free.
+  [[nodiscard]] Vec3 offset(double t) const {
+    return {shift[0].value(t), shift[1].value(t), shift[2].value(t)};
+  }
+};
+
+/// A primary that is one of the model's rigid bodies.
+struct RigidSide {
+  std::size_t body = 0;
+  Vec3 direction = Vec3::UnitX(); ///< t1 is its part along the surface (3D)
 };
 
 /// A secondary surface, its primary counterpart and the law between them.
@@ -37,7 +55,7 @@ struct Pair {
   std::string name;
   Indices secondary;         ///< model nodes, in walking order
   std::vector<double> areas; ///< tributary reference areas, m^2 (m in plane strain)
-  std::variant<contact::Curve, MovingObstacle> primary;
+  std::variant<contact::Curve, RigidSide> primary;
   interface::Law law;
   double reach = 0; ///< points farther than this are left out of the contact problem, m
   [[nodiscard]] Index size() const { return static_cast<Index>(secondary.size()); }
@@ -55,15 +73,23 @@ struct Model {
   std::vector<std::unique_ptr<solid::Body>> bodies; ///< addresses stay: Cells point to them
   std::vector<solid::Cells> cells;                  ///< [bodies]
   std::vector<Index> first_node;                    ///< [bodies + 1], model number of each body's first node
-  Matrix reference;                                 ///< [nodes, 2], m
-  Matrix velocity;                                  ///< [nodes, 2], initial, m/s
-  Vec2 gravity = Vec2::Zero();                      ///< m/s^2
+  std::vector<RigidBody> rigids;
+  /// [nodes, dim], m. After the bodies' nodes come two for each free rigid body: its pivot, and the origin
+  /// for its turn.
+  Matrix reference;
+  Matrix velocity;             ///< [nodes, dim], initial, m/s
+  Vec3 gravity = Vec3::Zero(); ///< m/s^2
   std::vector<Motion> motions;
   std::vector<Pair> pairs;
   Scheme scheme;
   contact::SolverChoice solver;
   StepControl control;
   [[nodiscard]] Index node_count() const { return static_cast<Index>(reference.rows()); }
+  [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
+  [[nodiscard]] Index dofs() const { return dim() * node_count(); }
 };
+
+/// Places a free rigid body's two nodes at the end of the model; holds the components that it has not.
+void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin);
 
 } // namespace stiction::dynamics

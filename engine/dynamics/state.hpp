@@ -9,12 +9,12 @@ namespace stiction::dynamics {
 
 /// One contact point at the end of a step.
 struct ContactState {
-  contact::Foot foot;                                 ///< counterpart, the origin of the next step's slip
-  double gap = 0;                                     ///< x_n, m
-  double slip = 0;                                    ///< slip increment of the last step, m
-  double path = 0;                                    ///< signed slip since the start, m
-  Eigen::Vector2d dry = Eigen::Vector2d::Zero();      ///< rbar (n, t), Pa
-  Eigen::Vector2d adhesion = Eigen::Vector2d::Zero(); ///< rtilde (n, t), Pa
+  contact::Foot foot;                             ///< counterpart, the origin of the next step's slip
+  double gap = 0;                                 ///< x_n, m
+  contact::Vec2 slip = contact::Vec2::Zero();     ///< increment of the last step, (t1, t2), m
+  contact::Vec2 path = contact::Vec2::Zero();     ///< signed slip since the start, (t1, t2), m
+  contact::Vec3 dry = contact::Vec3::Zero();      ///< rbar (n, t1, t2), Pa; t2 only in 3D
+  contact::Vec3 adhesion = contact::Vec3::Zero(); ///< rtilde (n, t1, t2), Pa
   interface::Bond bond;
   interface::Status status = interface::Status::open;
   bool in_reach = false; ///< took part in the last step's contact problem
@@ -22,24 +22,28 @@ struct ContactState {
 
 /// Cumulative energy account, J (J/m in plane strain); kinetic, strain and bond are present values.
 struct Ledger {
-  double kinetic = 0, strain = 0, bond = 0, potential = 0; ///< potential: of gravity
-  double motion_work = 0;                                  ///< done by driven nodes and moving obstacles
-  double friction_loss = 0;                                ///< dissipated by slip against rbar_t
-  double bonding_loss = 0;                                 ///< int A b beta'^2 dt
-  double start = 0;                                        ///< kinetic + strain + bond + potential at t = 0
+  double kinetic = 0, strain = 0, bond = 0,
+         potential = 0;     ///< potential: of gravity and of constant forces on rigid bodies
+  double motion_work = 0;   ///< done by driven nodes and moving obstacles
+  double damping_loss = 0;  ///< dissipated by the bodies' viscosity
+  double friction_loss = 0; ///< dissipated by slip against rbar_t
+  double bonding_loss = 0;  ///< int A b beta'^2 dt
+  double start = 0;         ///< kinetic + strain + bond + potential at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
-    return start + motion_work - (kinetic + strain + bond + potential) - friction_loss - bonding_loss;
+    return start + motion_work - (kinetic + strain + bond + potential) - damping_loss - friction_loss -
+           bonding_loss;
   }
 };
 
 struct State {
   double t = 0;    ///< s
-  Vector u, v;     ///< [2 nodes], m and m/s
+  Vector u, v;     ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
   Vector internal; ///< F_int(u), N
   Vector reaction; ///< H^T A r at the end of the step, N
   Vector drive;    ///< force of the motions over the last step, at driven unknowns, N
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
+  std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
   Ledger ledger;
 };
 

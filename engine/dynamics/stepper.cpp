@@ -30,19 +30,17 @@ core::Schema const& StepControl::schema() {
 
 Stepper::Stepper(Model const& model)
     : model_(&model), weights_(weights(model.scheme)), structure_(model, weights_),
-      contact_(model, structure_), driver_(ix(2 * model.node_count()), nullptr) {
+      contact_(make_contact_stage(model, structure_)), driver_(ix(model.dofs()), nullptr) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
-      driver_[ix(2 * node + motion.component)] = &motion;
+      driver_[ix(model.dim() * node + motion.component)] = &motion;
 }
 
 State Stepper::initial() {
   State state;
-  Index const dofs = 2 * model_->node_count();
+  Index const dofs = model_->dofs();
   state.u.setZero(dofs);
-  state.v.resize(dofs);
-  for (Index i = 0; i < model_->node_count(); ++i)
-    state.v.segment<2>(2 * i) = model_->velocity.row(i).transpose();
+  state.v = Eigen::Map<Vector const>(model_->velocity.data(), dofs);
   state.reaction.setZero(dofs);
   state.drive.setZero(dofs);
   static_cast<void>(structure_.internal_force(state.u, state.internal));
@@ -52,10 +50,12 @@ State Stepper::initial() {
       fresh.bond.beta = pair.law.adhesion->beta0;
     state.contacts.emplace_back(ix(pair.size()), fresh);
   }
-  contact_.begin(state, 0, 1);
-  contact_.locate(state.u, true);
+  if (model_->dim() == 3)
+    state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
+  contact_->begin(state, 0, 1);
+  contact_->locate(state.u, true);
   State located = state;
-  contact_.finish(state, 1, located);
+  contact_->finish(state, 1, located);
   for (std::size_t p = 0; p < state.contacts.size(); ++p)
     for (std::size_t i = 0; i < state.contacts[p].size(); ++i) {
       auto& point = state.contacts[p][i];
@@ -81,7 +81,7 @@ void Stepper::predict(State const& old, double dt) {
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->path.value(t1) - old.u[dof];
-  contact_.begin(old, t1, dt);
+  contact_->begin(old, t1, dt);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
 }
 
@@ -119,14 +119,14 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
       if (apart(dof))
         dry_[dof] = weights_.xi * (inertia_[dof] - (weight[dof] - internal_[dof]));
   Timer const timer(cost_.contact);
-  contact_.locate(u_, outcome.iterations >= settle_after);
-  contact_.reaction(reaction_);
+  contact_->locate(u_, outcome.iterations >= settle_after);
+  contact_->reaction(reaction_);
   return true;
 }
 
 /// Contact nodes that balance by themselves at the step's end.
 bool Stepper::apart(Index dof) const {
-  return weights_.surface_apart() && structure_.on_surface(dof / 2) && driver_[ix(dof)] == nullptr;
+  return weights_.surface_apart() && structure_.surface_dof(dof) && driver_[ix(dof)] == nullptr;
 }
 
 /// Largest force on a free unknown that nothing balances, N.
@@ -143,7 +143,7 @@ bool Stepper::converged(Outcome& outcome) const {
   double const rounding =
       1e-14 * structure_.stiffness_scale() * (u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>());
   double const tolerance = model_->control.force_tolerance * force_scale_ + rounding;
-  double const worst = std::max(imbalance(), contact_.residual());
+  double const worst = std::max(imbalance(), contact_->residual());
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   return worst <= tolerance;
 }
@@ -182,7 +182,7 @@ bool Stepper::apply_factor() {
     surface_ = correction_.tail(surface);
     factor.trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(surface_);
   }
-  if (!contact_.solve(surface_, weights_.contact, push_, cost_))
+  if (!contact_->solve(surface_, weights_.contact, push_, cost_))
     return false;
   {
     Timer const timer(cost_.solve);
@@ -205,7 +205,7 @@ Outcome Stepper::step(State const& old, double dt) {
     if (!balance(old, dt, outcome))
       return outcome;
     force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
-                             inertia_.lpNorm<Eigen::Infinity>(), contact_.force_scale(),
+                             inertia_.lpNorm<Eigen::Infinity>(), contact_->force_scale(),
                              structure_.mass().weight.lpNorm<Eigen::Infinity>()});
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
@@ -231,12 +231,36 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.internal = internal_;
   next.reaction = reaction_;
   next.contacts = old.contacts;
+  next.turned = old.turned;
   next.ledger = old.ledger;
   next.ledger.bond = 0;
   next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
-  contact_.finish(old, dt, next);
+  contact_->finish(old, dt, next);
   account(old, next);
   outcome.verdict = StepVerdict::converged;
+}
+
+/// Work of an obstacle that follows a path: what it gives the body it gives where the node is, J.
+double Stepper::obstacle_work(Pair const& pair, State const& old, State const& next) const {
+  auto const* side = std::get_if<RigidSide>(&pair.primary);
+  if (side == nullptr || model_->rigids[side->body].free())
+    return 0;
+  auto const& rigid = model_->rigids[side->body];
+  Vec3 const carried = rigid.offset(next.t) - rigid.offset(old.t);
+  Vec3 const turned = (rigid.angle.value(next.t) - rigid.angle.value(old.t)) * rigid.axis;
+  if (carried.isZero(0) && turned.isZero(0))
+    return 0;
+  int const dim = model_->dim();
+  double work = 0;
+  for (Index const node : pair.secondary) {
+    Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
+    force.head(dim) = weights_.contact * next.reaction.segment(dim * node, dim) +
+                      (1 - weights_.contact) * old.reaction.segment(dim * node, dim);
+    arm.head(dim) = model_->reference.row(node).transpose() + next.u.segment(dim * node, dim);
+    arm -= rigid.pivot + rigid.offset(next.t);
+    work += force.dot(carried + turned.cross(arm));
+  }
+  return work;
 }
 
 /// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
@@ -253,21 +277,13 @@ void Stepper::account(State const& old, State& next) const {
       ledger.motion_work += next.drive[dof] * d_[dof];
     }
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
-    auto const& pair = model_->pairs[p];
-    auto const* obstacle = std::get_if<MovingObstacle>(&pair.primary);
+    auto const& areas = model_->pairs[p].areas;
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
       auto const& before = old.contacts[p][i];
       auto const& after = next.contacts[p][i];
-      ledger.friction_loss -= pair.areas[i] * (chi * after.dry[1] + (1 - chi) * before.dry[1]) * after.slip;
+      ledger.friction_loss -= areas[i] * (chi * after.dry + (1 - chi) * before.dry).tail<2>().dot(after.slip);
     }
-    if (obstacle == nullptr)
-      continue;
-    Vec2 const carried = obstacle->offset(next.t) - obstacle->offset(old.t);
-    if (carried.isZero(0))
-      continue;
-    for (Index const node : pair.secondary) // what the obstacle gives the body it gives along its way
-      ledger.motion_work += carried.dot(chi * next.reaction.segment<2>(2 * node) +
-                                        (1 - chi) * old.reaction.segment<2>(2 * node));
+    ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
   }
   ledger.strain = strain_;
   ledger.potential = -structure_.mass().weight.dot(next.u);

@@ -31,7 +31,7 @@ public:
   [[nodiscard]] Outcome step(State const& old, double dt);
 
   [[nodiscard]] Cost const& cost() const { return cost_; }
-  [[nodiscard]] ContactStage const& contact() const { return contact_; }
+  [[nodiscard]] ContactStage const& contact() const { return *contact_; }
   [[nodiscard]] Structure const& structure() const { return structure_; }
 
 private:
@@ -44,11 +44,12 @@ private:
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
   void account(State const& old, State& next) const;
+  [[nodiscard]] double obstacle_work(Pair const& pair, State const& old, State const& next) const;
 
   Model const* model_;
   StepWeights weights_;
   Structure structure_;
-  ContactStage contact_;
+  std::unique_ptr<ContactStage> contact_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step

@@ -9,7 +9,7 @@ namespace stiction::dynamics {
 
 namespace {
 
-/// Model nodes of every contact surface, secondary and primary.
+/// Model nodes of every contact surface, secondary and primary, and of free rigid bodies.
 std::vector<bool> contact_nodes(Model const& model) {
   std::vector<bool> touched(ix(model.node_count()), false);
   for (auto const& pair : model.pairs) {
@@ -20,30 +20,36 @@ std::vector<bool> contact_nodes(Model const& model) {
         for (int k = 0; k < segment.count; ++k)
           touched[ix(segment.nodes[ix(k)])] = true;
   }
+  for (auto const& rigid : model.rigids)
+    if (rigid.free())
+      touched[ix(rigid.node)] = touched[ix(rigid.node + 1)] = true;
   return touched;
 }
 
 /// Calls visit(body, degrees of freedom of a cell) in assembly order.
 template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
   Indices dofs;
+  int const dim = model.dim();
   for (std::size_t body = 0; body < model.cells.size(); ++body)
     model.cells[body].each_cell([&](std::span<Index const> nodes) {
       dofs.clear();
       for (Index const node : nodes)
-        for (int i = 0; i < 2; ++i)
-          dofs.push_back(2 * (model.first_node[body] + node) + i);
+        for (int i = 0; i < dim; ++i)
+          dofs.push_back(dim * (model.first_node[body] + node) + i);
       visit(body, dofs);
     });
 }
 
 } // namespace
 
-Structure::Structure(Model const& model, StepWeights const& weights) : model_(&model) {
+Structure::Structure(Model const& model, StepWeights const& weights) : model_(&model), dim_(model.dim()) {
   on_surface_ = contact_nodes(model);
   number_unknowns(model);
   build_maps(model);
-  mass_.weight.setZero(2 * model.node_count());
-  if (weights.inertia || !model.gravity.isZero())
+  mass_.weight.setZero(model.dofs());
+  bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
+                                                             [](auto const& rigid) { return rigid.free(); });
+  if (weights.inertia || loaded)
     mass_ = assemble_mass(model, on_surface_, weights.contact_inertia);
   if (weights.inertia)
     place_mass(weights);
@@ -52,11 +58,11 @@ Structure::Structure(Model const& model, StepWeights const& weights) : model_(&m
 }
 
 void Structure::number_unknowns(Model const& model) {
-  Index const dofs = 2 * model.node_count();
+  Index const dofs = model.dofs();
   std::vector<bool> driven(ix(dofs), false);
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
-      driven[ix(2 * node + motion.component)] = true;
+      driven[ix(dim_ * node + motion.component)] = true;
   auto const& touched = on_surface_;
   Indices free;
   std::vector<bool> last;
@@ -66,8 +72,8 @@ void Structure::number_unknowns(Model const& model) {
       continue;
     unknown_of_[ix(dof)] = static_cast<Index>(free.size());
     free.push_back(dof);
-    last.push_back(touched[ix(dof / 2)]);
-    trailing_ += touched[ix(dof / 2)] ? 1 : 0;
+    last.push_back(touched[ix(dof / dim_)]);
+    trailing_ += touched[ix(dof / dim_)] ? 1 : 0;
   }
   auto cliques = [&] {
     std::vector<Indices> all;
@@ -109,8 +115,8 @@ void Structure::place_mass(StepWeights const& weights) {
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
     double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.theta : 1.0;
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
-      for (int c = 0; c < 2; ++c) {
-        Index const row = unknown_of(2 * mass_.pattern.rows[ix(k)] + c), column = unknown_of(2 * j + c);
+      for (int c = 0; c < dim_; ++c) {
+        Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
         if (row >= 0 && column >= 0)
           mass_in_matrix_[ix(pattern.find(row, column))] = share * mass_.values[ix(k)];
       }
@@ -122,7 +128,8 @@ solid::Pass Structure::internal_force(Vector const& u, Vector& force) const {
   solid::Pass all;
   Index first_cell = 0;
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
-    auto const first = ix(2 * model_->first_node[body]), count = ix(2 * model_->first_node[body + 1]) - first;
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
     auto const pass = model_->cells[body].add_force({u.data() + first, count}, {force.data() + first, count});
     if (!pass.sound()) {
       all.inverted_cell = first_cell + pass.inverted_cell;
@@ -154,8 +161,8 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
     else
       std::fill(values_.begin(), values_.end(), 0.0);
     for (std::size_t body = 0; body < model_->cells.size(); ++body) {
-      auto const first = ix(2 * model_->first_node[body]),
-                 count = ix(2 * model_->first_node[body + 1]) - first;
+      auto const first = ix(dim_ * model_->first_node[body]),
+                 count = ix(dim_ * model_->first_node[body + 1]) - first;
       model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
     }
     auto const& columns = factor_->pattern().columns;

@@ -24,8 +24,9 @@ public:
   [[nodiscard]] Index unknown_of(Index dof) const { return unknown_of_[ix(dof)]; }
   [[nodiscard]] Index dof_of(Index unknown) const { return dof_of_[ix(unknown)]; }
   [[nodiscard]] Index first_contact_unknown() const { return unknowns() - trailing_; }
-  /// True for nodes of contact surfaces.
+  /// True for nodes of contact surfaces and of free rigid bodies.
   [[nodiscard]] bool on_surface(Index node) const { return on_surface_[ix(node)]; }
+  [[nodiscard]] bool surface_dof(Index dof) const { return on_surface_[ix(dof / dim_)]; }
 
   /// F_int(u) over all degrees of freedom, with the strain energy.
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
@@ -48,6 +49,7 @@ private:
   void build_maps(Model const& model);
 
   Model const* model_;
+  int dim_;
   Indices unknown_of_, dof_of_;
   Index trailing_ = 0;
   std::vector<bool> on_surface_;

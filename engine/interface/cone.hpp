@@ -5,7 +5,8 @@
 
 namespace stiction::interface {
 
-/// Components of one contact point in its frame: (n, t1 [, t2]); D = 2 or 3.
+/// Components of one contact point in its frame: (n [, t1 [, t2]]); D = 1 where nothing acts along the
+/// surface.
 template<int D> using Local = Eigen::Matrix<double, D, 1>;
 template<int D> using LocalMatrix = Eigen::Matrix<double, D, D>;
 
@@ -29,7 +30,7 @@ template<int D> [[nodiscard]] Projection<D> project(Local<D> const& z, double mu
   if (zt <= mu * zn) {
     result.value = z;
     result.by_z.setIdentity();
-    result.status = Status::stick;
+    result.status = D == 1 ? Status::slip : Status::stick;
     return result;
   }
   result.status = Status::slip;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/schema.hpp"
+#include "core/reader.hpp"
 #include "interface/cone.hpp"
 
 namespace stiction::interface {
@@ -20,10 +20,11 @@ enum class Bonding { contact, proximity, never };
 enum class BondFriction { full, damage };
 
 struct Rcc {
-  double w = 0;   ///< decohesion energy, J/m^2
-  double C_n = 0; ///< normal stiffness at beta = 1, N/m^3
-  double C_t = 0; ///< tangential stiffness at beta = 1, N/m^3
-  double b = 0;   ///< viscosity of the bond, N s/m
+  double w = 0;    ///< decohesion energy, J/m^2
+  double C_n = 0;  ///< normal stiffness at beta = 1, N/m^3
+  double C_t = 0;  ///< tangential stiffness at beta = 1, N/m^3; along t1 where C_t2 differs
+  double C_t2 = 0; ///< along t2, N/m^3; only in three dimensions
+  double b = 0;    ///< viscosity of the bond, N s/m
   double beta0 = 0;
   Bonding bonding = Bonding::contact;
   BondFriction friction = BondFriction::full;
@@ -38,7 +39,9 @@ struct Rcc {
             .number("C_n", &Rcc::C_n, "N/m^3", core::non_negative, Need::required,
                     "normal stiffness at beta = 1")
             .number("C_t", &Rcc::C_t, "N/m^3", core::non_negative, Need::required,
-                    "tangential stiffness at beta = 1")
+                    "tangential stiffness at beta = 1; in 3D along the pair's direction")
+            .number("C_t2", &Rcc::C_t2, "N/m^3", core::non_negative, Need::optional,
+                    "tangential stiffness across the pair's direction (3D); default: C_t")
             .number("b", &Rcc::b, "N s/m", core::non_negative, Need::required,
                     "viscosity of the bond; 0 is the rate-independent limit")
             .number("beta0", &Rcc::beta0, "1", core::unit_interval, Need::optional,
@@ -52,7 +55,24 @@ struct Rcc {
             .build();
     return made;
   }
+  void read_nested(core::Reader const& reader) {
+    if (!reader.has("C_t2"))
+      C_t2 = C_t;
+  }
+  /// Does anything of the bond act along the surface?
+  [[nodiscard]] bool tangential() const { return C_t > 0 || C_t2 > 0 || friction == BondFriction::damage; }
 };
+
+/// Diagonal of the bond's stiffness in the contact frame, N/m^3.
+template<int D> [[nodiscard]] Local<D> bond_stiffness(Rcc const& law) {
+  Local<D> stiffness;
+  stiffness[0] = law.C_n;
+  if constexpr (D > 1)
+    stiffness[1] = law.C_t;
+  if constexpr (D > 2)
+    stiffness[2] = law.C_t2;
+  return stiffness;
+}
 
 /// What holds for the bond during one step.
 struct BondStep {
@@ -93,8 +113,7 @@ template<int D> [[nodiscard]] Local<D> opening(Local<D> const& x, Bond const& ol
 /// (19), (21): rtilde = - C x beta^2, with beta of the step's end.
 template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const& step, Local<D> const& x) {
   Local<D> const d = opening<D>(x, step.old);
-  Local<D> stiffness = Local<D>::Constant(law.C_t);
-  stiffness[0] = law.C_n;
+  Local<D> const stiffness = bond_stiffness<D>(law);
   Local<D> const Cd = stiffness.cwiseProduct(d);
   double const q = Cd.dot(d);
   Local<D> d_by_x = Local<D>::Constant(step.old.beta > 0 ? 1.0 : 0.0); // diagonal
@@ -132,8 +151,8 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
 /// psi of (9), J/m^2.
 [[nodiscard]] inline double bond_energy(Rcc const& law, Bond const& bond, double x_n) {
   double const open = std::max(x_n, 0.0);
-  return 0.5 * bond.beta * bond.beta * (law.C_n * open * open + law.C_t * bond.stretch.squaredNorm()) -
-         law.w * bond.beta;
+  double const along = law.C_t * std::pow(bond.stretch[0], 2) + law.C_t2 * std::pow(bond.stretch[1], 2);
+  return 0.5 * bond.beta * bond.beta * (law.C_n * open * open + along) - law.w * bond.beta;
 }
 
 } // namespace stiction::interface

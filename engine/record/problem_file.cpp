@@ -1,4 +1,5 @@
-// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /adhesions [laws, columns], /dim.
+// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /adhesions [laws, columns], /C_t2
+// [laws] (where there is none, C_t), /dim.
 #include "record/problem_file.hpp"
 
 #include <cmath>
@@ -38,6 +39,13 @@ std::vector<double> flatten(std::vector<interface::Rcc> const& laws) {
     rows.insert(rows.end(), {l.w, l.C_n, l.C_t, l.b, l.beta0, static_cast<double>(l.bonding),
                              static_cast<double>(l.friction), l.damage_power});
   return rows;
+}
+
+std::vector<double> across(std::vector<interface::Rcc> const& laws) {
+  std::vector<double> values;
+  for (auto const& law : laws)
+    values.push_back(law.C_t2);
+  return values;
 }
 
 /// Reads named datasets and checks their sizes and numbers.
@@ -102,6 +110,7 @@ interface::Rcc law_of(double const* row, ProblemReader const& reader) {
   law.bonding = static_cast<interface::Bonding>(row[5]);
   law.friction = static_cast<interface::BondFriction>(row[6]);
   law.damage_power = row[7];
+  law.C_t2 = law.C_t;
   return law;
 }
 
@@ -142,6 +151,7 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
         file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&
         write(file, "points", {problem.points.size(), point_columns}, flatten(problem.points)) &&
         write(file, "adhesions", {problem.adhesions.size(), adhesion_columns}, flatten(problem.adhesions)) &&
+        write(file, "C_t2", {problem.adhesions.size()}, across(problem.adhesions)) &&
         write(file, "dim", {1}, {static_cast<double>(problem.dim)}) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
   }
   if (!written)
@@ -157,7 +167,7 @@ contact::Problem load_problem(std::filesystem::path const& path) {
   auto const dim = reader.read("dim"), W = reader.read("W"), free = reader.read("free");
   auto const points = reader.read("points"), adhesions = reader.read("adhesions");
   auto const n = free.size();
-  reader.require(dim.size() == 1 && (dim[0] == 2 || dim[0] == 3), "dim is 2 or 3");
+  reader.require(dim.size() == 1 && (dim[0] == 1 || dim[0] == 2 || dim[0] == 3), "dim is 1, 2 or 3");
   problem.dim = static_cast<int>(dim[0]);
   reader.require(W.size() == n * n && points.size() % point_columns == 0 &&
                      adhesions.size() % adhesion_columns == 0 &&
@@ -168,6 +178,12 @@ contact::Problem load_problem(std::filesystem::path const& path) {
   problem.free = Eigen::Map<Vector const>(free.data(), size);
   for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns)
     problem.adhesions.push_back(law_of(&adhesions[k], reader));
+  if (reader.has("C_t2")) {
+    auto const values = reader.read("C_t2");
+    reader.require(values.size() == problem.adhesions.size(), "sizes of C_t2 and adhesions");
+    for (std::size_t k = 0; k < values.size(); ++k)
+      problem.adhesions[k].C_t2 = values[k];
+  }
   for (std::size_t k = 0; k < points.size(); k += point_columns)
     problem.points.push_back(point_of(&points[k], reader, problem.adhesions.size()));
   return problem;

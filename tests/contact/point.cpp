@@ -15,7 +15,7 @@ constexpr double u0 = 1e-4, C = 2e9, w = 20; // sigma0 = 0.2 MPa, rate-independe
 interface::Rcc joint(interface::BondFriction friction) {
   interface::Rcc law;
   law.w = w;
-  law.C_n = law.C_t = C;
+  law.C_n = law.C_t = law.C_t2 = C;
   law.friction = friction;
   return law;
 }

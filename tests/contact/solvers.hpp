@@ -70,7 +70,7 @@ inline void add_adhesion(Problem& problem, double softness, unsigned seed) {
   interface::Rcc law;
   double const stiffness = softness * contact::natural_scale(problem, 0) / problem.points[0].area;
   double const length = 5e-5; // u0
-  law.C_n = law.C_t = stiffness;
+  law.C_n = law.C_t = law.C_t2 = stiffness;
   law.w = stiffness * length * length;
   law.b = law.w * 1e-3;
   problem.adhesions = {law, law};

@@ -14,7 +14,7 @@ namespace {
 Rcc bond_law(double b) {
   Rcc law;
   law.w = 20;
-  law.C_n = law.C_t = 2e9;
+  law.C_n = law.C_t = law.C_t2 = 2e9;
   law.b = b;
   return law;
 }
@@ -83,7 +83,7 @@ std::vector<double> shear(BondFriction friction, double m, double ds, double end
 /// Work done on the bond minus what it stores and dissipates, over w, along a curved path.
 double imbalance(int steps) {
   Rcc law = bond_law(0.1);
-  law.C_t = 3e9;
+  law.C_t = law.C_t2 = 3e9;
   double const duration = 2e-3, dt = duration / steps;
   auto const place = [&](int k) -> Eigen::Vector3d {
     double const t = static_cast<double>(k) / steps;

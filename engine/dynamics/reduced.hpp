@@ -1,0 +1,36 @@
+// The bulk seen from the contact points: rows of H and geometric stiffness reduced to the Delassus operator.
+#pragma once
+#include "core/types.hpp"
+
+namespace stiction::dynamics {
+
+/// Rows of H and K_geo of the active points over the trailing unknowns, kept point by point as they are
+/// sparse. Workspace is kept between calls.
+class Reduced {
+public:
+  void clear();
+  /// unknowns[columns]: trailing unknown behind each column of H, -1 if driven. H: [components, columns].
+  void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
+  void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
+
+  /// With V the inverse of the Schur complement, (I - weight V K_geo) du = y + weight V H^T p gives
+  /// x = free + W p, where x = H du.
+  void eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free);
+  /// c += weight (K_geo du + H^T p) for the forces p of the problem last eliminated.
+  void push(Vector const& force, double weight, Vector& c) const;
+
+private:
+  struct Entry {
+    Index row, column; ///< row of H or unknown of K; unknown
+    double value;
+  };
+  Index rows_ = 0;
+  std::vector<Entry> H_, K_;
+  Indices support_, place_; ///< unknowns that K touches; their place in the support or -1
+  Dense right_;             ///< weight V H^T | y, [trailing, rows + 1]
+  Dense small_;             ///< I - weight V K on the support
+  Dense motion_;            ///< du on the support per force | without, [support, rows + 1]
+  Dense pushed_;            ///< weight K motion
+};
+
+} // namespace stiction::dynamics
