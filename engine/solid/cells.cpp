@@ -206,6 +206,16 @@ void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap c
   });
 }
 
+double Cells::add_damping(std::span<double const>, std::span<double const>, std::span<double>) const {
+  core::expect(!damped(), "damping to be written");
+  return 0;
+}
+
+void Cells::add_damping_stiffness(std::span<double const>, double, ScatterMap const&,
+                                  std::span<double>) const {
+  core::expect(!damped(), "damping to be written");
+}
+
 NodalStress Cells::stress(std::span<double const> u) const {
   Index const nodes = body_->mesh.node_count();
   NodalStress result{Matrix::Zero(nodes, 4), Vector::Zero(nodes)};

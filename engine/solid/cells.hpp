@@ -21,7 +21,7 @@ using ScatterMap = std::vector<Index>;
 
 /// Cauchy stress recovered at the nodes by volume-weighted averages over the quadrature points.
 struct NodalStress {
-  Matrix cauchy;    ///< [nodes, 4]: 11, 22, 33, 12, Pa
+  Matrix cauchy;    ///< [nodes, 4]: 11, 22, 33, 12, or in 3D [nodes, 6]: 11, 22, 33, 12, 23, 13, Pa
   Vector von_mises; ///< [nodes], Pa
 };
 
@@ -30,11 +30,21 @@ public:
   /// Throws nothing; the mesh must have passed mesh::check.
   Cells(Body const& body, Kinematics kinematics);
 
-  /// force[2 * nodes] += F_int(u) of (35), N. u[2 * nodes] belongs to this body's nodes.
+  /// force[dim * nodes] += F_int(u) of (35), N. u[dim * nodes] belongs to this body's nodes.
   [[nodiscard]] Pass add_force(std::span<double const> u, std::span<double> force) const;
   /// values[map[k]] += factor * K(u) of (39). Call only where add_force was sound.
   void add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
                      std::span<double> values) const;
+
+  /// Whether the body has viscous stress; without it the two passes below do nothing.
+  [[nodiscard]] bool damped() const { return body_->damping.has_value(); }
+  /// force += A(u) v of the viscous stress, A = int B^T D_v B; returns the dissipated power v.A v >= 0, W.
+  [[nodiscard]] double add_damping(std::span<double const> u, std::span<double const> v,
+                                   std::span<double> force) const;
+  /// values[map[k]] += factor * A(u), symmetric and positive semidefinite, kg/s.
+  void add_damping_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
+                             std::span<double> values) const;
+
   [[nodiscard]] NodalStress stress(std::span<double const> u) const;
 
   /// Visits each cell's consistent mass per component: nodes of the cell, m[nodes, nodes] in kg.
