@@ -254,9 +254,11 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
   double work = 0;
   for (Index const node : pair.secondary) {
     Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
-    force.head(dim) = weights_.contact * next.reaction.segment(dim * node, dim) +
-                      (1 - weights_.contact) * old.reaction.segment(dim * node, dim);
-    arm.head(dim) = model_->reference.row(node).transpose() + next.u.segment(dim * node, dim);
+    for (int c = 0; c < dim; ++c) {
+      Index const dof = dim * node + c;
+      force[c] = weights_.contact * next.reaction[dof] + (1 - weights_.contact) * old.reaction[dof];
+      arm[c] = model_->reference(node, c) + next.u[dof];
+    }
     arm -= rigid.pivot + rigid.offset(next.t);
     work += force.dot(carried + turned.cross(arm));
   }

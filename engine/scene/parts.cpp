@@ -11,12 +11,6 @@ using core::Reader;
 
 namespace {
 
-/// A list of two numbers, or a complaint.
-void check_pair(Reader& reader, char const* key, Numbers const& numbers) {
-  if (reader.has(key) && numbers.size() != 2)
-    reader.complain_at(key, fmt::format("has {} numbers; two are wanted: {{x, y}}", numbers.size()));
-}
-
 /// Values along times: both lists of one length, times ascending.
 void check_path(Reader& reader, Numbers const& times, Numbers const& values, char const* key) {
   if (!reader.has(key))
@@ -68,7 +62,11 @@ core::Schema const& BodyPart::schema() {
           .nested("material", "material", Need::required, "its bulk law")
           .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
                   "mass density of the reference body")
-          .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y}")
+          .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y [, z]}")
+          .choice("interpolation", &BodyPart::interpolation, {"plain", "mean_dilatation"}, Need::optional,
+                  "mean_dilatation: volume change averaged over each cell, against locking of quad4 and hex8 "
+                  "near nu = 1/2")
+          .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
           .build();
   return made;
 }
@@ -76,17 +74,35 @@ core::Schema const& BodyPart::schema() {
 void BodyPart::read_nested(Reader& reader) {
   mesh = nested_choice<mesh::Generator>(reader, "mesh", Need::required);
   material = nested_choice<material::Material>(reader, "material", Need::required);
-  check_pair(reader, "velocity", velocity);
+  if (reader.has("damping"))
+    damping = std::get<material::KelvinVoigt>(
+        nested_choice<std::variant<material::KelvinVoigt>>(reader, "damping", Need::optional));
+  static_cast<void>(reader.at("damping", Need::optional));
 }
 
 core::Schema const& ObstaclePart::schema() {
   static auto const made =
-      Describe<ObstaclePart>{"obstacle", "a rigid obstacle without mesh or unknowns, carried along a path",
-                             ""}
+      Describe<ObstaclePart>{"obstacle",
+                             "a rigid body without mesh: carried along paths, or free if it has a mass", ""}
           .nested("shape", "rigid", Need::required, "its shape and place at the start")
-          .numbers("times", &ObstaclePart::times, "s", Need::optional, "times of the path")
+          .numbers("times", &ObstaclePart::times, "s", Need::optional, "times of the paths")
           .numbers("x", &ObstaclePart::x, "m", Need::optional, "displacement in x at those times")
           .numbers("y", &ObstaclePart::y, "m", Need::optional, "displacement in y at those times")
+          .numbers("z", &ObstaclePart::z, "m", Need::optional, "displacement in z at those times (3D)")
+          .numbers("angle", &ObstaclePart::angle, "rad", Need::optional,
+                   "turn about `axis` through `pivot` at those times")
+          .numbers("axis", &ObstaclePart::axis, "1", Need::optional,
+                   "axis {x, y, z} of the turn in 3D; default z")
+          .numbers("pivot", &ObstaclePart::pivot, "m", Need::optional,
+                   "point it turns about and its centre of mass; default the shape's centre")
+          .number("mass", &ObstaclePart::mass, "kg", core::non_negative, Need::optional,
+                  "mass (per metre of depth in plane strain); > 0: components without a path are free")
+          .number("inertia", &ObstaclePart::inertia, "kg m^2", core::non_negative, Need::optional,
+                  "moment of inertia about the pivot, the same about every axis; 0: it does not turn")
+          .numbers("velocity", &ObstaclePart::velocity, "m/s", Need::optional, "at the start, if free")
+          .numbers("spin", &ObstaclePart::spin, "rad/s", Need::optional,
+                   "angular velocity at the start, if free: one number in 2D, three in 3D")
+          .numbers("force", &ObstaclePart::force, "N", Need::optional, "constant load on it, if free")
           .build();
   return made;
 }
@@ -95,15 +111,13 @@ void ObstaclePart::read_nested(Reader& reader) {
   shape = nested_choice<contact::Obstacle>(reader, "shape", Need::required);
   check_path(reader, times, x, "x");
   check_path(reader, times, y, "y");
-  Reader shape_reader = reader.child("shape", Need::optional);
-  if (auto const* plane = std::get_if<contact::RigidPlane>(&shape)) {
-    check_pair(shape_reader, "point", plane->point);
-    check_pair(shape_reader, "normal", plane->normal);
-    if (plane->normal == Numbers{0, 0})
-      shape_reader.complain_at("normal", "is {0, 0}; give a direction");
-  } else {
-    check_pair(shape_reader, "centre", std::get<contact::RigidCircle>(shape).centre);
-  }
+  check_path(reader, times, z, "z");
+  check_path(reader, times, angle, "angle");
+  if (mass > 0)
+    return;
+  for (char const* key : {"inertia", "velocity", "spin", "force"})
+    if (reader.has(key))
+      reader.complain_at(key, "needs a free body; give it a mass, or paths without this");
 }
 
 core::Schema const& PairPart::schema() {
@@ -119,6 +133,8 @@ core::Schema const& PairPart::schema() {
                   "how the primary surface runs between its nodes")
           .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
                   "points farther apart stay out of the contact problem; 0: half a facet")
+          .numbers("direction", &PairPart::direction, "1", Need::optional,
+                   "3D: the first tangential direction is its part along the primary surface {x, y, z}")
           .build();
   return made;
 }
@@ -147,6 +163,8 @@ core::Schema const& DrivePart::schema() {
                    "displacement in x at those times; without it x is free")
           .numbers("y", &DrivePart::y, "m", Need::optional,
                    "displacement in y at those times; without it y is free")
+          .numbers("z", &DrivePart::z, "m", Need::optional,
+                   "displacement in z at those times; without it z is free (3D)")
           .build();
   return made;
 }
@@ -156,6 +174,7 @@ core::Schema const& FixPart::schema() {
                                .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
                                .flag("x", &FixPart::x, "hold x")
                                .flag("y", &FixPart::y, "hold y")
+                               .flag("z", &FixPart::z, "hold z (3D)")
                                .build();
   return made;
 }
@@ -202,60 +221,13 @@ core::Schema const& OutputPart::schema() {
   return made;
 }
 
-core::Schema const& PointProbe::schema() {
-  static auto const made = Describe<PointProbe>{"contact_point", "history of one contact point", ""}
-                               .text("pair", &PointProbe::pair, Need::required, "name of the pair")
-                               .numbers("near", &PointProbe::near, "m", Need::required,
-                                        "the secondary node nearest to {x, y} at the start")
-                               .build();
-  return made;
-}
-
-core::Schema const& ContactProbe::schema() {
-  static auto const made =
-      Describe<ContactProbe>{"contact", "history of a whole pair: forces, points by status, extremes", ""}
-          .text("pair", &ContactProbe::pair, Need::required, "name of the pair")
-          .build();
-  return made;
-}
-
-core::Schema const& LineProbe::schema() {
-  static auto const made = Describe<LineProbe>{"contact_line", "history of every contact point of a pair", ""}
-                               .text("pair", &LineProbe::pair, Need::required, "name of the pair")
-                               .build();
-  return made;
-}
-
-core::Schema const& ForceProbe::schema() {
-  static auto const made =
-      Describe<ForceProbe>{"force", "force that a motion exerts on its nodes", ""}
-          .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
-          .build();
-  return made;
-}
-
-core::Schema const& NodeProbe::schema() {
-  static auto const made =
-      Describe<NodeProbe>{"node", "displacement and velocity of one node", ""}
-          .text("set", &NodeProbe::set, Need::required, "where to look, \"body.set\"")
-          .numbers("near", &NodeProbe::near, "m", Need::required, "its node nearest to {x, y} at the start")
-          .build();
-  return made;
-}
-
-core::Schema const& EnergyProbe::schema() {
-  static auto const made =
-      Describe<EnergyProbe>{"energy", "the energy ledger of the run", "PHYSICS 6"}.build();
-  return made;
-}
-
 core::Schema const& ScenePart::schema() {
   static auto const made =
       Describe<ScenePart>{"scene", "everything a run needs", ""}
-          .choice("kinematics", &ScenePart::kinematics, {"plane_strain", "axisymmetric"}, Need::optional,
-                  "axisymmetric: x is the radius, y the axis")
+          .choice("kinematics", &ScenePart::kinematics, {"plane_strain", "axisymmetric", "three_dimensional"},
+                  Need::optional, "axisymmetric: x is the radius, y the axis")
           .numbers("gravity", &ScenePart::gravity, "m/s^2", Need::optional,
-                   "acceleration {x, y} on every body")
+                   "acceleration {x, y [, z]} on every body")
           .nested("bodies", "body", Need::required, "table of bodies by name")
           .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
           .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
@@ -271,7 +243,6 @@ core::Schema const& ScenePart::schema() {
 }
 
 void ScenePart::read_nested(Reader& reader) {
-  check_pair(reader, "gravity", gravity);
   bodies = named<BodyPart>(reader, "bodies", Need::required, [](Reader r) { return r.record<BodyPart>(); });
   obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
                                   [](Reader r) { return r.record<ObstaclePart>(); });
@@ -283,6 +254,7 @@ void ScenePart::read_nested(Reader& reader) {
     if (auto const* drive = std::get_if<DrivePart>(&motions.back())) {
       check_path(motion, drive->times, drive->x, "x");
       check_path(motion, drive->times, drive->y, "y");
+      check_path(motion, drive->times, drive->z, "z");
     }
   }
   scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);

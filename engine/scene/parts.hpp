@@ -20,16 +20,22 @@ using core::Numbers;
 struct BodyPart {
   mesh::Generator mesh;
   material::Material material;
-  double density = 0;     ///< kg/m^3
-  Numbers velocity{0, 0}; ///< m/s
+  double density = 0; ///< kg/m^3
+  Numbers velocity;   ///< m/s; empty: at rest
+  solid::Interpolation interpolation = solid::Interpolation::plain;
+  std::optional<material::KelvinVoigt> damping;
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };
 
-/// A rigid obstacle and where it goes.
+/// A rigid obstacle and where it goes: along paths, or, with a mass, where the forces take it.
 struct ObstaclePart {
   contact::Obstacle shape;
-  Numbers times, x, y; ///< s, m, m
+  Numbers times, x, y, z, angle; ///< s, m, m, m, rad
+  Numbers pivot, axis;           ///< m; 1
+  double mass = 0, inertia = 0;  ///< kg, kg m^2 (per metre of depth in plane strain)
+  Numbers velocity, force;       ///< m/s, N; empty: none
+  Numbers spin;                  ///< rad/s: about the pivot, one number in 2D, three in 3D
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };
@@ -37,7 +43,8 @@ struct ObstaclePart {
 struct PairPart {
   std::string secondary, primary; ///< "body.set", or the name of an obstacle
   contact::Smoothing smoothing = contact::Smoothing::spline;
-  double reach = 0; ///< m; 0: half a facet
+  double reach = 0;  ///< m; 0: half a facet
+  Numbers direction; ///< t1 is its part along the primary surface (3D); empty: the engine's choice
   interface::Law law;
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
@@ -46,13 +53,13 @@ struct PairPart {
 /// Displacements of a set along a path; a component without values stays free.
 struct DrivePart {
   std::string set;
-  Numbers times, x, y;
+  Numbers times, x, y, z;
   static core::Schema const& schema();
 };
 /// A set held where it is.
 struct FixPart {
   std::string set;
-  bool x = true, y = true;
+  bool x = true, y = true, z = true;
   static core::Schema const& schema();
 };
 using MotionPart = std::variant<DrivePart, FixPart>;
@@ -98,14 +105,19 @@ struct NodeProbe {
   Numbers near;
   static core::Schema const& schema();
 };
+struct RigidProbe {
+  std::string obstacle;
+  static core::Schema const& schema();
+};
 struct EnergyProbe {
   static core::Schema const& schema();
 };
-using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, EnergyProbe>;
+using ProbePart =
+    std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe, EnergyProbe>;
 
 struct ScenePart {
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;
-  Numbers gravity{0, 0}; ///< m/s^2
+  Numbers gravity; ///< m/s^2; empty: none
   std::map<std::string, BodyPart> bodies;
   std::map<std::string, ObstaclePart> obstacles;
   std::map<std::string, PairPart> pairs;
@@ -118,6 +130,7 @@ struct ScenePart {
   OutputPart output;
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
+  [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
 };
 
 } // namespace stiction::scene

@@ -1,0 +1,64 @@
+// Schemas of the probes.
+#include "scene/parts.hpp"
+
+namespace stiction::scene {
+
+using core::Describe;
+using core::Need;
+
+core::Schema const& PointProbe::schema() {
+  static auto const made = Describe<PointProbe>{"contact_point", "history of one contact point", ""}
+                               .text("pair", &PointProbe::pair, Need::required, "name of the pair")
+                               .numbers("near", &PointProbe::near, "m", Need::required,
+                                        "the secondary node nearest to {x, y [, z]} at the start")
+                               .build();
+  return made;
+}
+
+core::Schema const& ContactProbe::schema() {
+  static auto const made =
+      Describe<ContactProbe>{"contact", "history of a whole pair: forces, points by status, extremes", ""}
+          .text("pair", &ContactProbe::pair, Need::required, "name of the pair")
+          .build();
+  return made;
+}
+
+core::Schema const& LineProbe::schema() {
+  static auto const made = Describe<LineProbe>{"contact_line", "history of every contact point of a pair", ""}
+                               .text("pair", &LineProbe::pair, Need::required, "name of the pair")
+                               .build();
+  return made;
+}
+
+core::Schema const& ForceProbe::schema() {
+  static auto const made =
+      Describe<ForceProbe>{"force", "force that a motion exerts on its nodes", ""}
+          .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
+          .build();
+  return made;
+}
+
+core::Schema const& NodeProbe::schema() {
+  static auto const made =
+      Describe<NodeProbe>{"node", "displacement and velocity of one node", ""}
+          .text("set", &NodeProbe::set, Need::required, "where to look, \"body.set\"")
+          .numbers("near", &NodeProbe::near, "m", Need::required, "its node nearest to {x, y [, z]} at the start")
+          .build();
+  return made;
+}
+
+core::Schema const& RigidProbe::schema() {
+  static auto const made =
+      Describe<RigidProbe>{"rigid", "where a rigid obstacle is and what the contacts do to it", ""}
+          .text("obstacle", &RigidProbe::obstacle, Need::required, "name of the obstacle")
+          .build();
+  return made;
+}
+
+core::Schema const& EnergyProbe::schema() {
+  static auto const made =
+      Describe<EnergyProbe>{"energy", "the energy ledger of the run", "PHYSICS 6"}.build();
+  return made;
+}
+
+} // namespace stiction::scene
