@@ -17,10 +17,12 @@ template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
 /// H of one point, row by row (n, t1 [, t2]) over (x, y [, z]) of its nodes: d(gap, slip) = H . du. [D, D
 /// count]
 template<int D> using Rows = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, D * max_nodes<D>>;
+/// Most rows of a Block held without allocation; in 3D they would not fit the stack.
+template<int D> inline constexpr int block_rows = D == 2 ? D* max_nodes<D> : Eigen::Dynamic;
 /// A matrix over the unknowns of one point. [D count, D count]
 template<int D>
-using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, D * max_nodes<D>,
-                            D * max_nodes<D>>;
+using Block =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, block_rows<D>, block_rows<D>>;
 
 /// Gap and slip of one point at the current positions.
 template<int D> struct PointKinematics {

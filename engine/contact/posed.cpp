@@ -63,15 +63,15 @@ Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D
   auto const& pose = obstacle.pose;
   Mat<D> const& R = pose.rotation;
   Vec<D> const p1 = node_position<D>(x, point.nodes[0]), local = pose.local(p1);
-  auto const seen = view<D>(*obstacle.shape, local, {}, point.foot, obstacle.direction);
   Mat<D> const turned =
-      R * curvature_stiffness<D>(*obstacle.shape, seen, local, force, obstacle.direction) * R.transpose();
+      R * curvature_stiffness<D>(*obstacle.shape, point.foot, local, force, obstacle.direction) *
+      R.transpose();
   auto const B = relative(pose, Vec<D>(p1 - pose.place));
   Block<D> K = B.transpose() * turned * B;
   if (!pose.free())
     return K;
   // f turns with the body, and so does the arm of its moment
-  Vec<D> const f = R * (seen.by_x.transpose() * force);
+  Vec<D> const f = point.H.template leftCols<D>().transpose() * force;
   Mat<D> const by_turn = -cross<D>(f); // dphi x f
   K.template rightCols<D>() += B.transpose() * by_turn;
   K.template block<D, D>(2 * D, 0) += by_turn.transpose();
@@ -82,5 +82,8 @@ Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D
 template PointKinematics<2> kinematics(PosedObstacle<2> const&, Index, Foot, Foot, std::span<double const>);
 template Block<2> geometric_stiffness(PosedObstacle<2> const&, PointKinematics<2> const&,
                                       std::span<double const>, Local<2> const&);
+template PointKinematics<3> kinematics(PosedObstacle<3> const&, Index, Foot, Foot, std::span<double const>);
+template Block<3> geometric_stiffness(PosedObstacle<3> const&, PointKinematics<3> const&,
+                                      std::span<double const>, Local<3> const&);
 
 } // namespace stiction::contact
