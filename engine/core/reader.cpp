@@ -48,6 +48,11 @@ void Reader::complain_at(std::string_view key, std::string text) {
   complaints_->push_back({place, path_of(key), std::move(text)});
 }
 
+void Reader::complain_all(Complaints const& complaints) {
+  for (auto const& complaint : complaints)
+    complain_at(complaint.path, complaint.text);
+}
+
 Input const& Reader::at(std::string_view key, Need need) {
   asked_.emplace(key);
   if (has(key))

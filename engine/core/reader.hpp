@@ -38,10 +38,16 @@ public:
 
   /// Fills `target` from the keys that `schema` names.
   void fill(void* target, Schema const& schema);
-  /// Fills a T by its schema; a T with nested tables reads them itself, in `void read_nested(Reader&)`.
+  /// Fills a T by its schema; a T with nested tables reads them itself, in `void read_nested(Reader&)`, and
+  /// one whose parameters must fit together says in `Complaints check() const` what does not (paths below its
+  /// own).
   template<class T> T record() {
     T target{};
+    auto const before = complaints_->size();
     fill(&target, T::schema());
+    if constexpr (requires { target.check(); })
+      if (complaints_->size() == before)
+        complain_all(target.check());
     if constexpr (requires { target.read_nested(*this); })
       target.read_nested(*this);
     finish();
@@ -52,7 +58,8 @@ public:
 
   void complain(std::string text) { complain_at("", std::move(text)); }
   void complain_at(std::string_view key, std::string text);
-  void finish(); ///< unknown keys, with what was perhaps meant
+  void complain_all(Complaints const& complaints); ///< each at the key that is its path
+  void finish();                                   ///< unknown keys, with what was perhaps meant
 
 private:
   template<class... T> std::variant<T...> alternative_of(std::type_identity<std::variant<T...>>) {

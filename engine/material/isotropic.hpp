@@ -1,6 +1,5 @@
 // From an energy of the invariants of C = F^T F to stress and tangent.
 #pragma once
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
@@ -26,6 +25,19 @@ template<int N> [[nodiscard]] Eigen::Matrix3d right_cauchy_green(Voigt<N> const&
     C(0, 2) = C(2, 0) = E[5];
   }
   return C;
+}
+
+/// Cofactors of a symmetric C: det(C) C^-1.
+template<int N> [[nodiscard]] Eigen::Matrix3d cofactors(Eigen::Matrix3d const& C) {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  auto const minor = [&](int i, int j, int k, int l) { return C(i, k) * C(j, l) - C(i, l) * C(j, k); };
+  A.diagonal() << minor(1, 2, 1, 2), minor(0, 2, 0, 2), minor(0, 1, 0, 1);
+  A(0, 1) = A(1, 0) = -minor(0, 2, 1, 2);
+  if constexpr (N == 6) {
+    A(1, 2) = A(2, 1) = -minor(0, 1, 0, 2);
+    A(0, 2) = A(2, 0) = minor(0, 1, 1, 2);
+  }
+  return A;
 }
 
 /// Stress-like Voigt vector of a symmetric tensor.
@@ -59,16 +71,16 @@ template<int N, Wanted wanted, class Law>
 [[nodiscard]] Response<N> isotropic(Law const& law, Voigt<N> const& strain) {
   Eigen::Matrix3d const C = right_cauchy_green<N>(strain);
   double const I1 = C.trace();
-  double const I2 = 0.5 * (I1 * I1 - C.squaredNorm());
-  double const I3 = C.determinant();
-  Eigen::Matrix3d const inverse = C.inverse();
+  Eigen::Matrix3d const A = cofactors<N>(C);
+  double const I2 = A.trace();
+  double const I3 = C.row(0).dot(A.row(0));
   auto const [energy, d, dd] = law.of_invariants(I1, I2, I3);
 
   // derivatives of I1, I2, I3 by C
   Voigt<N> one = Voigt<N>::Zero();
   one.template head<3>().setOnes();
   Voigt<N> const second = I1 * one - stress_vector<N>(C);
-  Voigt<N> const cofactor = I3 * stress_vector<N>(inverse);
+  Voigt<N> const cofactor = stress_vector<N>(A);
 
   Response<N> response;
   response.energy = energy;
@@ -85,8 +97,7 @@ template<int N, Wanted wanted, class Law>
   D += d[1] * (one * one.transpose());
   D.diagonal().template head<3>().array() -= d[1];
   D.diagonal().template tail<N - 3>().array() -= 0.5 * d[1];
-  D += d[2] / I3 * (cofactor * cofactor.transpose());
-  D -= d[2] * I3 * symmetric_square<N>(inverse);
+  D += d[2] / I3 * (cofactor * cofactor.transpose() - symmetric_square<N>(A));
   D *= 4;
   return response;
 }

@@ -2,14 +2,19 @@
 #pragma once
 #include <variant>
 
+#include "material/arruda_boyce.hpp"
 #include "material/blatz_ko.hpp"
 #include "material/linear_elastic.hpp"
+#include "material/mooney_rivlin.hpp"
 #include "material/neo_hookean.hpp"
+#include "material/ogden.hpp"
 #include "material/st_venant_kirchhoff.hpp"
+#include "material/yeoh.hpp"
 
 namespace stiction::material {
 
-using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, BlatzKo>;
+using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce,
+                              Ogden, BlatzKo>;
 
 [[nodiscard]] inline Moduli moduli(Material const& material) {
   return std::visit([](auto const& law) { return law.moduli(); }, material);

@@ -1,7 +1,7 @@
 // Compressible neo-Hookean rubber with the volume change split off.
 #pragma once
 #include "core/schema.hpp"
-#include "material/isotropic.hpp"
+#include "material/isochoric.hpp"
 
 namespace stiction::material {
 
@@ -11,18 +11,14 @@ struct NeoHookean {
   double poisson = 0; ///< 1
   static constexpr bool small_strain = false;
 
-  [[nodiscard]] InvariantEnergy of_invariants(double I1, double /*I2*/, double I3) const {
-    double const G = moduli().shear(), K = moduli().bulk();
-    double const J = std::sqrt(I3), p = std::cbrt(1 / I3); // p = I3^-1/3
-    InvariantEnergy W;
-    W.energy = G / 2 * (p * I1 - 3) + K / 2 * (J - 1) * (J - 1);
-    W.first = {G / 2 * p, 0, -G / 6 * p * I1 / I3 + K / 2 * (1 - 1 / J)};
-    W.second = {0, 0, 2 * G / 9 * p * I1 / (I3 * I3) + K / 4 / (I3 * J), 0, -G / 6 * p / I3, 0};
-    return W;
+  [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
+    double const half = moduli().shear() / 2;
+    return {half * (I1 - 3), half, 0, 0};
   }
+  [[nodiscard]] double bulk() const { return moduli().bulk(); }
   template<int N, Wanted wanted = Wanted::tangent>
   [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
-    return isotropic<N, wanted>(*this, strain);
+    return isochoric<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }
 

@@ -22,6 +22,10 @@ template<int N> struct Response {
 /// Young's modulus [Pa] and Poisson's ratio of the law at rest.
 struct Moduli {
   double young = 0, poisson = 0;
+  [[nodiscard]] static Moduli from(double shear, double bulk) {
+    double const sum = 3 * bulk + shear;
+    return {9 * bulk * shear / sum, (3 * bulk - 2 * shear) / (2 * sum)};
+  }
   [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
   [[nodiscard]] double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }

@@ -3,27 +3,16 @@
 #include <doctest/doctest.h>
 
 #include "core/reader.hpp"
-#include "material/samples.hpp"
+#include "material/states.hpp"
 
 using namespace stiction;
 using namespace stiction::material;
+using stiction::test::cauchy;
+using stiction::test::respond;
+using stiction::test::shear;
 using stiction::test::tensor;
 
 namespace {
-
-template<class Law> Response<6> respond(Law const& law, Matrix3 const& F) {
-  return law.template respond<6>(test::green<6>(F));
-}
-
-template<class Law> Matrix3 cauchy(Law const& law, Matrix3 const& F) {
-  return F * tensor(respond(law, F).stress) * F.transpose() / F.determinant();
-}
-
-Matrix3 shear(double g) {
-  Matrix3 F = Matrix3::Identity();
-  F(0, 1) = g;
-  return F;
-}
 
 /// Reads a law from a script table of SI numbers.
 template<class Law> Law read(std::vector<std::pair<std::string, double>> const& values) {
@@ -110,9 +99,11 @@ TEST_SUITE("material") {
         std::vector<core::Value> before;
         for (auto const& p : parameters)
           before.push_back(p.get(&law));
-        parameters[i].set(&law, core::Value{0.123});
+        bool const list = parameters[i].kind == core::Parameter::Kind::numbers;
+        core::Value const other = list ? core::Value{core::Numbers{0.123}} : core::Value{0.123};
+        parameters[i].set(&law, other);
         for (std::size_t j = 0; j < parameters.size(); ++j)
-          CHECK(parameters[j].get(&law) == (i == j ? core::Value{0.123} : before[j]));
+          CHECK(parameters[j].get(&law) == (i == j ? other : before[j]));
       }
     });
   }

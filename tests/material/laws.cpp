@@ -1,36 +1,20 @@
 // Properties that every bulk law must have: derivatives with their rate, rest, isotropy, the small-strain
 // limit.
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 
 #include "differences.hpp"
-#include "material/samples.hpp"
+#include "material/states.hpp"
 
 using namespace stiction;
 using namespace stiction::material;
 using stiction::test::each_law;
 using stiction::test::green;
+using stiction::test::rotation;
+using stiction::test::states;
 using stiction::test::tensor;
 
 namespace {
-
-Matrix3 rotation() {
-  return Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-}
-
-/// Rest, moderate, stretched twofold with shear, squeezed to a third.
-template<int N> std::vector<Matrix3> states() {
-  Matrix3 moderate, stretched, squeezed;
-  moderate << 1.08, 0.05, 0.02, -0.04, 0.93, 0.03, 0.01, -0.02, 1.04;
-  stretched << 2.0, 0.9, 0.3, 0.1, 0.8, -0.2, -0.1, 0.25, 1.3;
-  squeezed << 0.35, 0.02, 0.1, -0.05, 1.2, 0.0, 0.05, 0.1, 0.7;
-  std::vector<Matrix3> all{Matrix3::Identity(), moderate, stretched, squeezed};
-  if (N == 4)
-    for (auto& F : all)
-      F(0, 2) = F(2, 0) = F(1, 2) = F(2, 1) = 0;
-  return all;
-}
 
 VoigtMatrix<6> hooke_matrix(Moduli const& moduli) {
   double const G = moduli.young / (2 * (1 + moduli.poisson));

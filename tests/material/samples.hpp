@@ -8,14 +8,17 @@
 
 namespace stiction::test {
 
-/// Distinct moduli of the order of 1 MPa; pure numbers lie in their range, 0.3 where that fits.
+/// Distinct moduli of the order of 1 MPa; pure numbers lie in their range, 0.3 where that fits. Lists have
+/// three numbers of changing sign, so that products of two lists are positive.
 template<class Law> Law sample_law() {
   Law law;
   double stiffness = 1e6;
   for (auto const& parameter : Law::schema().parameters) {
+    bool const pure = parameter.unit.empty() || parameter.unit == "1";
+    if (parameter.kind == core::Parameter::Kind::numbers)
+      parameter.set(&law, pure ? core::Numbers{1.3, -2.2, 4.1} : core::Numbers{5e5, -2e5, 3e4});
     if (parameter.kind != core::Parameter::Kind::number)
       continue;
-    bool const pure = parameter.unit.empty() || parameter.unit == "1";
     double const fraction = parameter.range.contains(0.3) ? 0.3 : parameter.range.low + 1;
     parameter.set(&law, core::Value{pure ? fraction : stiffness});
     stiffness *= 1.7;
