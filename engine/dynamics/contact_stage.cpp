@@ -30,6 +30,7 @@ public:
   [[nodiscard]] contact::Problem const& problem() const override { return problem_; }
 
 private:
+  using Deformable = typename contact::Search<D>::Primary;
   struct Point {
     int pair = 0;
     Index index = 0;
@@ -48,6 +49,8 @@ private:
   [[nodiscard]] PointKinematics<D> look(Point const& point, Foot start) const;
   [[nodiscard]] contact::Block<D> stiffness(Point const& point) const;
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
+  void add_search(Pair const& pair);
+  void place_nodes(Vector const& u);
   void place_rigid_bodies(Vector const& u);
   void choose_active(Point& point) const;
   void gather();
@@ -62,7 +65,8 @@ private:
   std::vector<Point> points_;
   std::vector<Index> active_; ///< into points_
   Vector positions_;
-  std::vector<contact::Pose<D>> poses_; ///< [rigids]
+  std::vector<contact::Pose<D>> poses_;                     ///< [rigids]
+  std::vector<std::optional<contact::Search<D>>> searches_; ///< [pairs]; none against rigid bodies
   State const* old_ = nullptr;
   double t1_ = 0;
   bool bonding_changed_ = false;
@@ -77,6 +81,7 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
       poses_(model.rigids.size()) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
+    add_search(described);
     int law = -1;
     if (described.law.adhesion) {
       law = static_cast<int>(problem_.adhesions.size());
@@ -92,10 +97,25 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
   }
 }
 
+template<int D, int C> void Stage<D, C>::add_search(Pair const& pair) {
+  auto& search = searches_.emplace_back();
+  auto const* primary = std::get_if<Deformable>(&pair.primary);
+  if (primary == nullptr)
+    return;
+  search.emplace(*primary, pair.reach);
+  if constexpr (D == 2)
+    if (pair.self)
+      search->allow_self({model_->reference.data(), ix(model_->dofs())});
+}
+
 template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, double dt) {
   old_ = &old;
   t1_ = t1;
   bonding_changed_ = false;
+  place_nodes(old.u);
+  for (auto& search : searches_)
+    if (search)
+      search->update(positions());
   for (auto& point : points_) {
     ContactState const& state = old.contacts[ix(point.pair)][ix(point.index)];
     point.force = point.law.area * (state.dry + state.adhesion).template head<C>();
@@ -141,9 +161,8 @@ template<int D, int C> PointKinematics<D> Stage<D, C>::look(Point const& point, 
   auto const& pair = model_->pairs[ix(point.pair)];
   Index const node = pair.secondary[ix(point.index)];
   Foot const guess = point.kinematics.foot;
-  if constexpr (D == 2)
-    if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
-      return contact::kinematics(*curve, node, start, guess, positions());
+  if (auto const& search = searches_[ix(point.pair)])
+    return contact::kinematics(*search, node, start, guess, positions());
   return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start, guess, positions());
 }
 
@@ -151,9 +170,8 @@ template<int D, int C> contact::Block<D> Stage<D, C>::stiffness(Point const& poi
   auto const& primary = model_->pairs[ix(point.pair)].primary;
   Local<D> force = Local<D>::Zero();
   force.template head<C>() = point.force;
-  if constexpr (D == 2)
-    if (auto const* curve = std::get_if<contact::Curve>(&primary))
-      return contact::geometric_stiffness(*curve, point.kinematics, positions(), force);
+  if (auto const* surface = std::get_if<Deformable>(&primary))
+    return contact::geometric_stiffness(*surface, point.kinematics, positions(), force);
   return contact::geometric_stiffness(posed(std::get<RigidSide>(primary)), point.kinematics, positions(),
                                       force);
 }
@@ -171,10 +189,12 @@ template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
     point.rho = 0;
 }
 
+template<int D, int C> void Stage<D, C>::place_nodes(Vector const& u) {
+  positions_ = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + u;
+}
+
 template<int D, int C> void Stage<D, C>::locate(Vector const& u, bool settle) {
-  positions_.resize(u.size());
-  for (Index i = 0; i < model_->node_count(); ++i)
-    positions_.segment<D>(D * i) = model_->reference.row(i).transpose() + u.template segment<D>(D * i);
+  place_nodes(u);
   place_rigid_bodies(u);
   active_.clear();
   bonding_changed_ = false;
@@ -294,8 +314,10 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double dt, Sta
     ContactState const& before = old.contacts[ix(point.pair)][ix(point.index)];
     ContactState& after = next.contacts[ix(point.pair)][ix(point.index)];
     after = {};
-    if (!point.kinematics.found)
+    if (!point.kinematics.found) {
+      after.gap = searches_[ix(point.pair)] ? searches_[ix(point.pair)]->radius() : 0;
       continue;
+    }
     after.foot = point.kinematics.foot;
     after.gap = point.kinematics.gap;
     after.in_reach = point.active;

@@ -55,9 +55,10 @@ struct Pair {
   std::string name;
   Indices secondary;         ///< model nodes, in walking order
   std::vector<double> areas; ///< tributary reference areas, m^2 (m in plane strain)
-  std::variant<contact::Curve, RigidSide> primary;
+  std::variant<contact::Curve, contact::Surface, RigidSide> primary;
   interface::Law law;
-  double reach = 0; ///< points farther than this are left out of the contact problem, m
+  double reach = 0;  ///< points farther than this are left out of the contact problem, m
+  bool self = false; ///< secondary and primary are the same curve (2D)
   [[nodiscard]] Index size() const { return static_cast<Index>(secondary.size()); }
 };
 

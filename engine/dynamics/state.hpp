@@ -10,7 +10,7 @@ namespace stiction::dynamics {
 /// One contact point at the end of a step.
 struct ContactState {
   contact::Foot foot;                             ///< counterpart, the origin of the next step's slip
-  double gap = 0;                                 ///< x_n, m
+  double gap = 0;                                 ///< x_n, m; without counterpart the radius of the search
   contact::Vec2 slip = contact::Vec2::Zero();     ///< increment of the last step, (t1, t2), m
   contact::Vec2 path = contact::Vec2::Zero();     ///< signed slip since the start, (t1, t2), m
   contact::Vec3 dry = contact::Vec3::Zero();      ///< rbar (n, t1, t2), Pa; t2 only in 3D

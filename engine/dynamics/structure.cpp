@@ -19,6 +19,9 @@ std::vector<bool> contact_nodes(Model const& model) {
       for (auto const& segment : curve->segments())
         for (int k = 0; k < segment.count; ++k)
           touched[ix(segment.nodes[ix(k)])] = true;
+    if (auto const* surface = std::get_if<contact::Surface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
   }
   for (auto const& rigid : model.rigids)
     if (rigid.free())

@@ -26,6 +26,7 @@ std::vector<Category> const& catalog() {
       {"outline", "a hole in a region for gmsh", {mesh::Outline::schema()}},
       {"refinement", "smaller cells for gmsh", {mesh::Refinement::schema()}},
       {"material", "bulk laws", schemas<material::Material>()},
+      {"damping", "viscosity beside the bulk law", {material::KelvinVoigt::schema()}},
       {"obstacle", "a rigid obstacle on its path", {ObstaclePart::schema()}},
       {"rigid", "shapes of rigid obstacles", schemas<contact::Obstacle>()},
       {"pair", "two surfaces that may touch", {PairPart::schema()}},

@@ -148,10 +148,6 @@ void PairPart::read_nested(Reader& reader) {
         nested_choice<std::variant<interface::Rcc>>(reader, "adhesion", Need::optional));
   for (char const* key : {"friction", "adhesion"})
     static_cast<void>(reader.at(key, Need::optional));
-  if (!secondary.empty() && secondary == primary)
-    reader.complain_at(
-        "primary",
-        fmt::format("is \"{}\", the secondary itself; a pair needs two different surfaces", primary));
 }
 
 core::Schema const& DrivePart::schema() {

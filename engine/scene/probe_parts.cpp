@@ -39,11 +39,11 @@ core::Schema const& ForceProbe::schema() {
 }
 
 core::Schema const& NodeProbe::schema() {
-  static auto const made =
-      Describe<NodeProbe>{"node", "displacement and velocity of one node", ""}
-          .text("set", &NodeProbe::set, Need::required, "where to look, \"body.set\"")
-          .numbers("near", &NodeProbe::near, "m", Need::required, "its node nearest to {x, y [, z]} at the start")
-          .build();
+  static auto const made = Describe<NodeProbe>{"node", "displacement and velocity of one node", ""}
+                               .text("set", &NodeProbe::set, Need::required, "where to look, \"body.set\"")
+                               .numbers("near", &NodeProbe::near, "m", Need::required,
+                                        "its node nearest to {x, y [, z]} at the start")
+                               .build();
   return made;
 }
 

@@ -16,9 +16,10 @@ struct Context {
   record::Series& series;
   std::string const& name;
   [[nodiscard]] bool plane() const { return scene.part.kinematics == solid::Kinematics::plane_strain; }
+  [[nodiscard]] int dim() const { return scene.part.dim(); }
   [[nodiscard]] char const* force_unit() const { return plane() ? "N/m" : "N"; }
   [[nodiscard]] char const* energy_unit() const { return plane() ? "J/m" : "J"; }
-  void column(char const* column, char const* unit, char const* meaning, int width = 1) const {
+  void column(std::string const& column, char const* unit, char const* meaning, int width = 1) const {
     series.add(name, column, unit, meaning, width);
   }
 };
@@ -27,20 +28,42 @@ struct Context {
 struct PointQuantity {
   char const *name, *unit, *meaning;
   double (*value)(ContactState const&);
+  bool space = false; ///< only in 3D
 };
 
 constexpr PointQuantity point_quantities[] = {
-    {"gap", "m", "x_n", [](ContactState const& c) { return c.gap; }},
-    {"slip", "m", "signed slip since the start", [](ContactState const& c) { return c.path; }},
+    {"gap", "m", "x_n; the radius of the search where nothing is near",
+     [](ContactState const& c) { return c.gap; }},
+    {"slip", "m", "signed slip since the start", [](ContactState const& c) { return c.path[0]; }},
+    {"slip_2", "m", "slip since the start along t2", [](ContactState const& c) { return c.path[1]; }, true},
     {"stretch", "m", "bond stretch x_t", [](ContactState const& c) { return c.bond.stretch[0]; }},
+    {"stretch_2", "m", "bond stretch along t2", [](ContactState const& c) { return c.bond.stretch[1]; }, true},
     {"beta", "1", "bond intensity", [](ContactState const& c) { return c.bond.beta; }},
     {"pressure", "Pa", "dry normal reaction rbar_n", [](ContactState const& c) { return c.dry[0]; }},
     {"friction", "Pa", "dry tangential reaction rbar_t", [](ContactState const& c) { return c.dry[1]; }},
+    {"friction_2", "Pa", "dry tangential reaction along t2", [](ContactState const& c) { return c.dry[2]; },
+     true},
     {"adhesion_n", "Pa", "normal adhesion rtilde_n", [](ContactState const& c) { return c.adhesion[0]; }},
     {"adhesion_t", "Pa", "tangential adhesion rtilde_t", [](ContactState const& c) { return c.adhesion[1]; }},
+    {"adhesion_t2", "Pa", "tangential adhesion along t2", [](ContactState const& c) { return c.adhesion[2]; },
+     true},
     {"status", "1", "0 open, 1 stick, 2 slip",
      [](ContactState const& c) { return static_cast<double>(c.status); }},
 };
+
+/// Those of the scene's dimension.
+std::vector<PointQuantity> quantities(int dim) {
+  std::vector<PointQuantity> chosen;
+  for (auto const& quantity : point_quantities)
+    if (dim == 3 || !quantity.space)
+      chosen.push_back(quantity);
+  return chosen;
+}
+
+/// Name of a component: "force" with "x", "y" or "z".
+std::string component(char const* name, int c) {
+  return std::string(name) + '_' + "xyz"[c];
+}
 
 Sampler add(PointProbe const& probe, Context const& context) {
   auto const p = ix(context.scene.pair_index(probe.pair));
@@ -48,13 +71,14 @@ Sampler add(PointProbe const& probe, Context const& context) {
   Index const node = context.scene.nearest(pair.secondary, probe.near);
   auto const i = static_cast<std::size_t>(std::find(pair.secondary.begin(), pair.secondary.end(), node) -
                                           pair.secondary.begin());
-  for (auto const& quantity : point_quantities)
+  auto const chosen = quantities(context.dim());
+  for (auto const& quantity : chosen)
     context.column(quantity.name, quantity.unit, quantity.meaning);
   auto const X = context.scene.model->reference.row(node);
-  context.series.set_attribute(context.name, "X", X[0]);
-  context.series.set_attribute(context.name, "Y", X[1]);
-  return [p, i](State const& state, std::vector<double>& row) {
-    for (auto const& quantity : point_quantities)
+  for (int c = 0; c < context.dim(); ++c)
+    context.series.set_attribute(context.name, std::string(1, "XYZ"[c]), X[c]);
+  return [p, i, chosen](State const& state, std::vector<double>& row) {
+    for (auto const& quantity : chosen)
       row.push_back(quantity.value(state.contacts[p][i]));
   };
 }
@@ -63,15 +87,17 @@ Sampler add(LineProbe const& probe, Context const& context) {
   auto const p = ix(context.scene.pair_index(probe.pair));
   auto const& model = *context.scene.model;
   auto const width = static_cast<int>(model.pairs[p].secondary.size());
-  context.column("X", "m", "reference x of the points", width);
-  context.column("Y", "m", "reference y of the points", width);
-  for (auto const& quantity : point_quantities)
+  int const dim = context.dim();
+  for (int c = 0; c < dim; ++c)
+    context.column(std::string(1, "XYZ"[c]), "m", "reference coordinate of the points", width);
+  auto const chosen = quantities(dim);
+  for (auto const& quantity : chosen)
     context.column(quantity.name, quantity.unit, quantity.meaning, width);
-  return [p, &model](State const& state, std::vector<double>& row) {
-    for (int c = 0; c < 2; ++c)
+  return [p, dim, chosen, &model](State const& state, std::vector<double>& row) {
+    for (int c = 0; c < dim; ++c)
       for (Index const node : model.pairs[p].secondary)
         row.push_back(model.reference(node, c));
-    for (auto const& quantity : point_quantities)
+    for (auto const& quantity : chosen)
       for (auto const& point : state.contacts[p])
         row.push_back(quantity.value(point));
   };
@@ -79,12 +105,13 @@ Sampler add(LineProbe const& probe, Context const& context) {
 
 /// What a whole pair shows at one moment.
 struct PairSummary {
-  double force_x = 0, force_y = 0, open = 0, stick = 0, slip = 0, closed_area = 0;
+  contact::Vec3 force = contact::Vec3::Zero();
+  double open = 0, stick = 0, slip = 0, closed_area = 0;
   double beta_max = 0, beta_mean = 0, pressure_max = 0, adhesion_t_max = 0, adhesion_n_min = 0, gap_min = 0;
 };
 
 PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> const& points,
-                      Vector const& reaction) {
+                      Vector const& reaction, int dim) {
   PairSummary sum;
   double area = 0;
   sum.gap_min = std::numeric_limits<double>::max();
@@ -97,7 +124,7 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
     sum.beta_mean += pair.areas[i] * point.bond.beta;
     area += pair.areas[i];
     sum.pressure_max = std::max(sum.pressure_max, point.dry[0]);
-    sum.adhesion_t_max = std::max(sum.adhesion_t_max, std::abs(point.adhesion[1]));
+    sum.adhesion_t_max = std::max(sum.adhesion_t_max, point.adhesion.tail<2>().norm());
     sum.adhesion_n_min = std::min(sum.adhesion_n_min, point.adhesion[0]);
     if (!point.in_reach)
       continue;
@@ -105,8 +132,8 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
     (point.status == interface::Status::stick ? sum.stick : touching ? sum.slip : sum.open) += 1;
     if (touching)
       sum.closed_area += pair.areas[i];
-    sum.force_x += reaction[2 * node];
-    sum.force_y += reaction[2 * node + 1];
+    for (int c = 0; c < dim; ++c)
+      sum.force[c] += reaction[dim * node + c];
   }
   sum.beta_mean /= area;
   return sum;
@@ -116,8 +143,9 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   auto const p = ix(context.scene.pair_index(probe.pair));
   auto const& pair = context.scene.model->pairs[p];
   char const* force = context.force_unit();
-  context.column("force_x", force, "contact force on the secondary surface, x");
-  context.column("force_y", force, "contact force on the secondary surface, y");
+  int const dim = context.dim();
+  for (int c = 0; c < dim; ++c)
+    context.column(component("force", c), force, "contact force on the secondary surface");
   context.column("open", "1", "points in reach that are open");
   context.column("stick", "1", "points that stick");
   context.column("slip", "1", "points that slip");
@@ -128,34 +156,72 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
   context.column("gap_min", "m", "smallest gap");
-  return [p, &pair](State const& state, std::vector<double>& row) {
-    auto const s = summarise(pair, state.contacts[p], state.reaction);
-    row.insert(row.end(), {s.force_x, s.force_y, s.open, s.stick, s.slip, s.closed_area, s.beta_max,
+  return [p, dim, &pair](State const& state, std::vector<double>& row) {
+    auto const s = summarise(pair, state.contacts[p], state.reaction, dim);
+    row.insert(row.end(), s.force.data(), s.force.data() + dim);
+    row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max,
                            s.beta_mean, s.pressure_max, s.adhesion_t_max, s.adhesion_n_min, s.gap_min});
   };
 }
 
 Sampler add(ForceProbe const& probe, Context const& context) {
   auto const nodes = *context.scene.nodes_of(probe.set);
-  context.column("force_x", context.force_unit(), "force of the motion on the set over the step, x");
-  context.column("force_y", context.force_unit(), "force of the motion on the set over the step, y");
-  return [nodes](State const& state, std::vector<double>& row) {
-    contact::Vec2 sum = contact::Vec2::Zero();
+  int const dim = context.dim();
+  for (int c = 0; c < dim; ++c)
+    context.column(component("force", c), context.force_unit(), "force of the motion on the set over the step");
+  return [nodes, dim](State const& state, std::vector<double>& row) {
+    contact::Vec3 sum = contact::Vec3::Zero();
     for (Index const node : nodes)
-      sum += state.drive.segment<2>(2 * node);
-    row.insert(row.end(), {sum.x(), sum.y()});
+      for (int c = 0; c < dim; ++c)
+        sum[c] += state.drive[dim * node + c];
+    row.insert(row.end(), sum.data(), sum.data() + dim);
   };
 }
 
 Sampler add(NodeProbe const& probe, Context const& context) {
   Index const node = context.scene.nearest(*context.scene.nodes_of(probe.set), probe.near);
-  context.column("u_x", "m", "displacement, x");
-  context.column("u_y", "m", "displacement, y");
-  context.column("v_x", "m/s", "velocity, x");
-  context.column("v_y", "m/s", "velocity, y");
-  return [node](State const& state, std::vector<double>& row) {
-    row.insert(row.end(),
-               {state.u[2 * node], state.u[2 * node + 1], state.v[2 * node], state.v[2 * node + 1]});
+  int const dim = context.dim();
+  for (int c = 0; c < dim; ++c)
+    context.column(component("u", c), "m", "displacement");
+  for (int c = 0; c < dim; ++c)
+    context.column(component("v", c), "m/s", "velocity");
+  return [node, dim](State const& state, std::vector<double>& row) {
+    for (auto const* values : {&state.u, &state.v})
+      row.insert(row.end(), values->data() + dim * node, values->data() + dim * (node + 1));
+  };
+}
+
+/// Force of every pair with the obstacle as primary, on the obstacle.
+Sampler add(RigidProbe const& probe, Context const& context) {
+  auto const& model = *context.scene.model;
+  std::size_t r = 0;
+  while (model.rigids[r].name != probe.obstacle)
+    ++r;
+  int const dim = context.dim();
+  for (int c = 0; c < dim; ++c)
+    context.column(component("u", c), "m", "displacement of the pivot");
+  for (int c = 0; c < dim; ++c)
+    context.column(component("force", c), context.force_unit(), "force of the contacts on the obstacle");
+  context.column("angle", "rad", "turn about its axis (in space, of a free body: length of the turns' sum)");
+  return [r, dim, &model](State const& state, std::vector<double>& row) {
+    auto const& rigid = model.rigids[r];
+    contact::Vec3 shift = rigid.offset(state.t), force = contact::Vec3::Zero();
+    double angle = rigid.angle.value(state.t);
+    if (rigid.free()) {
+      for (int c = 0; c < dim; ++c)
+        shift[c] = state.u[dim * rigid.node + c];
+      auto const turn = state.u.segment(dim * (rigid.node + 1), dim);
+      angle = dim == 2 ? turn[0] : turn.norm();
+    }
+    for (auto const& pair : model.pairs) {
+      auto const* side = std::get_if<dynamics::RigidSide>(&pair.primary);
+      for (std::size_t i = 0; side != nullptr && side->body == r && i < pair.secondary.size(); ++i)
+        for (int c = 0; c < dim; ++c)
+          force[c] -= state.reaction[dim * pair.secondary[i] + c];
+    }
+    row.insert(row.end(), shift.data(), shift.data() + dim);
+    row.insert(row.end(), force.data(), force.data() + dim);
+    row.push_back(angle);
   };
 }
 
@@ -166,12 +232,13 @@ Sampler add(EnergyProbe const&, Context const& context) {
   context.column("bond", unit, "bond energy, (9)");
   context.column("potential", unit, "potential energy of gravity");
   context.column("motion_work", unit, "work done by motions and obstacles");
+  context.column("damping_loss", unit, "dissipated by the bodies' viscosity");
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
   context.column("scheme_loss", unit, "lost by the time scheme");
   return [](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
-    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.friction_loss,
+    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.damping_loss, l.friction_loss,
                            l.bonding_loss, l.scheme_loss()});
   };
 }

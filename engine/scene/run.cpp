@@ -107,7 +107,7 @@ nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOpti
   }
   for (auto const& body : scene.model->bodies)
     settings["meshes"][body->name] = quality_of(body->mesh);
-  settings["unknowns"] = 2 * scene.model->node_count();
+  settings["unknowns"] = scene.model->dofs();
   return manifest;
 }
 

@@ -1,0 +1,38 @@
+// Probes of a scene: do the names and places that they give exist?
+#include <fmt/format.h>
+
+#include "scene/builder.hpp"
+
+namespace stiction::scene {
+
+void Builder::check_probes() {
+  for (auto const& [name, probe] : scene_.part.probes) {
+    std::visit([this, &name = name](auto const& part) { check_probe(name, part); }, probe);
+    if (name == "time" || name == "step")
+      complain({"probes", name}, "this name is taken by the series itself; choose another");
+  }
+}
+
+namespace {
+template<class Map> std::vector<std::string> names(Map const& map) {
+  std::vector<std::string> all;
+  for (auto const& [name, part] : map)
+    all.push_back(name);
+  return all;
+}
+} // namespace
+
+template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
+  if constexpr (requires { part.pair; })
+    if (!scene_.part.pairs.contains(part.pair))
+      unknown_name({"probes", name, "pair"}, "pair", part.pair, names(scene_.part.pairs));
+  if constexpr (requires { part.obstacle; })
+    if (!scene_.part.obstacles.contains(part.obstacle))
+      unknown_name({"probes", name, "obstacle"}, "obstacle", part.obstacle, names(scene_.part.obstacles));
+  if constexpr (requires { part.set; })
+    static_cast<void>(resolve({"probes", name, "set"}, part.set));
+  if constexpr (requires { part.near; })
+    check_size({"probes", name, "near"}, part.near);
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,65 @@
+// The making of a Scene from a script's table, step by step; complaints are gathered before any is thrown.
+#pragma once
+#include "mesh/mesh.hpp"
+#include "scene/build.hpp"
+
+namespace stiction::scene {
+
+using contact::Vec3;
+using Where = std::vector<std::string>; ///< keys from the scene's table down, "name" or "name[k]"
+
+/// The numbers of a list as a vector in space; missing ones are 0.
+[[nodiscard]] Vec3 vec(Numbers const& numbers);
+/// An empty path where no values are given.
+[[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
+
+class Builder {
+public:
+  explicit Builder(core::Input const& input) : input_(&input) {}
+  [[nodiscard]] Scene run();
+
+private:
+  void settle() const;
+  void complain(Where const& where, std::string text);
+  /// Complains unless an optional list has as many numbers as the scene has dimensions.
+  void check_size(Where const& where, Numbers const& numbers);
+  /// Complains about a third component in a plane scene.
+  void check_no_z(Where const& where, Numbers const& values);
+  void check_path_end(Where const& where, Numbers const& times);
+  [[nodiscard]] std::optional<Indices> resolve(Where const& where, std::string const& name);
+  void unknown_name(Where const& where, char const* what, std::string const& name,
+                    std::vector<std::string> const& known);
+
+  void add_bodies();
+  void make_body(std::string const& name, BodyPart const& part);
+  void check_radius(std::string const& name, mesh::Mesh const& mesh);
+  void add_motions();
+  void add_motion(std::size_t k);
+  void check_driven_twice();
+
+  // build_contact.cpp
+  void add_obstacles();
+  void add_obstacle(std::string const& name, ObstaclePart const& part);
+  void drive_rigid(dynamics::RigidBody const& rigid, ObstaclePart const& part);
+  void add_pairs();
+  void add_pair(std::string const& name, PairPart const& part);
+  [[nodiscard]] std::optional<mesh::Set> surface(Where const& where, std::string const& name);
+  [[nodiscard]] dynamics::Pair secondary_side(std::string const& name, PairPart const& part,
+                                              mesh::Set const& set);
+  void share_edges(mesh::Set const& set, dynamics::Pair& pair) const;
+  void share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const;
+  void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
+  [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
+  [[nodiscard]] std::array<double, 2> edge_areas(contact::Vec2 const& a, contact::Vec2 const& b) const;
+  void check_overlap();
+
+  // build_probes.cpp
+  void check_probes();
+  template<class Part> void check_probe(std::string const& name, Part const& part);
+
+  core::Input const* input_;
+  core::Complaints complaints_;
+  Scene scene_;
+};
+
+} // namespace stiction::scene
