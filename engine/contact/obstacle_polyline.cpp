@@ -38,7 +38,8 @@ std::string unfit(RigidPolyline const& line, int dim, bool /*axisymmetric*/) {
   if (p.size() % 2 != 0)
     return "points has " + std::to_string(p.size()) + " numbers; give an even number, {x1, y1, x2, y2, ...}";
   if (count < least)
-    return "points has " + std::to_string(count) + " points; give at least " + std::to_string(least);
+    return "points is " + core::to_string(core::Value{p}) + "; give at least " + std::to_string(least) +
+           " points";
   for (std::size_t i = 0; i < (line.closed ? count : count - 1); ++i) {
     std::size_t const next = (i + 1) % count;
     if (p[2 * i] == p[2 * next] && p[2 * i + 1] == p[2 * next + 1])
