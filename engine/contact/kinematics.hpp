@@ -19,10 +19,12 @@ template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
 /// H of one point, row by row (n, t1 [, t2]) over (x, y [, z]) of its nodes: d(gap, slip) = H . du. [D, D
 /// count]
 template<int D> using Rows = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, D * max_nodes<D>>;
+/// Most rows of a Block held without allocation; in 3D they would not fit the stack.
+template<int D> inline constexpr int block_rows = D == 2 ? D* max_nodes<D> : Eigen::Dynamic;
 /// A matrix over the unknowns of one point. [D count, D count]
 template<int D>
-using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, D * max_nodes<D>,
-                            D * max_nodes<D>>;
+using Block =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, block_rows<D>, block_rows<D>>;
 
 /// Gap and slip of one point at the current positions.
 template<int D> struct PointKinematics {
@@ -50,10 +52,10 @@ template<int D> struct PointKinematics {
 [[nodiscard]] PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
 
-/// Against a deformable surface; slip is (t1, t2)^T (x2(foot) - x2(start)), both at the present positions. The
-/// rows of H balance forces and moments and are blind to rigid motions; they are the derivatives of gap and
-/// slip up to terms of the order of the angle between the field of normals and the facet. Columns of the nodes
-/// beyond the facet's are zero.
+/// Against a deformable surface; slip is (t1, t2)^T (x2(foot) - x2(start)), both at the present positions.
+/// The rows of H balance forces and moments and are blind to rigid motions; they are the derivatives of gap
+/// and slip up to terms of the order of the angle between the field of normals and the facet. Columns of the
+/// nodes beyond the facet's are zero.
 [[nodiscard]] PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
 [[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
