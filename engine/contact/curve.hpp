@@ -4,10 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "contact/foot.hpp"
+#include "contact/grid.hpp"
 #include "mesh/mesh.hpp"
 
 namespace stiction::contact {
+
+template<int D> class Search;
 
 /// Nodes of a contact surface in walking order, the body to the left. Several chains if the set is in pieces.
 struct Chain {
@@ -28,6 +30,9 @@ struct Segment {
   int count = 0;
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
   int previous = -1, next = -1; ///< neighbouring segments, -1 at an end
+  std::array<Index, 2> ends{};  ///< its first and last node
+  int chain = 0;
+  double arc = 0, length = 0; ///< where it starts along its chain and how long it is, in the reference, m
 };
 
 /// The curve and its derivatives by xi at one foot.
@@ -47,21 +52,35 @@ public:
   /// Shape functions N, N', N'', N''' at xi; [4 nodes].
   [[nodiscard]] std::array<Eigen::Vector4d, 4> shape(Foot foot) const;
 
-  /// Nearest foot to `point`, starting from `guess` and walking along the curve; from scratch if it has none.
+  /// Nearest foot to `point`, starting from `guess` and walking along the curve; from scratch if it has none,
+  /// among all segments or those that `search` finds.
   /// Not found when the point lies beyond an end of the curve. x[2 * nodes]: current positions.
-  [[nodiscard]] Foot project(Vec2 const& point, Foot guess, std::span<double const> x) const;
+  [[nodiscard]] Foot project(Vec2 const& point, Foot guess, std::span<double const> x,
+                             Search<2> const* search = nullptr) const;
+  /// The same from `start` alone.
+  [[nodiscard]] Foot follow(Vec2 const& point, Foot start, std::span<double const> x) const;
+  /// A place near the nearest one, by looking at all segments.
+  [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
+  /// The nearer of two places on one segment; `distance2`: squared distance, m^2.
+  [[nodiscard]] Foot sample(int segment, Vec2 const& point, std::span<double const> x,
+                            double& distance2) const;
+  [[nodiscard]] Box<2> box(int segment, std::span<double const> x) const;
 
   /// Signed length along the current curve from one foot to another, positive in walking direction.
   [[nodiscard]] double path_length(Foot from, Foot to, std::span<double const> x) const;
+  [[nodiscard]] int size() const { return static_cast<int>(segments_.size()); }
+  /// Reference length along the curve between two feet, the shorter way if closed; infinite between chains,
+  /// m.
+  [[nodiscard]] double reference_distance(Foot from, Foot to) const;
   /// Mean reference length of the segments, m.
   [[nodiscard]] double segment_length() const { return segment_length_; }
 
 private:
   void add_run(Chain const& run, Matrix const& reference, Smoothing smoothing);
-  [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
   [[nodiscard]] double partial_length(int segment, double from, double to, std::span<double const> x) const;
 
   std::vector<Segment> segments_;
+  std::vector<double> closed_length_; ///< of every chain, reference, m; 0 if open
   double segment_length_ = 0;
 };
 

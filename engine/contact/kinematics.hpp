@@ -4,6 +4,8 @@
 
 #include "contact/curve.hpp"
 #include "contact/obstacle.hpp"
+#include "contact/search.hpp"
+#include "contact/surface.hpp"
 #include "interface/cone.hpp"
 
 namespace stiction::contact {
@@ -45,6 +47,22 @@ template<int D> struct PointKinematics {
 /// f_n d2(x_n)/du2 + f_t d2(s)/du2: what turning and sliding of the counterpart adds to the stiffness, N/m.
 [[nodiscard]] Block<2> geometric_stiffness(Curve const& curve, PointKinematics<2> const& point,
                                            std::span<double const> x, Vec2 const& force_nt);
+
+/// With a search for new feet, which also knows the node's own part of a curve that may touch itself.
+[[nodiscard]] PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
+                                            std::span<double const> x);
+
+/// Against a deformable surface; slip is (t1, t2)^T (x2(foot) - x2(start)), both at the present positions.
+/// The rows of H balance forces and moments and are blind to rigid motions; they are the derivatives of gap
+/// and slip up to terms of the order of the angle between the field of normals and the facet. Columns of the
+/// nodes beyond the facet's are zero.
+[[nodiscard]] PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Foot guess,
+                                            std::span<double const> x);
+[[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
+                                            std::span<double const> x);
+/// Derivative of H^T force at fixed force (n, t1, t2) by the positions of all nodes of the point, N/m.
+[[nodiscard]] Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& point,
+                                           std::span<double const> x, Vec3 const& force_ntt);
 
 /// Where an obstacle is: the material point X of its description lies at place + rotation (X - pivot).
 template<int D> struct Pose {
