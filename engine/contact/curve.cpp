@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/search.hpp"
 #include "core/error.hpp"
 
 namespace stiction::contact {
@@ -134,10 +135,15 @@ Curve::Curve(std::vector<Chain> const& chains, Matrix const& reference, Smoothin
     for (auto const& run : smooth_runs(chain, reference))
       add_run(run, reference, smoothing);
     auto const last = static_cast<int>(segments_.size()) - 1;
+    double arc = 0;
     for (int s = first; s <= last; ++s) {
+      segments_[ix(s)].chain = static_cast<int>(closed_length_.size());
+      segments_[ix(s)].arc = arc;
+      arc += segments_[ix(s)].length;
       segments_[ix(s)].previous = s > first ? s - 1 : (chain.closed ? last : -1);
       segments_[ix(s)].next = s < last ? s + 1 : (chain.closed ? first : -1);
     }
+    closed_length_.push_back(chain.closed ? arc : 0);
   }
   if (!segments_.empty())
     segment_length_ /= static_cast<double>(segments_.size());
@@ -151,10 +157,23 @@ void Curve::add_run(Chain const& run, Matrix const& reference, Smoothing smoothi
     piece.spacing.push_back((reference.row(next) - reference.row(piece.nodes[ix(i)])).norm());
     segment_length_ += piece.spacing.back();
   }
-  for (Index i = 0; i < segments; ++i)
+  for (Index i = 0; i < segments; ++i) {
+    Index const from = piece.nodes[ix(i)], to = piece.nodes[ix((i + 1) % piece.size())];
     segments_.push_back(smoothing == Smoothing::spline && piece.size() >= (run.closed ? 4 : 3)
                             ? spline_segment(piece, i)
-                            : straight_segment(piece.nodes[ix(i)], piece.nodes[ix((i + 1) % piece.size())]));
+                            : straight_segment(from, to));
+    segments_.back().ends = {from, to};
+    segments_.back().length = piece.spacing[ix(i)];
+  }
+}
+
+double Curve::reference_distance(Foot from, Foot to) const {
+  auto const &a = segments_[ix(from.segment)], &b = segments_[ix(to.segment)];
+  if (a.chain != b.chain)
+    return std::numeric_limits<double>::infinity();
+  double const ahead = std::abs(b.arc + to.xi * b.length - a.arc - from.xi * a.length);
+  double const around = closed_length_[ix(a.chain)];
+  return around > 0 ? std::min(ahead, std::abs(around - ahead)) : ahead;
 }
 
 std::array<Eigen::Vector4d, 4> Curve::shape(Foot foot) const {
@@ -179,19 +198,44 @@ CurvePoint Curve::evaluate(Foot foot, std::span<double const> x) const {
 Foot Curve::nearest_start(Vec2 const& point, std::span<double const> x) const {
   Foot best;
   double least = std::numeric_limits<double>::infinity();
-  for (int s = 0; s < static_cast<int>(segments_.size()); ++s)
-    for (double const xi : {0.25, 0.75}) {
-      double const distance = (evaluate({s, xi}, x).by_xi[0] - point).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        best = {s, xi};
-      }
+  for (int s = 0; s < size(); ++s) {
+    double distance2 = 0;
+    Foot const foot = sample(s, point, x, distance2);
+    if (distance2 < least) {
+      least = distance2;
+      best = foot;
     }
+  }
   return best;
 }
 
-Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x) const {
-  Foot foot = guess.found() ? guess : nearest_start(point, x);
+Foot Curve::sample(int segment, Vec2 const& point, std::span<double const> x, double& distance2) const {
+  double const early = (evaluate({segment, 0.25}, x).by_xi[0] - point).squaredNorm();
+  double const late = (evaluate({segment, 0.75}, x).by_xi[0] - point).squaredNorm();
+  distance2 = std::min(early, late);
+  return {segment, early <= late ? 0.25 : 0.75};
+}
+
+Box<2> Curve::box(int segment, std::span<double const> x) const {
+  Vec2 const start = evaluate({segment, 0}, x).by_xi[0];
+  Box<2> box{start, start};
+  for (double const xi : {0.25, 0.5, 0.75, 1.0}) {
+    Vec2 const at = evaluate({segment, xi}, x).by_xi[0];
+    box.low = box.low.cwiseMin(at);
+    box.high = box.high.cwiseMax(at);
+  }
+  return box;
+}
+
+Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x, Search<2> const* search) const {
+  if (search != nullptr)
+    return search->project(-1, point, guess, x);
+  Foot const start = guess.found() ? guess : nearest_start(point, x);
+  return start.found() ? follow(point, start, x) : Foot{};
+}
+
+Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x) const {
+  Foot foot = start;
   int turns = 0, heading = 0; // how often the walk across segments has turned back; its last direction
   for (int iteration = 0; iteration < 200; ++iteration) {
     auto const [c, a, aa, aaa] = evaluate(foot, x).by_xi;

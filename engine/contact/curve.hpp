@@ -57,6 +57,8 @@ public:
   /// Not found when the point lies beyond an end of the curve. x[2 * nodes]: current positions.
   [[nodiscard]] Foot project(Vec2 const& point, Foot guess, std::span<double const> x,
                              Search<2> const* search = nullptr) const;
+  /// The same from `start` alone.
+  [[nodiscard]] Foot follow(Vec2 const& point, Foot start, std::span<double const> x) const;
   /// A place near the nearest one, by looking at all segments.
   [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
   /// The nearer of two places on one segment; `distance2`: squared distance, m^2.
@@ -67,7 +69,8 @@ public:
   /// Signed length along the current curve from one foot to another, positive in walking direction.
   [[nodiscard]] double path_length(Foot from, Foot to, std::span<double const> x) const;
   [[nodiscard]] int size() const { return static_cast<int>(segments_.size()); }
-  /// Reference length along the curve between two feet, the shorter way if closed; infinite between chains, m.
+  /// Reference length along the curve between two feet, the shorter way if closed; infinite between chains,
+  /// m.
   [[nodiscard]] double reference_distance(Foot from, Foot to) const;
   /// Mean reference length of the segments, m.
   [[nodiscard]] double segment_length() const { return segment_length_; }

@@ -1,4 +1,5 @@
-// Linear facets in space: shape functions, sides and area, for plain numbers and for numbers with derivatives.
+// Linear facets in space: shape functions, sides and area, for plain numbers and for numbers with
+// derivatives.
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
@@ -22,9 +23,7 @@ struct Facet {
 template<class T> using Vec3Of = Eigen::Matrix<T, 3, 1>;
 
 /// Shape functions and their derivatives by xi and eta.
-template<class T> struct Shape {
-  std::array<T, 4> N, by_xi, by_eta;
-};
+template<class T> struct Shape { std::array<T, 4> N, by_xi, by_eta; };
 
 template<class T> [[nodiscard]] Shape<T> shape(int count, T const& xi, T const& eta) {
   if (count == 3)

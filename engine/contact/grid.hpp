@@ -36,8 +36,9 @@ public:
     next_.assign(starts_.begin(), starts_.end() - 1);
     entries_.resize(entry_count_);
     for (int i = 0; i < static_cast<int>(boxes_.size()); ++i)
-      each_cell(cell(boxes_[ix(i)].low), cell(boxes_[ix(i)].high),
-                [&](Cell const& at) { entries_[next_[bucket(at)]++] = {at, i}; });
+      each_cell(cell(boxes_[ix(i)].low), cell(boxes_[ix(i)].high), [&](Cell const& at) {
+        entries_[next_[bucket(at)]++] = {at, i};
+      });
   }
 
   /// Calls visit(box number) once for every box within `radius` of `point`.

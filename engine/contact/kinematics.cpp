@@ -58,11 +58,14 @@ Vec2 node_position(std::span<double const> x, Index node) {
 
 } // namespace
 
-PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot guess,
-                              std::span<double const> x) {
+namespace {
+
+/// At a foot, or not found.
+PointKinematics<2> kinematics_at(Curve const& curve, Index node, Foot start, Foot foot,
+                                 std::span<double const> x) {
   PointKinematics<2> point;
   Vec2 const p1 = node_position(x, node);
-  point.foot = curve.project(p1, guess, x);
+  point.foot = foot;
   if (!point.foot.found())
     return point;
   auto const f = frame(curve, point.foot, p1, x);
@@ -80,6 +83,19 @@ PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot g
   point.H.row(0) = normal.head(point.unknowns()).transpose();
   point.H.row(1) = -f.length * f.xi.head(point.unknowns()).transpose();
   return point;
+}
+
+} // namespace
+
+PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot guess,
+                              std::span<double const> x) {
+  return kinematics_at(curve, node, start, curve.project(node_position(x, node), guess, x), x);
+}
+
+PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
+                              std::span<double const> x) {
+  return kinematics_at(search.primary(), node, start, search.project(node, node_position(x, node), guess, x),
+                       x);
 }
 
 Block<2> geometric_stiffness(Curve const& curve, PointKinematics<2> const& point, std::span<double const> x,

@@ -7,4 +7,9 @@ std::string unfit(Obstacle const& obstacle, int dim, bool axisymmetric) {
   return std::visit([&](auto const& shape) { return unfit(shape, dim, axisymmetric); }, obstacle);
 }
 
+void prepare(Obstacle& obstacle) {
+  if (auto* line = std::get_if<RigidPolyline>(&obstacle))
+    prepare(*line);
+}
+
 } // namespace stiction::contact

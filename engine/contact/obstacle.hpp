@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "contact/foot.hpp"
+#include "contact/obstacle_polyline.hpp"
 #include "contact/obstacle_shapes.hpp"
 #include "interface/cone.hpp"
 
@@ -10,7 +11,7 @@ namespace stiction::contact {
 
 using interface::Local;
 
-using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus>;
+using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline>;
 
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {
@@ -29,6 +30,9 @@ template<int D> struct ObstacleView {
 
 /// "" or, in words, what keeps the obstacle from use in a scene of `dim` dimensions and what to give instead.
 [[nodiscard]] std::string unfit(Obstacle const& obstacle, int dim, bool axisymmetric);
+
+/// Makes what a shape is looked up in; once, after unfit() had nothing to say and before the first view().
+void prepare(Obstacle& obstacle);
 
 /// `direction`: t1 is its part along the surface (3D only); where that vanishes, of the next axis. `guess`:
 /// where to start looking. The obstacle must fit D dimensions.

@@ -9,7 +9,9 @@ using core::Need;
 
 namespace {
 
-std::vector<std::string> const sides{"outside", "inside"};
+std::vector<std::string> sides() {
+  return {"outside", "inside"};
+}
 constexpr auto side_meaning = "the side that is touched; \"inside\": the shape is hollow";
 
 /// A complaint if `given` is neither left out nor of `dim` components.
@@ -59,7 +61,7 @@ core::Schema const& RigidCircle::schema() {
           .numbers("centre", &RigidCircle::centre, "m", Need::optional,
                    "its centre {x, y}; default the origin")
           .number("radius", &RigidCircle::radius, "m", core::positive, Need::required, "its radius")
-          .choice("side", &RigidCircle::side, sides, Need::optional, side_meaning)
+          .choice("side", &RigidCircle::side, sides(), Need::optional, side_meaning)
           .build();
   return made;
 }
@@ -70,7 +72,7 @@ core::Schema const& RigidSphere::schema() {
           .numbers("centre", &RigidSphere::centre, "m", Need::optional,
                    "its centre {x, y [, z]}; default the origin")
           .number("radius", &RigidSphere::radius, "m", core::positive, Need::required, "its radius")
-          .choice("side", &RigidSphere::side, sides, Need::optional, side_meaning)
+          .choice("side", &RigidSphere::side, sides(), Need::optional, side_meaning)
           .build();
   return made;
 }
@@ -83,7 +85,7 @@ core::Schema const& RigidCylinder::schema() {
           .numbers("axis", &RigidCylinder::axis, "1", Need::optional,
                    "its axis {x, y, z}, of any length; default the last axis")
           .number("radius", &RigidCylinder::radius, "m", core::positive, Need::required, "its radius")
-          .choice("side", &RigidCylinder::side, sides, Need::optional, side_meaning)
+          .choice("side", &RigidCylinder::side, sides(), Need::optional, side_meaning)
           .build();
   return made;
 }
@@ -98,7 +100,7 @@ core::Schema const& RigidTorus::schema() {
                                        Need::required, "radius of the circle in the middle of its tube")
                                .number("minor_radius", &RigidTorus::minor_radius, "m", core::positive,
                                        Need::required, "radius of its tube, less than major_radius")
-                               .choice("side", &RigidTorus::side, sides, Need::optional, side_meaning)
+                               .choice("side", &RigidTorus::side, sides(), Need::optional, side_meaning)
                                .build();
   return made;
 }

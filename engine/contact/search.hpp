@@ -38,9 +38,7 @@ public:
   Search(Primary const& primary, double reach);
 
   /// Plane curves that may touch themselves: nodes of the curve look for it elsewhere only.
-  void allow_self(std::span<double const> reference)
-    requires(D == 2)
-  {
+  void allow_self(std::span<double const> reference) requires(D == 2) {
     own_.emplace(*primary_, reference, radius_);
   }
 

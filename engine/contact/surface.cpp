@@ -25,18 +25,18 @@ std::vector<Piece> const& pieces_of(std::size_t nodes) {
       tri6{{0, 3, 5}, {1, 4, 3}, {2, 5, 4}, {3, 4, 5}},
       quad8{{0, 4, 7}, {1, 5, 4}, {2, 6, 5}, {3, 7, 6}, {4, 5, 6, 7}};
   switch (nodes) {
-    case 3:
-      return tri3;
-    case 4:
-      return quad4;
-    case 6:
-      return tri6;
-    case 8:
-      return quad8;
-    default:
-      throw core::InputError(fmt::format("contact surface: a facet has {} nodes; facets in space have 3, 4, 6 "
-                                         "or 8; use the boundary of a mesh of solid cells",
-                                         nodes));
+  case 3:
+    return tri3;
+  case 4:
+    return quad4;
+  case 6:
+    return tri6;
+  case 8:
+    return quad8;
+  default:
+    throw core::InputError(fmt::format("contact surface: a facet has {} nodes; facets in space have 3, 4, 6 "
+                                       "or 8; use the boundary of a mesh of solid cells",
+                                       nodes));
   }
 }
 
@@ -117,11 +117,11 @@ void Surface::link_sides() {
     for (int k = 0; k < facet.count; ++k) {
       Index const from = facet.nodes[ix(k)], to = facet.nodes[ix((k + 1) % facet.count)];
       if (!sides.emplace(std::pair(from, to), std::pair(f, k)).second)
-        throw core::InputError(
-            fmt::format("contact surface: two facets run from node {} to node {}; the surface branches or its "
-                        "facets are oriented against each other; use a boundary of one body with consistently "
-                        "oriented facets",
-                        from, to));
+        throw core::InputError(fmt::format(
+            "contact surface: two facets run from node {} to node {}; the surface branches or its "
+            "facets are oriented against each other; use a boundary of one body with consistently "
+            "oriented facets",
+            from, to));
     }
   }
   double const flat = std::cos(edge_angle);
@@ -177,10 +177,10 @@ void Surface::gather_stencils() {
             nodes.push_back(node);
     }
     if (nodes.size() + 1 > ix(max_nodes<3>))
-      throw core::InputError(
-          fmt::format("contact surface: {} nodes surround the facet of node {}, where up to {} facets meet at a "
-                      "node; at most {} can take part in a contact; use a mesh with fewer facets around a node",
-                      nodes.size(), facet.nodes[0], valence, max_nodes<3> - 1));
+      throw core::InputError(fmt::format(
+          "contact surface: {} nodes surround the facet of node {}, where up to {} facets meet at a "
+          "node; at most {} can take part in a contact; use a mesh with fewer facets around a node",
+          nodes.size(), facet.nodes[0], valence, max_nodes<3> - 1));
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     around_facets_.insert(around_facets_.end(), near.begin(), near.end());
@@ -226,6 +226,11 @@ std::array<Vec3, 4> Surface::positions(int facet, std::span<double const> x) con
   for (int k = 0; k < f.count; ++k)
     at[ix(k)] = Eigen::Map<Vec3 const>(&x[3 * ix(f.nodes[ix(k)])]);
   return at;
+}
+
+Vec3 Surface::place(Foot foot, std::span<double const> x) const {
+  int const count = facets_[ix(foot.segment)].count;
+  return combine<double>(shape(count, foot.xi, foot.eta).N, positions(foot.segment, x), count);
 }
 
 FacetNow Surface::now(int facet, std::span<double const> x) const {

@@ -33,8 +33,8 @@ struct FootPlace {
   }
 };
 
-/// A deformable primary surface. Facets with mid-side nodes are split through them into linear ones: tri6 into
-/// 4 triangles, quad8 into 4 triangles and the quadrilateral between them.
+/// A deformable primary surface. Facets with mid-side nodes are split through them into linear ones: tri6
+/// into 4 triangles, quad8 into 4 triangles and the quadrilateral between them.
 class Surface {
 public:
   /// facets: tri3, quad4, tri6 or quad8, outward. reference: all nodes of the model, [nodes, 3].
@@ -56,6 +56,9 @@ public:
   /// Facets that share a node with `facet`, itself among them.
   [[nodiscard]] std::span<int const> around(int facet) const;
 
+  /// Of the facet's nodes, m.
+  [[nodiscard]] std::array<Vec3, 4> positions(int facet, std::span<double const> x) const;
+  [[nodiscard]] Vec3 place(Foot foot, std::span<double const> x) const;
   [[nodiscard]] FacetNow now(int facet, std::span<double const> x) const;
   [[nodiscard]] SurfacePoint evaluate(Foot foot, std::span<double const> x) const;
 
@@ -63,6 +66,8 @@ public:
   /// if it has none or leads nowhere. Not found beyond the border of the surface. x[3 nodes]: positions.
   [[nodiscard]] Foot project(Vec3 const& point, Foot guess, std::span<double const> x,
                              Search<3> const* search = nullptr) const;
+  /// The same from `start` alone; not found if that leads nowhere.
+  [[nodiscard]] Foot follow(Vec3 const& point, Foot start, std::span<double const> x) const;
   /// The nearest point of any facet, by looking at all of them.
   [[nodiscard]] Foot nearest_start(Vec3 const& point, std::span<double const> x) const;
   /// The nearest point of one facet; `distance2`: squared distance, m^2.
@@ -76,7 +81,6 @@ private:
   void gather_stencils();
   void choose_directions(Vec3 const& direction);
   [[nodiscard]] Vec3 reference_normal(int facet) const;
-  [[nodiscard]] std::array<Vec3, 4> positions(int facet, std::span<double const> x) const;
 
   std::vector<Facet> facets_;
   Indices nodes_;

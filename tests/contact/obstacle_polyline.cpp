@@ -1,0 +1,80 @@
+// Rigid profiles: convergence to the shape they run through, corners, ends, and slip along them.
+#include <numbers>
+
+#include "contact/obstacles.hpp"
+
+using namespace stiction;
+using namespace stiction::contact;
+using namespace stiction::test;
+
+namespace {
+
+ObstacleView<2> seen(Obstacle const& shape, Vec2 const& point, Foot start = {}) {
+  return view<2>(shape, point, start, {}, Vec3::UnitX());
+}
+
+RigidPolyline square() {
+  return polyline({-1, -1, 1, -1, 1, 1, -1, 1}, true, Smoothing::spline); // its corners stay corners
+}
+
+} // namespace
+
+TEST_SUITE("contact") {
+  TEST_CASE("a spline through points of a circle sees what the circle sees") {
+    RigidCircle const circle{{}, 2};
+    auto const line = polyline(ellipse(48, 2, 2), true, Smoothing::spline);
+    for (double const angle : {0.1, 1.7, 3.1, 5.0})
+      for (double const r : {1.9, 2.0, 2.6}) {
+        Vec2 const p(r * std::cos(angle), r * std::sin(angle)),
+            q(r * std::cos(angle - 0.3), r * std::sin(angle - 0.3));
+        auto const one = seen(circle, p), other = seen(line, p);
+        CHECK(other.gap == doctest::Approx(one.gap).epsilon(2e-5));
+        CHECK((other.frame - one.frame).norm() < 2e-3);
+        CHECK(seen(line, q, other.foot).slip[0] ==
+              doctest::Approx(seen(circle, q, one.foot).slip[0]).epsilon(1e-3));
+        Mat<2> const K = curvature_stiffness<2>(line, other.foot, p, {1, 0}, Vec3::UnitX());
+        CHECK((K - curvature_stiffness<2>(circle, one.foot, p, {1, 0}, Vec3::UnitX())).norm() < 0.03 / r);
+      }
+  }
+
+  TEST_CASE("the solid lies to the left of a profile") {
+    auto const floor =
+        polyline({2, 0, 0, 0, -2, 0}, false, Smoothing::polyline); // walking to -x, solid below
+    auto const above = seen(floor, {0.5, 0.25});
+    CHECK(above.gap == doctest::Approx(0.25));
+    CHECK(above.frame.isApprox((Mat<2>() << 0, 1, 1, 0).finished())); // columns n = y and t = x
+    auto const moved = seen(floor, {-1.5, 0.1}, above.foot);
+    CHECK(moved.slip[0] == doctest::Approx(-2));
+  }
+
+  TEST_CASE("an open profile ends where its points end") {
+    auto const floor = polyline({2, 0, 0, 0, -2, 0}, false, Smoothing::polyline);
+    CHECK(seen(floor, {2, 0.1}).found);
+    CHECK(seen(floor, {-2, 0.1}).found);
+    CHECK_FALSE(seen(floor, {2.1, 0.1}).found);
+    CHECK_FALSE(seen(floor, {-2.1, -0.1}).found);
+  }
+
+  TEST_CASE("corners of a profile: either side near them, the corner itself outside") {
+    auto const box = square();
+    auto const right = seen(box, {1.2, 0.9}), top = seen(box, {0.9, 1.2});
+    CHECK(right.gap == doctest::Approx(0.2));
+    CHECK(right.frame.col(0).isApprox(Vec2(1, 0)));
+    CHECK(top.frame.col(0).isApprox(Vec2(0, 1)));
+    CHECK(seen(box, {0.9, 0.95}).gap == doctest::Approx(-0.05)); // within: the nearer side
+    // from the right side over the corner to the top: the length along both
+    CHECK(seen(box, {0.9, 1.2}, right.foot).slip[0] == doctest::Approx(-0.2));
+    auto const wedge = seen(box, {1.2, 1.3});
+    REQUIRE(wedge.found);
+    CHECK((wedge.foot.xi == 0 || wedge.foot.xi == 1));
+    CHECK(seen(box, {0.9, 1.2}, wedge.foot).slip[0] == doctest::Approx(-0.1));
+    CHECK(wedge.gap == doctest::Approx(wedge.frame(0, 0) > 0.5 ? 0.2 : 0.3)); // along the normal of one side
+  }
+
+  TEST_CASE("slip on a closed profile goes the short way round") {
+    auto const box = square();
+    auto const start = seen(box, {-0.5, -1.1}); // near the first point
+    CHECK(seen(box, {-1.1, -0.5}, start.foot).slip[0] == doctest::Approx(1));
+    CHECK(seen(box, {0.5, -1.1}, start.foot).slip[0] == doctest::Approx(-1));
+  }
+}
