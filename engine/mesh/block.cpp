@@ -56,7 +56,7 @@ core::Schema const& BlockOptions::schema() {
           .numbers("cells", &BlockOptions::cells, "1", Need::required, "number of cells {nx, ny}")
           .numbers("grading", &BlockOptions::grading, "1", Need::optional,
                    "size of the last cell over that of the first {x, y}, each in [0.001, 1000]")
-          .choice("kind", &BlockOptions::kind, cell_names(), Need::optional, "kind of cells")
+          .choice("kind", &BlockOptions::kind, cell_choices(2), Need::optional, "kind of cells")
           .build();
   return result;
 }
