@@ -32,7 +32,7 @@ struct Body {
   material::Material material;
   double density = 0; ///< kg/m^3
   Interpolation interpolation = Interpolation::plain;
-  std::optional<material::KelvinVoigt> damping; ///< viscous stress beside the law's; none by default
+  std::optional<material::KelvinVoigt> damping{}; ///< viscous stress beside the law's; none by default
 };
 
 /// Throws InputError where mean dilatation cannot help: cells whose strain is constant.

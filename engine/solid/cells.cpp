@@ -1,4 +1,4 @@
-// Passes over the cells: force, stiffness, stress recovery, mass.
+// Preparation of a body's cells, and the passes over all of its blocks.
 #include "solid/cells.hpp"
 
 #include <Eigen/LU>
@@ -6,24 +6,41 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "solid/kernel.hpp"
+#include "solid/passes.hpp"
 
 namespace stiction::solid {
 
 namespace {
 
-/// Node coordinates of one cell, [nodes, 2].
+/// Node coordinates of one cell, [nodes, dim].
 Matrix corners(mesh::Mesh const& mesh, std::span<Index const> cell) {
-  Matrix X(static_cast<Eigen::Index>(cell.size()), 2);
+  Matrix X(static_cast<Eigen::Index>(cell.size()), mesh.nodes.cols());
   for (std::size_t a = 0; a < cell.size(); ++a)
     X.row(static_cast<Eigen::Index>(a)) = mesh.nodes.row(cell[a]);
   return X;
 }
 
-/// Factor that turns an area into the integration measure: 1, or the
-/// circumference at radius R.
+std::span<Index const> nodes_of(PreparedBlock const& block, Index cell) {
+  return {&block.connectivity[ix(cell * block.nodes)], ix(block.nodes)};
+}
+
+/// Factor that turns an area into the integration measure: 1, or the circumference at radius R.
 double circumference(Kinematics kinematics, double R) {
   return kinematics == Kinematics::axisymmetric ? 2 * std::numbers::pi * R : 1.0;
+}
+
+/// dX/d reference coordinate and what is made of it, for cells of 2 or 3 dimensions.
+struct Jacobian {
+  Matrix inverse;
+  double determinant;
+};
+template<int dim> Jacobian fixed_jacobian(Matrix const& X, Matrix const& gradients) {
+  Eigen::Matrix<double, dim, dim> const J = X.transpose() * gradients;
+  Eigen::Matrix<double, dim, dim> const inverse = J.inverse();
+  return {inverse, J.determinant()};
+}
+Jacobian jacobian(Matrix const& X, Matrix const& gradients) {
+  return X.cols() == 3 ? fixed_jacobian<3>(X, gradients) : fixed_jacobian<2>(X, gradients);
 }
 
 /// Mass per component of a cell with corners X and this density.
@@ -32,95 +49,57 @@ Dense consistent_mass(mesh::Interpolation const& rule, Matrix const& X, double d
   Dense mass = Dense::Zero(X.rows(), X.rows());
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     auto const N = rule.shape.row(q);
-    double const area = (X.transpose() * rule.gradients[ix(static_cast<Index>(q))]).determinant();
+    double const volume = jacobian(X, rule.gradients[ix(static_cast<Index>(q))]).determinant;
     mass +=
-        density * rule.weights[q] * area * circumference(kinematics, N.dot(X.col(0))) * (N.transpose() * N);
+        density * rule.weights[q] * volume * circumference(kinematics, N.dot(X.col(0))) * (N.transpose() * N);
   }
   return mass;
 }
 
-/// sigma = F S F^T / J: 11, 22, 33, 12.
-template<class PointState> Eigen::RowVector4d cauchy_stress(PointState const& point) {
-  auto const& S = point.response.stress;
-  Eigen::Matrix2d in_plane;
-  in_plane << S[0], S[3], S[3], S[1];
-  Eigen::Matrix2d const sigma = point.F * in_plane * point.F.transpose() / point.jacobian;
-  return {sigma(0, 0), sigma(1, 1), point.F33 * point.F33 * S[2] / point.jacobian, sigma(0, 1)};
-}
-
-double von_mises(Eigen::RowVector4d const& s) {
+/// s: 11, 22, 33, 12 [, 23, 13].
+double von_mises(Eigen::RowVectorXd const& s) {
   return std::sqrt(0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) +
-                   3 * s[3] * s[3]);
+                   3 * s.tail(s.size() - 3).squaredNorm());
 }
 
 } // namespace
 
-/// One cell with its displacements, for a kernel K.
-template<class K> class Cells::Cell {
-public:
-  Cell(Prepared const& block, Index number, std::span<double const> u)
-      : block_(&block), first_point_(number * block.points),
-        nodes_(&block.connectivity[ix(number * K::nodes)]) {
-    for (int a = 0; a < K::nodes; ++a) {
-      u_(a, 0) = u[ix(2 * nodes_[a])];
-      u_(a, 1) = u[ix(2 * nodes_[a] + 1)];
-    }
+BlockPasses const& passes(Kinematics kinematics, int nodes) {
+  switch (kinematics) {
+  case Kinematics::plane_strain:
+    return plane_strain_passes(nodes);
+  case Kinematics::axisymmetric:
+    return axisymmetric_passes(nodes);
+  case Kinematics::three_dimensional:
+    return three_dimensional_passes(nodes);
   }
-  [[nodiscard]] Index node(int a) const { return nodes_[a]; }
-  [[nodiscard]] int points() const { return block_->points; }
-  [[nodiscard]] double weight(int q) const { return block_->weights[ix(first_point_ + q)]; }
-  [[nodiscard]] typename K::Gradients gradients(int q) const {
-    return typename K::Gradients(&block_->gradients[ix((first_point_ + q) * 2 * K::nodes)]);
-  }
-  [[nodiscard]] double const* hoop(int q) const {
-    return K::axisymmetric ? &block_->hoop[ix((first_point_ + q) * K::nodes)] : nullptr;
-  }
-  template<material::Wanted wanted, class Law> [[nodiscard]] auto evaluate(Law const& law, int q) const {
-    return K::template evaluate<wanted>(law, gradients(q), hoop(q), u_);
-  }
-
-  /// Adds force and energy; false if a point is turned inside out.
-  template<class Law> bool add_force(Law const& law, typename K::Force& force, double& energy) const {
-    for (int q = 0; q < points(); ++q) {
-      auto const state = evaluate<material::Wanted::stress>(law, q);
-      if (!(state.jacobian > 0))
-        return false;
-      energy += weight(q) * state.response.energy;
-      force.noalias() +=
-          K::strain_operator(state, gradients(q), hoop(q)).transpose() * (weight(q) * state.response.stress);
-    }
-    return true;
-  }
-
-private:
-  Prepared const* block_;
-  Index first_point_;
-  Index const* nodes_;
-  typename K::Displacements u_;
-};
+  core::expect(false, "a known kinematics");
+  std::abort();
+}
 
 Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics_(kinematics) {
+  core::expect(body.mesh.nodes.cols() == dimension(kinematics), "a mesh of the kinematics' dimension");
   for (auto const& block : body.mesh.blocks)
     blocks_.push_back(prepare(block));
 }
 
-Cells::Prepared Cells::prepare(mesh::Block const& block) const {
+PreparedBlock Cells::prepare(mesh::Block const& block) const {
   auto const& rule = mesh::stiffness_rule(block.kind);
-  Prepared prepared{
-      block.kind, mesh::info(block.kind).nodes, static_cast<int>(rule.weights.size()), block.nodes, {}, {},
-      {}};
+  int const nodes = mesh::info(block.kind).nodes, points = static_cast<int>(rule.weights.size());
+  core::expect(points <= most_points, "quadrature points within the capacity of a cell");
+  PreparedBlock prepared{block.kind, nodes, points, block.nodes, {}, {}, &passes(kinematics_, nodes)};
   for (Index c = 0; c < prepared.cells(); ++c) {
-    std::span<Index const> const cell(&block.nodes[ix(c * prepared.nodes)], ix(prepared.nodes));
-    Matrix const X = corners(body_->mesh, cell);
-    for (int q = 0; q < prepared.points; ++q) {
-      Eigen::Matrix2d const jacobian = X.transpose() * rule.gradients[ix(q)];
-      Matrix const G = rule.gradients[ix(q)] * jacobian.inverse();
-      prepared.gradients.insert(prepared.gradients.end(), G.data(), G.data() + G.size());
+    Matrix const X = corners(body_->mesh, nodes_of(prepared, c));
+    for (int q = 0; q < points; ++q) {
+      auto const [inverse, determinant] = jacobian(X, rule.gradients[ix(q)]);
+      Dense const gradients = rule.gradients[ix(q)] * inverse; // columns follow each other in memory
+      prepared.gradients.insert(prepared.gradients.end(), gradients.data(),
+                                gradients.data() + gradients.size());
       double const R = rule.shape.row(q).dot(X.col(0));
-      prepared.weights.push_back(rule.weights[q] * jacobian.determinant() * circumference(kinematics_, R));
+      prepared.weights.push_back(rule.weights[q] * determinant * circumference(kinematics_, R));
       if (kinematics_ == Kinematics::axisymmetric)
-        for (int a = 0; a < prepared.nodes; ++a)
-          prepared.hoop.push_back(rule.shape(q, a) / R);
+        for (int a = 0; a < nodes; ++a)
+          prepared.gradients.push_back(rule.shape(q, a) / R);
     }
   }
   return prepared;
@@ -133,109 +112,65 @@ Index Cells::count() const {
   return total;
 }
 
-/// Calls kernel.template operator()<Law, Nodes, Axisymmetric>(law) for the
-/// block's law, kind and kinematics.
-template<class KernelCall> void Cells::dispatch(Prepared const& block, KernelCall&& call) const {
-  auto by_nodes = [&]<bool Axisymmetric>(auto const& law) {
-    using Law = std::decay_t<decltype(law)>;
-    switch (block.nodes) {
-    case 3:
-      return call.template operator()<Law, 3, Axisymmetric>(law);
-    case 4:
-      return call.template operator()<Law, 4, Axisymmetric>(law);
-    case 6:
-      return call.template operator()<Law, 6, Axisymmetric>(law);
-    case 8:
-      return call.template operator()<Law, 8, Axisymmetric>(law);
-    default:
-      core::expect(false, "a kernel for every cell kind");
-    }
-  };
-  std::visit(
-      [&](auto const& law) {
-        if (kinematics_ == Kinematics::axisymmetric)
-          by_nodes.template operator()<true>(law);
-        else
-          by_nodes.template operator()<false>(law);
-      },
-      body_->material);
-}
-
-/// Calls visit(law, cell) for every cell in order, the cell for the kernel of
-/// its law, kind and kinematics.
-template<class Visit> void Cells::each_deformed(std::span<double const> u, Visit&& visit) const {
-  for (auto const& block : blocks_)
-    dispatch(block, [&]<class Law, int Nodes, bool Axisymmetric>(Law const& law) {
-      for (Index c = 0; c < block.cells(); ++c)
-        visit(law, Cell<Kernel<Law, Nodes, Axisymmetric>>(block, c, u));
-    });
-}
-
 Pass Cells::add_force(std::span<double const> u, std::span<double> force) const {
   Pass pass;
-  Index number = 0;
-  each_deformed(u, [&]<class K>(auto const& law, Cell<K> const& cell) {
-    if (!pass.sound())
-      return;
-    typename K::Force f = K::Force::Zero();
-    if (!cell.add_force(law, f, pass.energy)) {
-      pass.inverted_cell = number;
-      return;
+  Index before = 0;
+  for (auto const& block : blocks_) {
+    Index const inverted = block.passes->add_force({block, *body_, u}, force, pass.energy);
+    if (inverted >= 0) {
+      pass.inverted_cell = before + inverted;
+      return pass;
     }
-    for (int a = 0; a < K::nodes; ++a) {
-      force[ix(2 * cell.node(a))] += f[2 * a];
-      force[ix(2 * cell.node(a) + 1)] += f[2 * a + 1];
-    }
-    ++number;
-  });
+    before += block.cells();
+  }
   return pass;
+}
+
+/// Calls pass(block, target) for each block with the part of the map that is its own.
+template<class BlockPass>
+void Cells::each_target(ScatterMap const& map, StiffnessTarget target, BlockPass&& pass) const {
+  target.map = map.data();
+  for (auto const& block : blocks_) {
+    pass(block, target);
+    int const dofs = dimension(kinematics_) * block.nodes;
+    target.map += static_cast<std::ptrdiff_t>(block.cells()) * (dofs * (dofs + 1) / 2);
+  }
 }
 
 void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
                           std::span<double> values) const {
-  Index const* target = map.data();
-  each_deformed(u, [&]<class K>(auto const& law, Cell<K> const& cell) {
-    typename K::Stiffness stiffness = K::Stiffness::Zero();
-    for (int q = 0; q < cell.points(); ++q)
-      K::add_stiffness(cell.template evaluate<material::Wanted::tangent>(law, q), cell.gradients(q),
-                       cell.hoop(q), factor * cell.weight(q), stiffness);
-    for (int i = 0; i < K::dofs; ++i)
-      for (int j = 0; j <= i; ++j, ++target)
-        if (*target >= 0)
-          values[ix(*target)] += stiffness(i, j);
+  each_target(map, {factor, nullptr, values}, [&](PreparedBlock const& block, StiffnessTarget const& target) {
+    block.passes->add_stiffness({block, *body_, u}, target);
   });
 }
 
-double Cells::add_damping(std::span<double const>, std::span<double const>, std::span<double>) const {
-  core::expect(!damped(), "damping to be written");
-  return 0;
+double Cells::add_damping(std::span<double const> u, std::span<double const> v,
+                          std::span<double> force) const {
+  double power = 0;
+  if (damped())
+    for (auto const& block : blocks_)
+      power += block.passes->add_damping({block, *body_, u}, v, force);
+  return power;
 }
 
-void Cells::add_damping_stiffness(std::span<double const>, double, ScatterMap const&,
-                                  std::span<double>) const {
-  core::expect(!damped(), "damping to be written");
+void Cells::add_damping_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
+                                  std::span<double> values) const {
+  if (!damped())
+    return;
+  each_target(map, {factor, nullptr, values}, [&](PreparedBlock const& block, StiffnessTarget const& target) {
+    block.passes->add_damping_stiffness({block, *body_, u}, target);
+  });
 }
 
 NodalStress Cells::stress(std::span<double const> u) const {
   Index const nodes = body_->mesh.node_count();
-  NodalStress result{Matrix::Zero(nodes, 4), Vector::Zero(nodes)};
-  Vector volume = Vector::Zero(nodes);
-  auto add = [&](Index node, double weight, Eigen::RowVector4d const& cauchy) {
-    result.cauchy.row(node) += weight * cauchy;
-    volume[node] += weight;
-  };
-  each_deformed(u, [&]<class K>(auto const& law, Cell<K> const& cell) {
-    for (int q = 0; q < cell.points(); ++q) {
-      auto const state = cell.template evaluate<material::Wanted::stress>(law, q);
-      if (!(state.jacobian > 0))
-        continue;
-      for (int a = 0; a < K::nodes; ++a)
-        add(cell.node(a), cell.weight(q), cauchy_stress(state));
-    }
-  });
+  StressSums sums{Vector::Zero(nodes), Matrix::Zero(nodes, stress_components(kinematics_))};
+  for (auto const& block : blocks_)
+    block.passes->add_stress({block, *body_, u}, sums);
+  NodalStress result{std::move(sums.cauchy), Vector::Zero(nodes)};
   for (Index i = 0; i < nodes; ++i) {
-    if (volume[i] > 0)
-      result.cauchy.row(i) /= volume[i];
+    if (sums.volume[i] > 0)
+      result.cauchy.row(i) /= sums.volume[i];
     result.von_mises[i] = von_mises(result.cauchy.row(i));
   }
   return result;
@@ -244,7 +179,7 @@ NodalStress Cells::stress(std::span<double const> u) const {
 void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const {
   for (auto const& block : blocks_)
     for (Index c = 0; c < block.cells(); ++c) {
-      std::span<Index const> const cell(&block.connectivity[ix(c * block.nodes)], ix(block.nodes));
+      auto const cell = nodes_of(block, c);
       Matrix const X = corners(body_->mesh, cell);
       visit(cell, consistent_mass(mesh::mass_rule(block.kind), X, body_->density, kinematics_));
     }
@@ -253,7 +188,7 @@ void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> 
 void Cells::each_cell(std::function<void(std::span<Index const>)> const& visit) const {
   for (auto const& block : blocks_)
     for (Index c = 0; c < block.cells(); ++c)
-      visit({&block.connectivity[ix(c * block.nodes)], ix(block.nodes)});
+      visit(nodes_of(block, c));
 }
 
 } // namespace stiction::solid

@@ -1,10 +1,9 @@
-// The cells of one body prepared for assembly: gradients at the quadrature points, weights, dispatch by law
-// and kind.
+// The cells of one body prepared for assembly, and the passes over them.
 #pragma once
 #include <functional>
 #include <span>
 
-#include "solid/body.hpp"
+#include "solid/block.hpp"
 
 namespace stiction::solid {
 
@@ -54,23 +53,13 @@ public:
   [[nodiscard]] Index count() const;
 
 private:
-  struct Prepared {
-    mesh::CellKind kind;
-    int nodes, points;
-    Indices connectivity;          ///< [cells, nodes]
-    std::vector<double> gradients; ///< [cells, points, nodes, 2], 1/m
-    std::vector<double> hoop;      ///< [cells, points, nodes], N/R; empty in plane strain
-    std::vector<double> weights;   ///< [cells, points], m^2 (m^3 when axisymmetric)
-    [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
-  };
-  template<class Kernel> class Cell;
-  [[nodiscard]] Prepared prepare(mesh::Block const& block) const;
-  template<class Kernel> void dispatch(Prepared const& block, Kernel&& kernel) const;
-  template<class Visit> void each_deformed(std::span<double const> u, Visit&& visit) const;
+  [[nodiscard]] PreparedBlock prepare(mesh::Block const& block) const;
+  template<class BlockPass>
+  void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass&& pass) const;
 
   Body const* body_;
   Kinematics kinematics_;
-  std::vector<Prepared> blocks_;
+  std::vector<PreparedBlock> blocks_;
 };
 
 } // namespace stiction::solid

@@ -1,46 +1,92 @@
 // Small distorted bodies of every cell kind and dense assembly, for the tests of solid.
 #pragma once
+#include <doctest/doctest.h>
 #include <random>
 
 #include "material/samples.hpp"
-#include "mesh/generators.hpp"
 #include "solid/cells.hpp"
+#include "solid/grids.hpp"
 
 namespace stiction::test {
 
-/// Moves every mid-side node to the middle of its side.
-inline void straighten(mesh::Mesh& mesh) {
-  for (auto const& block : mesh.blocks) {
-    auto const& info = mesh::info(block.kind);
-    for (std::size_t c = 0; c < block.nodes.size(); c += static_cast<std::size_t>(info.nodes))
-      for (auto const& side : info.facets)
-        if (side.size() == 3) {
-          auto const node = [&](std::size_t k) { return block.nodes[c + static_cast<std::size_t>(side[k])]; };
-          mesh.nodes.row(node(2)) = 0.5 * (mesh.nodes.row(node(0)) + mesh.nodes.row(node(1)));
-        }
-  }
-}
+using solid::Kinematics;
 
-/// A block [1, 3] x [0, 1.5] m of nx x ny cells whose inner corners are shifted at random; sides stay
-/// straight.
-inline mesh::Mesh distorted(mesh::CellKind kind, int nx, int ny) {
-  mesh::BlockOptions options;
-  options.origin = {1, 0};
-  options.size = {2, 1.5};
-  options.cells = {static_cast<double>(nx), static_cast<double>(ny)};
-  options.kind = kind;
-  auto mesh = mesh::block(options);
+/// [1, 3] x [0, 1.5] (x [0, 1]) m in n cells a direction whose inner corners are shifted at random; sides
+/// stay straight.
+inline mesh::Mesh distorted(mesh::CellKind kind, std::array<int, 3> const& n) {
+  Point const size(2, 1.5, 1);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
-  for (Index i = 0; i < mesh.node_count(); ++i) {
-    double const x = mesh.nodes(i, 0), y = mesh.nodes(i, 1);
-    bool const inner = x > 1 + 1e-9 && x < 3 - 1e-9 && y > 1e-9 && y < 1.5 - 1e-9;
-    Eigen::RowVector2d const shift(uniform(random) * 2 / nx, uniform(random) * 1.5 / ny);
-    if (inner)
-      mesh.nodes.row(i).head<2>() += shift;
-  }
+  auto mesh = grid(kind, n, [&](Point const& at) {
+    Point shift = Point::Zero();
+    int const dim = mesh::info(kind).dim;
+    for (int d = 0; d < dim; ++d)
+      shift[d] = uniform(random) / n[static_cast<std::size_t>(d)];
+    bool const inner = at.head(dim).minCoeff() > 1e-9 && at.head(dim).maxCoeff() < 1 - 1e-9;
+    Point const moved = inner ? Point(at + shift) : at;
+    return Point(Point(1, 0, 0) + size.cwiseProduct(moved));
+  });
   straighten(mesh);
   return mesh;
+}
+
+/// One way of computing a body: every kind with each kinematics of its dimension and each interpolation.
+struct Case {
+  mesh::CellKind kind;
+  Kinematics kinematics;
+  solid::Interpolation interpolation;
+  [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
+  [[nodiscard]] bool axisymmetric() const { return kinematics == Kinematics::axisymmetric; }
+  [[nodiscard]] bool mean() const { return interpolation == solid::Interpolation::mean_dilatation; }
+  [[nodiscard]] std::string words() const {
+    return std::string(mesh::info(kind).name) + (axisymmetric() ? " axisymmetric" : "") +
+           (mean() ? " mean dilatation" : "");
+  }
+  /// Distorted, with n cells a direction.
+  [[nodiscard]] solid::Body body(material::Material const& law, int n) const {
+    return {"b", distorted(kind, {n, n, n}), law, 1, interpolation, {}};
+  }
+};
+
+inline std::vector<Case> all_cases() {
+  using solid::Interpolation;
+  std::vector<Case> cases;
+  for (auto const kinematics :
+       {Kinematics::plane_strain, Kinematics::axisymmetric, Kinematics::three_dimensional})
+    for (auto const& cell : mesh::cell_table(solid::dimension(kinematics))) {
+      cases.push_back({cell.kind, kinematics, Interpolation::plain});
+      if (mesh::stiffness_rule(cell.kind).weights.size() > 1)
+        cases.push_back({cell.kind, kinematics, Interpolation::mean_dilatation});
+    }
+  return cases;
+}
+
+template<class Act> void each_case(Act const& act) {
+  for (auto const& each : all_cases()) {
+    CAPTURE(each.words());
+    act(each);
+  }
+}
+template<class Act> void each_case_and_law(Act const& act) {
+  each_case([&](Case const& each) {
+    for (auto const& [name, law] : sample_materials()) {
+      CAPTURE(name);
+      act(each, law);
+    }
+  });
+}
+
+inline bool small_strain(material::Material const& law) {
+  return std::visit([](auto const& l) { return std::decay_t<decltype(l)>::small_strain; }, law);
+}
+
+inline Vector random_vector(Eigen::Index n, double size, unsigned seed = 11) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-size, size);
+  Vector v(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    v[i] = uniform(random);
+  return v;
 }
 
 inline std::vector<bool> inner_nodes(mesh::Mesh const& mesh) {
@@ -51,54 +97,70 @@ inline std::vector<bool> inner_nodes(mesh::Mesh const& mesh) {
   return inner;
 }
 
-/// u(X) at every node, [2 nodes].
+/// u(X) at every node, [dim * nodes].
 template<class Field> Vector nodal(mesh::Mesh const& mesh, Field const& field) {
-  Vector u(2 * mesh.node_count());
-  for (Index i = 0; i < mesh.node_count(); ++i)
-    u.segment<2>(2 * i) = field(Eigen::Vector2d(mesh.nodes.row(i).transpose()));
+  Vector u(mesh.dim * mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i) {
+    Point X = Point::Zero();
+    X.head(mesh.dim) = mesh.nodes.row(i).transpose();
+    u.segment(mesh.dim * i, mesh.dim) = Point(field(X)).head(mesh.dim);
+  }
   return u;
+}
+
+inline std::span<double const> view(Vector const& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+inline std::span<double> view(Vector& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
 inline Vector force(solid::Cells const& cells, Vector const& u) {
   Vector f = Vector::Zero(u.size());
-  auto const pass = cells.add_force({u.data(), static_cast<std::size_t>(u.size())},
-                                    {f.data(), static_cast<std::size_t>(f.size())});
+  auto const pass = cells.add_force(view(u), view(f));
   return pass.sound() ? f : Vector::Constant(u.size(), std::numeric_limits<double>::quiet_NaN()).eval();
 }
 
 inline double energy(solid::Cells const& cells, Vector const& u) {
   Vector f = Vector::Zero(u.size());
-  return cells
-      .add_force({u.data(), static_cast<std::size_t>(u.size())},
-                 {f.data(), static_cast<std::size_t>(f.size())})
-      .energy;
+  return cells.add_force(view(u), view(f)).energy;
+}
+
+/// Calls visit(row, column) for each entry of each cell's lower triangle, in the order of the map.
+template<class Visit> void each_entry(solid::Cells const& cells, int dim, Visit&& visit) {
+  cells.each_cell([&](std::span<Index const> nodes) {
+    Indices dofs;
+    for (Index const node : nodes)
+      for (int i = 0; i < dim; ++i)
+        dofs.push_back(dim * node + i);
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        visit(dofs[i], dofs[j]);
+  });
 }
 
 /// Where each cell's lower triangle goes in a dense matrix of n x n values: entry row n + column, row >=
 /// column.
-inline solid::ScatterMap dense_map(solid::Cells const& cells, Index n) {
+inline solid::ScatterMap dense_map(solid::Cells const& cells, Index n, int dim) {
   solid::ScatterMap map;
-  cells.each_cell([&](std::span<Index const> nodes) {
-    Indices dofs;
-    for (Index const node : nodes)
-      dofs.insert(dofs.end(), {2 * node, 2 * node + 1});
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        map.push_back(std::max(dofs[i], dofs[j]) * n + std::min(dofs[i], dofs[j]));
-  });
+  each_entry(cells, dim,
+             [&](Index row, Index column) { map.push_back(std::max(row, column) * n + std::min(row, column)); });
   return map;
 }
 
-/// K(u), full and symmetric, N/m.
-inline Dense stiffness(solid::Cells const& cells, Vector const& u) {
-  auto const n = static_cast<Index>(u.size());
+/// What `add(map, values)` assembles, full and symmetric.
+template<class Add> Dense assembled(solid::Cells const& cells, Index n, int dim, Add const& add) {
   std::vector<double> values(ix(n) * ix(n), 0.0);
-  cells.add_stiffness({u.data(), ix(n)}, 1, dense_map(cells, n), values);
+  add(dense_map(cells, n, dim), std::span<double>(values));
   Eigen::Map<Dense const> const upper(values.data(), n, n); // columns of the map are our rows
   return upper.selfadjointView<Eigen::Upper>();
 }
 
-constexpr solid::Kinematics kinematics_list[] = {solid::Kinematics::plane_strain,
-                                                 solid::Kinematics::axisymmetric};
+/// K(u), N/m.
+inline Dense stiffness(solid::Cells const& cells, Vector const& u, int dim) {
+  return assembled(cells, static_cast<Index>(u.size()), dim, [&](auto const& map, std::span<double> values) {
+    cells.add_stiffness(view(u), 1, map, values);
+  });
+}
 
 } // namespace stiction::test

@@ -1,0 +1,60 @@
+// What is known of a block of cells before it deforms, and the passes that read it.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "solid/body.hpp"
+
+namespace stiction::solid {
+
+class BlockPasses;
+
+/// Cells of one kind with everything that stays: gradients and weights at the quadrature points.
+struct PreparedBlock {
+  mesh::CellKind kind;
+  int nodes, points;
+  Indices connectivity;          ///< [cells, nodes]
+  std::vector<double> gradients; ///< [cells, points, width, nodes], 1/m; width as in Geometry
+  std::vector<double> weights;   ///< [cells, points], m^2 (m^3 when axisymmetric or in 3D)
+  BlockPasses const* passes;     ///< the code for this kind
+  [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
+};
+
+/// One block with its body and the displacement, dim * nodes of it.
+struct Deformed {
+  PreparedBlock const& block;
+  Body const& body;
+  std::span<double const> u;
+};
+
+/// Where a block's stiffness goes: `map` as in Cells::add_stiffness, from this block's first entry on.
+struct StiffnessTarget {
+  double factor;
+  Index const* map;
+  std::span<double> values;
+};
+
+/// Sums over points of volume and of volume times stress, [nodes] and [nodes, stress components].
+struct StressSums {
+  Vector volume;
+  Matrix cauchy;
+};
+
+/// The passes over one block. A kind and kinematics each have one stateless instance.
+class BlockPasses {
+public:
+  virtual ~BlockPasses() = default;
+  /// Adds force and energy; the first cell with det F <= 0, where it stops, or -1.
+  virtual Index add_force(Deformed const& at, std::span<double> force, double& energy) const = 0;
+  virtual void add_stiffness(Deformed const& at, StiffnessTarget const& target) const = 0;
+  /// A(u) v; returns v.A v.
+  virtual double add_damping(Deformed const& at, std::span<double const> v,
+                             std::span<double> force) const = 0;
+  virtual void add_damping_stiffness(Deformed const& at, StiffnessTarget const& target) const = 0;
+  virtual void add_stress(Deformed const& at, StressSums& sums) const = 0;
+};
+
+/// The instance for cells of so many nodes; fails an expectation if there is none.
+[[nodiscard]] BlockPasses const& passes(Kinematics kinematics, int nodes);
+
+} // namespace stiction::solid

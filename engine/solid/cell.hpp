@@ -1,0 +1,233 @@
+// One cell in deformed state: strain, stress, force and stiffness, all of fixed size.
+#pragma once
+#include <array>
+
+#include "solid/block.hpp"
+#include "solid/dilatation.hpp"
+#include "solid/geometry.hpp"
+#include "solid/responses.hpp"
+
+namespace stiction::solid {
+
+inline constexpr int most_points = 27;
+
+/// Reused from cell to cell. Call deform, then respond or flow, then what is wanted.
+template<Kinematics kinematics, int Nodes> class Cell {
+public:
+  using G = Geometry<kinematics>;
+  static constexpr int nodes = Nodes, dim = G::dim, voigt = G::voigt, width = G::width;
+  using Voigt = material::Voigt<voigt>;
+  using Nodal = Eigen::Matrix<double, Nodes, dim>;
+  using Gradients = Eigen::Map<Eigen::Matrix<double, Nodes, width> const>;
+  using Square = Eigen::Matrix<double, Nodes, Nodes>;
+  using Stiffness = std::array<Square, G::pairs>; ///< between components i >= j, lower ones by symmetry
+
+  Cell(PreparedBlock const& block, Body const& body)
+      : block_(block), body_(body), finite_(!small_strain(body.material)),
+        mean_(body.interpolation == Interpolation::mean_dilatation) {}
+
+  [[nodiscard]] Index const* connectivity() const { return &block_.connectivity[ix(number_ * nodes)]; }
+  [[nodiscard]] int points() const { return block_.points; }
+  [[nodiscard]] double weight(int q) const { return block_.weights[ix(number_ * points() + q)]; }
+
+  /// Takes the displacements of cell `number`; false if a point has det F <= 0.
+  bool deform(Index number, std::span<double const> u) {
+    number_ = number;
+    gather(u);
+    for (int q = 0; q < points(); ++q) {
+      Point& point = points_[at(q)];
+      typename G::Gradient const H = gradient(q);
+      strains_[at(q)] = G::strain(H, finite_ ? 0.5 : 0.0);
+      point.F.setIdentity();
+      point.jacobian = 1;
+      if (finite_) {
+        point.F = G::deformation(H);
+        point.jacobian = G::jacobian(point.F);
+        if (!(point.jacobian > 0))
+          return false;
+      }
+    }
+    if (mean_)
+      average_dilatation();
+    return true;
+  }
+
+  /// The law's response at every point; its energy in this cell.
+  template<material::Wanted wanted> double respond() {
+    solid::respond<voigt>(body_.material, wanted, {strains_.data(), at(points())},
+                          {responses_.data(), at(points())});
+    double energy = 0;
+    for (int q = 0; q < points(); ++q)
+      energy += weight(q) * responses_[at(q)].energy;
+    return energy;
+  }
+
+  /// The viscous response to velocities v at every point; the power it dissipates.
+  double flow(std::span<double const> v) {
+    gather(v);
+    auto const D = body_.damping->viscosity<voigt>();
+    double tau_rate = 0, power = 0;
+    for (int q = 0; q < points(); ++q) {
+      strains_[at(q)] = G::strain_rate(points_[at(q)].F, gradient(q));
+      if (mean_)
+        tau_rate += weight(q) / mean_volume_ * dilatations_[at(q)].volume_gradient().dot(strains_[at(q)]);
+    }
+    for (int q = 0; q < points(); ++q) {
+      Voigt const rate = mean_ ? dilatations_[at(q)].mean_rate(strains_[at(q)], tau_rate) : strains_[at(q)];
+      responses_[at(q)].stress.noalias() = D * rate;
+      power += weight(q) * rate.dot(responses_[at(q)].stress);
+    }
+    return power;
+  }
+  /// No stress and the viscosities as tangent.
+  void be_viscous() {
+    for (int q = 0; q < points(); ++q) {
+      responses_[at(q)].stress.setZero();
+      responses_[at(q)].tangent = body_.damping->viscosity<voigt>();
+    }
+  }
+
+  /// sigma = F S F^T / det F, of Fbar with mean dilatation.
+  [[nodiscard]] Matrix3 cauchy(int q) const {
+    Point const& point = points_[at(q)];
+    double const scale = mean_ && finite_ ? dilatations_[at(q)].a / mean_ratio_ : 1 / point.jacobian;
+    return scale * point.F * stress_tensor<voigt>(responses_[at(q)].stress) * point.F.transpose();
+  }
+
+  /// int B^T S per node and component.
+  [[nodiscard]] Nodal force() {
+    if (mean_)
+      conjugate_stress();
+    Nodal f = Nodal::Zero();
+    for (int q = 0; q < points(); ++q)
+      for (int i = 0; i < dim; ++i)
+        f.col(i) += gradients(q).lazyProduct(
+            (weight(q) * G::pull(points_[at(q)].F, i, responses_[at(q)].stress)).eval());
+    return f;
+  }
+
+  /// factor * int B^T D B + G S G^T, (41), and with mean dilatation the terms of theta.
+  void stiffness(double factor, Stiffness& K) {
+    for (Square& part : K)
+      part.setZero();
+    if (mean_)
+      add_mean_terms(factor, K);
+    for (int q = 0; q < points(); ++q)
+      add_point(q, factor * weight(q), K);
+  }
+
+private:
+  struct Point {
+    Matrix3 F; ///< identity for small strains
+    double jacobian;
+  };
+  [[nodiscard]] static std::size_t at(int q) { return static_cast<std::size_t>(q); }
+  [[nodiscard]] Gradients gradients(int q) const {
+    return Gradients(&block_.gradients[(ix(number_) * at(points()) + at(q)) * width * Nodes]);
+  }
+  /// Gradient of the gathered field.
+  [[nodiscard]] typename G::Gradient gradient(int q) const {
+    typename G::Gradient H = gradients(q).transpose().lazyProduct(field_);
+    if constexpr (G::axisymmetric)
+      H(2, 1) = 0;
+    return H;
+  }
+  void gather(std::span<double const> field) {
+    Index const* node = connectivity();
+    for (int a = 0; a < Nodes; ++a)
+      for (int i = 0; i < dim; ++i)
+        field_(a, i) = field[ix(dim * node[a] + i)];
+  }
+
+  void average_dilatation() {
+    double volume = 0, sum = 0;
+    for (int q = 0; q < points(); ++q) {
+      Voigt const& E = strains_[at(q)];
+      volume += weight(q);
+      sum += weight(q) * (finite_ ? points_[at(q)].jacobian : E.template head<3>().sum());
+    }
+    mean_ratio_ = sum / volume;
+    mean_volume_ = finite_ ? sum : volume;
+    for (int q = 0; q < points(); ++q) {
+      dilatations_[at(q)] = Dilatation<voigt>(strains_[at(q)], points_[at(q)].jacobian, finite_);
+      strains_[at(q)] = dilatations_[at(q)].mean_strain(strains_[at(q)], mean_ratio_);
+    }
+  }
+
+  /// Sum over the points of the stress conjugate to tau.
+  [[nodiscard]] double tau_stress() const {
+    double sum = 0;
+    for (int q = 0; q < points(); ++q)
+      sum += weight(q) * dilatations_[at(q)].by_tau(responses_[at(q)].stress);
+    return sum;
+  }
+  /// Turns the stress conjugate to Ebar into the one that B^T S wants.
+  void conjugate_stress() {
+    double const pressure = tau_stress() / mean_volume_;
+    for (int q = 0; q < points(); ++q) {
+      Voigt& S = responses_[at(q)].stress;
+      S = (dilatations_[at(q)].by_strain(S) + pressure * dilatations_[at(q)].volume_gradient()).eval();
+    }
+  }
+
+  /// Adds the terms of grad tau, and replaces the responses by those that B^T D B + G S G^T wants.
+  void add_mean_terms(double factor, Stiffness& K) {
+    double const conjugate = tau_stress(), pressure = conjugate / mean_volume_;
+    double by_tau = finite_ ? -conjugate : 0.0;
+    Nodal slope = Nodal::Zero(), mixed = Nodal::Zero(); // grad tau, and what it is paired with
+    for (int q = 0; q < points(); ++q) {
+      auto const& dilatation = dilatations_[at(q)];
+      auto& response = responses_[at(q)];
+      auto const second = dilatation.second(response.stress, response.tangent);
+      Voigt const volume_gradient = dilatation.volume_gradient();
+      by_tau += weight(q) * second.by_tau;
+      for (int i = 0; i < dim; ++i) {
+        auto const pulled = [&](Voigt const& S) { return G::pull(points_[at(q)].F, i, S); };
+        slope.col(i) += gradients(q).lazyProduct((weight(q) / mean_volume_ * pulled(volume_gradient)).eval());
+        mixed.col(i) += gradients(q).lazyProduct((weight(q) * pulled(second.mixed)).eval());
+      }
+      response.stress = (dilatation.by_strain(response.stress) + pressure * volume_gradient).eval();
+      response.tangent = second.by_strain + pressure * dilatation.volume_hessian();
+    }
+    mixed += by_tau / 2 * slope;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j <= i; ++j)
+        K[at(G::pair(i, j))] += factor * (mixed.col(i).lazyProduct(slope.col(j).transpose()) +
+                                          slope.col(i).lazyProduct(mixed.col(j).transpose()));
+  }
+
+  /// K_ij += G (L_i^T D L_j + delta_ij S) G^T, where L_i^T is G::pull.
+  void add_point(int q, double weight, Stiffness& K) const {
+    auto const& F = points_[at(q)].F;
+    auto const& D = responses_[at(q)].tangent;
+    Gradients const gradients = this->gradients(q);
+    for (int j = 0; j < dim; ++j) {
+      Eigen::Matrix<double, voigt, width> T;
+      for (int v = 0; v < voigt; ++v)
+        T.row(v) = weight * G::pull(F, j, D.col(v));
+      for (int i = j; i < dim; ++i) {
+        Eigen::Matrix<double, width, width> A;
+        for (int k = 0; k < width; ++k)
+          A.col(k) = G::pull(F, i, T.col(k));
+        if (i == j && finite_)
+          A += weight * G::initial_stress(responses_[at(q)].stress, i);
+        Eigen::Matrix<double, Nodes, width> const left = gradients.lazyProduct(A);
+        K[at(G::pair(i, j))] += left.lazyProduct(gradients.transpose());
+      }
+    }
+  }
+
+  PreparedBlock const& block_;
+  Body const& body_;
+  bool finite_, mean_;
+  Index number_ = 0;
+  Nodal field_;
+  double mean_ratio_ = 1;  ///< theta, or the mean of tr(E) with small strains
+  double mean_volume_ = 1; ///< theta V, or V with small strains
+  std::array<Point, most_points> points_;
+  std::array<Voigt, most_points> strains_; ///< what the law sees
+  std::array<material::Response<voigt>, most_points> responses_;
+  std::array<Dilatation<voigt>, most_points> dilatations_; ///< only with mean dilatation
+};
+
+} // namespace stiction::solid
