@@ -156,9 +156,9 @@ TEST_SUITE("mesh") {
     for (auto const& cell : cell_table()) {
       CAPTURE(cell.name);
       bool const second_order = cell.nodes > cell.corners;
-      Eigen::RowVectorXd slope(3);
-      slope << 1.5, -2, 0.7;
-      slope.conservativeResize(cell.dim);
+      Eigen::RowVectorXd all(3);
+      all << 1.5, -2, 0.7;
+      Eigen::RowVectorXd const slope = all.head(cell.dim);
       Matrix curvature(3, 3);
       curvature << 0.3, -0.8, 0.4, -0.8, 1.1, 0.6, 0.4, 0.6, -0.5;
       Matrix const C = (second_order ? 1.0 : 0.0) * curvature.topLeftCorner(cell.dim, cell.dim);
