@@ -280,9 +280,10 @@ FieldData load_field(FieldSpec const& spec) {
   set_view(data, spec, *faces);
   set_extremes(data, *faces, step.file);
   data.surface = surface_of(faces);
-  data.edges = is_cropped(spec) // cut cells would show the pieces they fell into
-                   ? cropped_lines(*edges_of(outer_faces(grid)), spec.crop, spec.mirror)
-                   : edges_of(faces);
+  data.edges =
+      is_cropped(spec) // cut cells would show the pieces they fell into
+          ? cropped_lines(*edges_of(off_planes(outer_faces(grid), spec.mirror)), spec.crop, spec.mirror)
+          : edges_of(faces);
   return data;
 }
 

@@ -33,6 +33,14 @@ double size_of(vtkUnstructuredGrid& grid) {
   return std::max({bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]});
 }
 
+Grid extracted(Grid const& grid, vtkIdList* cells) {
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(grid);
+  extract->SetCellList(cells);
+  extract->Update();
+  return extract->GetOutput();
+}
+
 /// Cells that come more than a rounding error beyond side `side` of a box; cells that only touch the plane
 /// would leave flat pieces on it.
 Grid reaching(Grid const& grid, std::size_t side, double at) {
@@ -44,11 +52,7 @@ Grid reaching(Grid const& grid, std::size_t side, double at) {
     if (side % 2 == 0 ? box[side + 1] > at + tolerance : box[side - 1] < at - tolerance)
       kept->InsertNextId(cell);
   }
-  vtkNew<vtkExtractCells> extract;
-  extract->SetInputData(grid);
-  extract->SetCellList(kept);
-  extract->Update();
-  return extract->GetOutput();
+  return extracted(grid, kept);
 }
 
 Grid cut(Grid const& grid, std::size_t side, double at) {
@@ -220,6 +224,19 @@ Grid cropped(Grid const& grid, CropBox const& box) {
       if (result = reaching(result, side, *box[side]); result->GetNumberOfCells() > 0)
         result = cut(result, side, *box[side]);
   return result;
+}
+
+Grid off_planes(Grid const& faces, std::vector<int> const& axes) {
+  double const tolerance = 1e-6 * size_of(*faces);
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell) {
+    double box[6];
+    faces->GetCellBounds(cell, box);
+    if (std::none_of(axes.begin(), axes.end(),
+                     [&](int axis) { return std::max(-box[2 * axis], box[2 * axis + 1]) <= tolerance; }))
+      kept->InsertNextId(cell);
+  }
+  return extracted(faces, kept);
 }
 
 vtkSmartPointer<vtkPolyData> cropped_lines(vtkPolyData& lines, CropBox const& box,

@@ -21,6 +21,9 @@ using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 /// The faces that belong to one cell only, of their own order, with the data of points and cells.
 [[nodiscard]] Grid outer_faces(Grid const& grid);
 
+/// Without the faces that lie in the plane of one of these axes.
+[[nodiscard]] Grid off_planes(Grid const& faces, std::vector<int> const& axes);
+
 /// The grid of plane cells with its image across the plane where coordinate `axis` is 0. Points in
 /// the plane are shared, so no seam remains, and plane cells within it, being inside now, are left out. Only
 /// the array "shown" is kept, times `sign` in the image. Throws core::RunError when the grid lies on both
