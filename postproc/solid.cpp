@@ -41,29 +41,39 @@ Grid extracted(Grid const& grid, vtkIdList* cells) {
   return extract->GetOutput();
 }
 
-/// Cells that come more than a rounding error beyond side `side` of a box; cells that only touch the plane
-/// would leave flat pieces on it.
-Grid reaching(Grid const& grid, std::size_t side, double at) {
-  double const tolerance = 1e-9 * size_of(*grid);
-  vtkNew<vtkIdList> kept;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
-    double box[6];
-    grid->GetCellBounds(cell, box);
-    if (side % 2 == 0 ? box[side + 1] > at + tolerance : box[side - 1] < at - tolerance)
-      kept->InsertNextId(cell);
-  }
-  return extracted(grid, kept);
+/// How far a cell reaches beyond side `side` of a box, and how far to within it, in m.
+std::pair<double, double> reach(vtkUnstructuredGrid& grid, vtkIdType cell, std::size_t side, double at) {
+  double box[6];
+  grid.GetCellBounds(cell, box);
+  std::size_t const low = side - side % 2;
+  double const below = at - box[low], above = box[low + 1] - at;
+  return side % 2 == 0 ? std::pair(below, above) : std::pair(above, below);
 }
 
+/// What lies within one side. Cells that only touch it go or stay whole; the cut itself is moved inwards by a
+/// hair, since cutting through nodes leaves flat pieces.
 Grid cut(Grid const& grid, std::size_t side, double at) {
+  double const hair = 1e-6 * size_of(*grid);
+  vtkNew<vtkIdList> kept;
+  bool crossed = false;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+    auto const [beyond, within] = reach(*grid, cell, side, at);
+    if (within > hair)
+      kept->InsertNextId(cell);
+    crossed = crossed || (within > hair && beyond > hair);
+  }
+  auto const part = extracted(grid, kept);
+  if (!crossed)
+    return part;
+  double const inward = side % 2 == 0 ? 1 : -1;
   double origin[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
-  origin[side / 2] = at;
-  normal[side / 2] = side % 2 == 0 ? 1 : -1;
+  origin[side / 2] = at + inward * hair;
+  normal[side / 2] = inward;
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(origin);
   plane->SetNormal(normal);
   vtkNew<vtkTableBasedClipDataSet> clip;
-  clip->SetInputData(grid);
+  clip->SetInputData(part);
   clip->SetClipFunction(plane);
   clip->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   clip->Update();
@@ -220,9 +230,8 @@ private:
 Grid cropped(Grid const& grid, CropBox const& box) {
   Grid result = grid;
   for (std::size_t side = 0; side < 6; ++side)
-    if (box[side])
-      if (result = reaching(result, side, *box[side]); result->GetNumberOfCells() > 0)
-        result = cut(result, side, *box[side]);
+    if (box[side] && result->GetNumberOfCells() > 0)
+      result = cut(result, side, *box[side]);
   return result;
 }
 

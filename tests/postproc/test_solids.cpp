@@ -159,7 +159,7 @@ TEST_CASE("a half of a plane mesh is completed, and a rigid circle drawn over it
   for (int x = 0; x < whole.width() / 2; ++x)
     differing +=
         whole.at(x, whole.height() / 3) == whole.at(whole.width() - 1 - x, whole.height() / 3) ? 0 : 1;
-  CHECK(differing <= 2); // along the rim
+  CHECK(differing <= 5); // the line along the rim, of 2.5 pixels and their smoothing
   CHECK(whole.count({110, 110, 110}, {0, 1, 0.5, 1}) > 2000);
 }
 
