@@ -1,4 +1,4 @@
-// The mesh in a viewport of its own, seen along z; colour bar, scale bar and words drawn over it.
+// The mesh in a viewport of its own; colour bar, scale bar and words drawn over it.
 #include "field.hpp"
 
 #include <algorithm>
@@ -8,19 +8,25 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkFeatureEdges.h>
+#include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 
 #include "axis.hpp"
 #include "core/error.hpp"
 #include "field_data.hpp"
+#include "sphere.hpp"
+#include "triad.hpp"
 #include "window.hpp"
 
 namespace stiction::postproc {
 
 namespace {
+
+constexpr double crease_angle = 40; ///< degrees between faces that meet in a visible edge
 
 /// What goes where, in pixels.
 struct FieldLayout {
@@ -30,6 +36,7 @@ struct FieldLayout {
   Ticks ticks;
   Size picture;
   Box mesh, bar;
+  Frame frame;
   double scale_bar = 0;                        ///< its length; 0: none
   bool more_below = false, more_above = false; ///< values beyond the colours
 };
@@ -45,7 +52,7 @@ Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
 /// The mesh as large as the width allows, at most as high as given (or 1.2 times as high as wide).
 void place_mesh(FieldLayout& layout, FieldData const& data) {
   double const pad = points(edge), room = layout.figure.width - 2 * pad;
-  double const width = data.view[1] - data.view[0], height = data.view[3] - data.view[2];
+  double const width = data.view.width(), height = data.view.height();
   double const heading_room = heading_height(heading(layout.figure));
   double const given = layout.figure.height - layout.mesh.bottom - heading_room - pad;
   double const most = layout.figure.height > 0 ? given : 1.2 * room;
@@ -63,7 +70,7 @@ void place_mesh(FieldLayout& layout, FieldData const& data) {
 }
 
 FieldLayout lay_out(FigureSpec const& figure, FieldSpec const& spec, FieldData const& data) {
-  FieldLayout layout{figure, spec, colour_scale(spec, data), {}, {}, {}, {}, 0, false, false};
+  FieldLayout layout{figure, spec, colour_scale(spec, data), {}, {}, {}, {}, data.frame, 0, false, false};
   layout.more_below = data.low < layout.scale.low;
   layout.more_above = data.high > layout.scale.high;
   double const width = figure.width;
@@ -72,15 +79,16 @@ FieldLayout lay_out(FigureSpec const& figure, FieldSpec const& spec, FieldData c
   double const labels = points(tick_length + tick_gap) + label_extent(layout.ticks).height + points(2);
   layout.bar.bottom = std::round(points(edge) + line_height(label_size) + labels);
   double const scale_bar_room = spec.scale_bar ? line_height(tick_size) + points(5) : 0;
-  layout.mesh.bottom = std::round(layout.bar.top() + points(5) + scale_bar_room);
+  double const triad_room = spec.view ? triad_box(data.frame).height + points(3) : 0;
+  layout.mesh.bottom = std::round(layout.bar.top() + points(5) + std::max(scale_bar_room, triad_room));
   place_mesh(layout, data);
   if (spec.scale_bar) {
     double const length = spec.scale_bar->length * spec.scale_bar->unit.si.value;
-    layout.scale_bar = length / (data.view[1] - data.view[0]) * layout.mesh.width;
+    layout.scale_bar = length / data.view.width() * layout.mesh.width;
     if (layout.scale_bar > layout.mesh.width)
       throw core::InputError(fmt::format("scale_bar: {:g} {} is longer than the view ({:.3g} m)",
                                          spec.scale_bar->length, spec.scale_bar->unit.word,
-                                         data.view[1] - data.view[0]));
+                                         data.view.width()));
   }
   return layout;
 }
@@ -138,10 +146,31 @@ vtkSmartPointer<vtkLookupTable> make_colours(Scale const& scale) {
   return table;
 }
 
-void add_surface(vtkRenderer& renderer, FieldData const& data, Scale const& scale) {
+/// Corners stay sharp, curved sides made of flat faces look smooth.
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* surface) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SetFeatureAngle(crease_angle);
+  normals->Update();
+  return normals->GetOutput();
+}
+
+/// A light over the left shoulder; ambient and diffuse parts add up to 1, so that no colour is brighter than
+/// on the bar, and none is darker than 0.75 of it.
+void light(vtkRenderer& renderer, vtkProperty& property) {
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToCameraLight();
+  lamp->SetPosition(-0.3, 0.6, 1);
+  renderer.AddLight(lamp);
+  property.SetAmbient(0.75);
+  property.SetDiffuse(0.25);
+}
+
+void add_surface(vtkRenderer& renderer, FieldData const& data, FieldLayout const& layout) {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data.surface);
-  auto const colours = make_colours(scale);
+  bool const solid = layout.spec.view.has_value();
+  mapper->SetInputData(solid ? with_normals(data.surface) : data.surface);
+  auto const colours = make_colours(layout.scale);
   mapper->SetLookupTable(colours);
   mapper->UseLookupTableScalarRangeOn();
   mapper->SetInterpolateScalarsBeforeMapping(!data.on_cells);
@@ -152,18 +181,21 @@ void add_surface(vtkRenderer& renderer, FieldData const& data, Scale const& scal
   mapper->SelectColorArray("shown");
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
+  if (solid)
+    light(renderer, *actor->GetProperty());
+  else
+    actor->GetProperty()->LightingOff();
   renderer.AddActor(actor);
 }
 
 /// Lines just in front of the mesh.
-void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, double lift) {
+void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, Vector const& lift) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->SetPosition(0, 0, lift);
+  actor->SetPosition(lift[0], lift[1], lift[2]);
   auto* property = actor->GetProperty();
   property->LightingOff();
   property->SetColor(ink.red / 255.0, ink.green / 255.0, ink.blue / 255.0);
@@ -171,46 +203,59 @@ void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, double l
   renderer.AddActor(actor);
 }
 
-void add_outline(vtkRenderer& renderer, FieldData const& data, double lift) {
+/// The rim of a plane mesh, the creases of a solid.
+void add_outline(vtkRenderer& renderer, FieldData const& data, bool solid, Vector const& lift) {
   vtkNew<vtkFeatureEdges> outline;
   outline->SetInputData(data.surface);
-  outline->FeatureEdgesOff();
+  outline->SetFeatureEdges(solid);
+  outline->SetFeatureAngle(crease_angle);
   outline->NonManifoldEdgesOff();
   outline->ManifoldEdgesOff();
   outline->Update();
   add_lines(renderer, outline->GetOutput(), points(frame_width), lift);
 }
 
-/// Looks down the z axis so that the view fills the viewport.
+/// Looks at the picture plane so that the view fills the viewport.
 void aim(vtkRenderer& renderer, FieldData const& data) {
-  double const x = (data.view[0] + data.view[1]) / 2, y = (data.view[2] + data.view[3]) / 2;
+  auto const& view = data.view;
+  Point const middle{(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2};
+  double const size = std::max(view.width(), view.height());
   auto* camera = renderer.GetActiveCamera();
-  double bounds[6];
-  renderer.ComputeVisiblePropBounds(bounds);
-  double const size = std::max(data.view[1] - data.view[0], data.view[3] - data.view[2]);
   camera->ParallelProjectionOn();
-  camera->SetFocalPoint(x, y, bounds[5]);
-  camera->SetPosition(x, y, bounds[5] + size);
-  camera->SetViewUp(0, 1, 0);
-  camera->SetParallelScale((data.view[3] - data.view[2]) / 2);
-  camera->SetClippingRange(0.5 * size, 1.5 * size + bounds[5] - bounds[4]);
+  camera->SetFocalPoint(data.frame.place(middle, view.depth[1]).data());
+  camera->SetPosition(data.frame.place(middle, view.depth[1] + size).data());
+  camera->SetViewUp(data.frame.up.data());
+  camera->SetParallelScale(view.height() / 2);
+  camera->SetClippingRange(0.5 * size, 1.5 * size + view.depth[1] - view.depth[0]);
 }
 
 void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const& data) {
   auto const& [mesh, picture] = std::pair(layout.mesh, layout.picture);
   renderer.SetViewport(mesh.left / picture.width, mesh.bottom / picture.height, mesh.right() / picture.width,
                        mesh.top() / picture.height);
-  double const lift = 1e-3 * (data.view[1] - data.view[0]);
-  add_surface(renderer, data, layout.scale);
+  double const lift = 1e-3 * data.view.width();
+  add_surface(renderer, data, layout);
   if (layout.spec.mesh)
-    add_lines(renderer, data.edges, points(mesh_width), lift);
-  add_outline(renderer, data, 2 * lift);
+    add_lines(renderer, data.edges, points(mesh_width), data.frame.place({0, 0}, lift));
+  add_outline(renderer, data, layout.spec.view.has_value(), data.frame.place({0, 0}, 2 * lift));
+  if (data.sphere)
+    add_sphere(renderer, layout.spec, *data.sphere, 3 * lift);
   aim(renderer, data);
+}
+
+/// In the lower left corner of the mesh's box, under it.
+void draw_axes(Canvas& canvas, FieldLayout const& layout) {
+  if (!layout.spec.view)
+    return;
+  auto const box = triad_box(layout.frame);
+  draw_triad(canvas, layout.frame,
+             {points(edge) - box.left, layout.mesh.bottom - points(2) - box.height - box.bottom});
 }
 
 void draw_words(Canvas& canvas, FieldLayout const& layout) {
   draw_colour_bar(canvas, layout);
   draw_scale_bar(canvas, layout);
+  draw_axes(canvas, layout);
   if (!layout.spec.window.empty()) // a frame says that more lies outside
     canvas.frame(layout.mesh, {});
   draw_heading(canvas, heading(layout.figure), layout.picture);

@@ -21,13 +21,20 @@
 #include <vtkXMLUtilities.h>
 
 #include "core/error.hpp"
+#include "solid.hpp"
+#include "sphere.hpp"
 
 namespace stiction::postproc {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+/// A file with the time it shows, in s.
+struct Step {
+  fs::path file;
+  std::optional<double> time;
+};
 
 void check_exists(fs::path const& file) {
   if (!fs::exists(file))
@@ -35,13 +42,13 @@ void check_exists(fs::path const& file) {
 }
 
 /// The file of the step nearest to `time`, or of the last one.
-fs::path step_file(fs::path const& index, std::optional<double> time) {
+Step step_file(fs::path const& index, std::optional<double> time) {
   auto const root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(index.string().c_str()));
   auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (collection == nullptr)
     throw core::RunError(fmt::format("{}: is not a ParaView collection", index.string()));
-  fs::path found;
+  Step found;
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
     auto* step = collection->GetNestedElement(i);
@@ -49,14 +56,14 @@ fs::path step_file(fs::path const& index, std::optional<double> time) {
     if (step->GetAttribute("file") == nullptr || step->GetScalarAttribute("timestep", at) == 0)
       continue;
     double const distance = time ? std::abs(at - *time) : -at;
-    if (found.empty() || distance < nearest) {
+    if (found.file.empty() || distance < nearest) {
       nearest = distance;
-      found = step->GetAttribute("file");
+      found = {index.parent_path() / step->GetAttribute("file"), at};
     }
   }
-  if (found.empty())
+  if (found.file.empty())
     throw core::RunError(fmt::format("{}: lists no step", index.string()));
-  return index.parent_path() / found;
+  return found;
 }
 
 Grid read_grid(fs::path const& file) {
@@ -110,8 +117,13 @@ double factor_of(vtkDataArray& array, FieldSpec const& spec, std::string const& 
   return unit->value / spec.unit.si.value;
 }
 
-/// Adds the array "shown"; says whether it belongs to cells.
-bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const& file) {
+struct Shown {
+  bool on_cells = false;
+  int numbers = 1; ///< of the array, for each point or cell
+};
+
+/// Adds the array "shown".
+Shown add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const& file) {
   auto* array = grid.GetPointData()->GetArray(spec.array.c_str());
   bool const on_cells = array == nullptr;
   if (on_cells)
@@ -136,7 +148,7 @@ bool add_shown(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const&
     grid.GetCellData()->AddArray(shown);
   else
     grid.GetPointData()->AddArray(shown);
-  return on_cells;
+  return {on_cells, array->GetNumberOfComponents()};
 }
 
 Grid moved(Grid const& grid, fs::path const& file) {
@@ -153,26 +165,61 @@ Grid moved(Grid const& grid, fs::path const& file) {
   return vtkUnstructuredGrid::SafeDownCast(warp->GetOutput());
 }
 
-/// The window asked for, or the whole grid with a margin of 1 %.
-void set_view(FieldData& data, FieldSpec const& spec, vtkUnstructuredGrid& grid) {
-  double bounds[6];
-  grid.GetBounds(bounds);
-  double const margin = 0.01 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  for (int i = 0; i < 4; ++i)
-    data.view[i] = bounds[i] + (i % 2 == 0 ? -margin : margin);
-  if (!spec.window.empty())
-    std::copy(spec.window.begin(), spec.window.end(), data.view);
+/// The time that a .vtu itself tells.
+std::optional<double> own_time(vtkUnstructuredGrid& grid) {
+  auto* array = grid.GetFieldData()->GetArray("TimeValue");
+  if (array == nullptr || array->GetNumberOfTuples() == 0)
+    return {};
+  return array->GetComponent(0, 0);
 }
 
-bool in_view(FieldData const& data, double const* point) {
-  return point[0] >= data.view[0] && point[0] <= data.view[1] && point[1] >= data.view[2] &&
-         point[1] <= data.view[3];
+/// What of the mesh is drawn: plane cells, the outer faces of a solid, with their images.
+Grid faces_of(Grid grid, FieldSpec const& spec, int numbers) {
+  if (spec.view)
+    grid = outer_faces(grid);
+  for (int const axis : spec.mirror)
+    grid = mirrored(grid, axis, mirror_sign(axis, numbers, spec.component));
+  return grid;
+}
+
+void check_solid(vtkUnstructuredGrid& grid, FieldSpec const& spec, fs::path const& file) {
+  int dimension = 0;
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+    dimension = std::max(dimension, grid.GetCell(cell)->GetCellDimension());
+  if (spec.view && dimension < 3)
+    throw core::InputError(fmt::format("{}: its mesh is plane; \"view\" wants a solid", file.string()));
+  if (!spec.view && dimension == 3)
+    throw core::InputError(fmt::format("{}: its mesh is a solid; give a \"view\"", file.string()));
+}
+
+Vector point_of(vtkUnstructuredGrid& grid, vtkIdType i) {
+  Vector point;
+  grid.GetPoint(i, point.data());
+  return point;
+}
+
+/// The window asked for, or the whole with a margin of 1 %; deep enough for all.
+void set_view(FieldData& data, FieldSpec const& spec, vtkUnstructuredGrid& grid) {
+  for (vtkIdType i = 0; i < grid.GetNumberOfPoints(); ++i)
+    data.view.include(data.frame, point_of(grid, i));
+  if (data.sphere)
+    data.view.include(data.frame, *data.sphere, spec.sphere->radius);
+  auto const& window = spec.window;
+  double const margin = 0.01 * std::max(data.view.width(), data.view.height());
+  for (std::size_t i = 0; i < 2; ++i) {
+    double const beyond = i == 0 ? -margin : margin;
+    data.view.x[i] = window.empty() ? data.view.x[i] + beyond : window[i];
+    data.view.y[i] = window.empty() ? data.view.y[i] + beyond : window[2 + i];
+  }
 }
 
 bool cell_in_view(FieldData const& data, vtkUnstructuredGrid& grid, vtkIdType cell) {
-  double box[6];
-  grid.GetCellBounds(cell, box);
-  return box[1] >= data.view[0] && box[0] <= data.view[1] && box[3] >= data.view[2] && box[2] <= data.view[3];
+  auto* points = grid.GetCell(cell)->GetPointIds();
+  Extent own;
+  for (auto const point : *points)
+    own.include(data.frame, point_of(grid, point));
+  auto const& view = data.view;
+  return own.x[1] >= view.x[0] && own.x[0] <= view.x[1] && own.y[1] >= view.y[0] && own.y[0] <= view.y[1];
 }
 
 void set_extremes(FieldData& data, vtkUnstructuredGrid& grid, fs::path const& file) {
@@ -181,7 +228,8 @@ void set_extremes(FieldData& data, vtkUnstructuredGrid& grid, fs::path const& fi
   data.low = std::numeric_limits<double>::infinity();
   data.high = -data.low;
   for (vtkIdType i = 0; i < shown->GetNumberOfTuples(); ++i) {
-    if (data.on_cells ? !cell_in_view(data, grid, i) : !in_view(data, grid.GetPoint(i)))
+    if (data.on_cells ? !cell_in_view(data, grid, i)
+                      : !data.view.contains(data.frame.project(point_of(grid, i))))
       continue;
     data.low = std::min(data.low, shown->GetComponent(i, 0));
     data.high = std::max(data.high, shown->GetComponent(i, 0));
@@ -190,27 +238,52 @@ void set_extremes(FieldData& data, vtkUnstructuredGrid& grid, fs::path const& fi
     throw core::RunError(fmt::format("{}: nothing of the mesh lies within the window", file.string()));
 }
 
+vtkSmartPointer<vtkPolyData> surface_of(Grid const& faces) {
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(faces);
+  surface->SetNonlinearSubdivisionLevel(2);
+  surface->Update();
+  return surface->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> edges_of(Grid const& faces) {
+  vtkNew<vtkExtractEdges> edges;
+  edges->SetInputData(faces);
+  edges->Update();
+  return edges->GetOutput();
+}
+
+bool is_cropped(FieldSpec const& spec) {
+  return std::any_of(spec.crop.begin(), spec.crop.end(), [](auto const& side) { return side.has_value(); });
+}
+
 } // namespace
 
 FieldData load_field(FieldSpec const& spec) {
   check_exists(spec.file);
-  auto const file = spec.file.extension() == ".pvd" ? step_file(spec.file, spec.time) : spec.file;
-  auto grid = read_grid(file);
+  auto const step = spec.file.extension() == ".pvd" ? step_file(spec.file, spec.time) : Step{spec.file, {}};
+  auto grid = read_grid(step.file);
   FieldData data;
-  data.on_cells = add_shown(*grid, spec, file);
+  data.time = step.time ? step.time : own_time(*grid);
+  check_solid(*grid, spec, step.file);
+  auto const shown = add_shown(*grid, spec, step.file);
+  data.on_cells = shown.on_cells;
   if (spec.deformed)
-    grid = moved(grid, file);
-  set_view(data, spec, *grid);
-  set_extremes(data, *grid, file);
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputData(grid);
-  surface->SetNonlinearSubdivisionLevel(2);
-  surface->Update();
-  data.surface = surface->GetOutput();
-  vtkNew<vtkExtractEdges> edges;
-  edges->SetInputData(grid);
-  edges->Update();
-  data.edges = edges->GetOutput();
+    grid = moved(grid, step.file);
+  data.frame = frame_of(spec.view);
+  if (spec.sphere)
+    data.sphere = centre_at(*spec.sphere, data.time);
+  auto const kept = cropped(grid, spec.crop);
+  if (kept->GetNumberOfCells() == 0)
+    throw core::RunError(fmt::format("{}: nothing of the mesh lies within \"crop\"", step.file.string()));
+  auto const faces = faces_of(kept, spec, shown.numbers);
+  set_view(data, spec, *faces);
+  set_extremes(data, *faces, step.file);
+  data.surface = surface_of(faces);
+  data.edges =
+      is_cropped(spec) // cut cells would show the pieces they fell into
+          ? cropped_lines(*edges_of(off_planes(outer_faces(grid), spec.mirror)), spec.crop, spec.mirror)
+          : edges_of(faces);
   return data;
 }
 

@@ -3,16 +3,19 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "spec.hpp"
+#include "view.hpp"
 
 namespace stiction::postproc {
 
 struct FieldData {
   vtkSmartPointer<vtkPolyData> surface; ///< carries the array "shown", in the unit of the figure
-  vtkSmartPointer<vtkPolyData> edges;   ///< all cell edges
+  vtkSmartPointer<vtkPolyData> edges;   ///< cell edges of the mesh, on its surface when it is a solid
   bool on_cells = false;
-  double low = 0, high = 0;      ///< of the values within the window
-  double view[4] = {0, 0, 0, 0}; ///< xmin, xmax, ymin, ymax in m
+  double low = 0, high = 0;   ///< of the values within the window
+  std::optional<double> time; ///< s, where the files tell it
+  Frame frame;
+  Extent view;                  ///< the window, or everything
+  std::optional<Vector> sphere; ///< its centre
 };
 
 /// Throws core::RunError when file, step or array is missing, empty, or not finite;

@@ -122,10 +122,23 @@ std::vector<double> load_coordinate(CurveSpec const& curve, CoordinateSpec const
   return column.values;
 }
 
-/// The n-th curve of a figure: by colour while they last, then by dash as well.
-Pen pen_of(CurveSpec const& spec, std::size_t index) {
+/// The place of a colour in the order of all colours of the figure, 0 to 0.9: the palest end is left out.
+double fraction_of(std::size_t colour, LinesSpec const& figure) {
+  std::size_t low = colour, high = colour;
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    low = std::min(low, figure.curves[i].colour.value_or(i));
+    high = std::max(high, figure.curves[i].colour.value_or(i));
+  }
+  return high == low ? 0 : 0.9 * static_cast<double>(colour - low) / static_cast<double>(high - low);
+}
+
+/// The n-th curve of a figure: by colour while they last, then by dash as well; sequential colours do not
+/// end.
+Pen pen_of(CurveSpec const& spec, std::size_t index, LinesSpec const& figure) {
   static constexpr Dash order[] = {Dash::solid, Dash::dash, Dash::dot, Dash::dash_dot};
   std::size_t const colour = spec.colour.value_or(index);
+  if (figure.sequential)
+    return {viridis(fraction_of(colour, figure)), points(curve_width), spec.dash.value_or(Dash::solid)};
   return {palette(colour), points(curve_width), spec.dash.value_or(order[colour / palette_size % 4])};
 }
 
@@ -135,7 +148,7 @@ Curve load_curve(CurveSpec const& spec, std::size_t index, LinesSpec const& figu
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are reported in our words
   auto const x = load_coordinate(spec, spec.x, figure.x, 0);
   auto const y = load_coordinate(spec, spec.y, figure.y, spec.component);
-  Curve curve{spec.label, pen_of(spec, index), {}};
+  Curve curve{spec.label, pen_of(spec, index, figure), {}};
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
     if ((!figure.x.log || x[i] > 0) && (!figure.y.log || y[i] > 0))
       curve.points.push_back({x[i], y[i]});

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/reader.hpp"
+#include "solid_spec.hpp"
 
 namespace stiction::postproc {
 
@@ -138,6 +139,7 @@ LinesSpec read_lines(Reader& reader, std::filesystem::path const& folder) {
   lines.y = read_axis(reader.child("y"));
   lines.legend =
       choice(reader, "legend", {"top right", "top left", "bottom right", "bottom left", "below", "none"}, "");
+  lines.sequential = choice(reader, "colours", {"distinct", "sequential"}, "distinct") == "sequential";
   for (auto& curve : reader.children("curves"))
     lines.curves.push_back(read_curve(curve, folder));
   if (lines.curves.empty())
@@ -158,16 +160,21 @@ std::optional<double> time_at(Reader& reader) {
   return given.quantity() == nullptr ? 0 : given.quantity()->value;
 }
 
-std::vector<double> window_at(Reader& reader) {
-  auto window = reader.numbers("window", "1", Need::optional);
+/// The factor of the unit that lengths of the mesh are given in.
+double length_unit_at(Reader& reader) {
   auto const unit = unit_at(reader, "window_unit", "m");
   if (unit.si.dimension != core::Dimension{1, 0, 0})
     reader.complain_at("window_unit", fmt::format("is {}; a length is wanted", unit.word));
+  return unit.si.value;
+}
+
+std::vector<double> window_at(Reader& reader, double metres) {
+  auto window = reader.numbers("window", "1", Need::optional);
   bool const good = window.size() == 4 && window[0] < window[1] && window[2] < window[3];
   if (reader.has("window") && !good)
     reader.complain_at("window", "wants four numbers [xmin, xmax, ymin, ymax], each min < max");
   for (auto& edge : window)
-    edge *= unit.si.value;
+    edge *= metres;
   return window;
 }
 
@@ -196,7 +203,9 @@ FieldSpec read_field(Reader& reader, std::filesystem::path const& folder) {
   field.deformed = reader.flag_or("deformed", false);
   field.mesh = reader.flag_or("mesh", false);
   field.range = interval_at(reader, "range");
-  field.window = window_at(reader);
+  double const metres = length_unit_at(reader);
+  field.window = window_at(reader, metres);
+  read_solid(reader, metres, field);
   field.scale_bar = scale_bar_at(reader);
   return field;
 }

@@ -1,5 +1,6 @@
 // What is to be drawn, as read from a SPEC.json.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -51,7 +52,8 @@ struct MarkSpec {
 
 struct LinesSpec {
   AxisSpec x, y;
-  std::string legend; ///< a corner, "below", "none", or "" for the first place free of curves
+  bool sequential = false; ///< colours along viridis in the order of the curves
+  std::string legend;      ///< a corner, "below", "none", or "" for the first place free of curves
   std::vector<CurveSpec> curves;
   std::vector<MarkSpec> marks;
 };
@@ -59,6 +61,24 @@ struct LinesSpec {
 struct ScaleBarSpec {
   double length = 0;
   Unit unit;
+};
+
+using Vector = std::array<double, 3>;
+
+/// From where a solid is seen: azimuth 0 looks along y, 90 against x; elevation 90 looks down z.
+struct ViewSpec {
+  double azimuth = 30, elevation = 25; ///< degrees
+};
+
+/// xmin, xmax, ymin, ymax, zmin, zmax in m; an empty side is open.
+using CropBox = std::array<std::optional<double>, 6>;
+
+/// A rigid sphere, its lengths in m; its centre moves by `moves` at `times` (s), straight in between.
+struct SphereSpec {
+  Vector centre{};
+  double radius = 0;
+  std::vector<double> times;
+  std::array<std::vector<double>, 3> moves; ///< x, y, z; each empty or as long as `times`
 };
 
 struct FieldSpec {
@@ -70,8 +90,12 @@ struct FieldSpec {
   Unit unit;
   bool deformed = false, mesh = true;
   Interval range;             ///< in the unit
-  std::vector<double> window; ///< xmin, xmax, ymin, ymax in m; empty: all
+  std::vector<double> window; ///< xmin, xmax, ymin, ymax in m, in the plane of the picture; empty: all
   std::optional<ScaleBarSpec> scale_bar;
+  std::optional<ViewSpec> view; ///< nothing: a plane mesh seen along z
+  std::vector<int> mirror;      ///< axes 0, 1, 2 across whose plane the mesh is repeated, in this order
+  CropBox crop;
+  std::optional<SphereSpec> sphere;
 };
 
 struct FigureSpec;

@@ -46,14 +46,18 @@ end
 
 local figure_keys = "name title width height "
 local known = {
-  lines = set_of(figure_keys .. "x y legend curves marks"),
+  lines = set_of(figure_keys .. "x y legend colours curves marks"),
   field = set_of(figure_keys .. "case file time array component unit label deformed range window window_unit mesh"
-    .. " scale_bar"),
+    .. " scale_bar view mirror crop sphere"),
   panel = set_of(figure_keys .. "columns figures"),
   axis = set_of "label unit log range",
   curve = set_of "label case file x y x_shift y_shift x_sign y_sign colour style component",
   mark = set_of "x label",
   scale_bar = set_of "length unit",
+  view = set_of "azimuth elevation",
+  crop = set_of "xmin xmax ymin ymax zmin zmax",
+  sphere = set_of "centre radius path",
+  path = set_of "times x y z",
 }
 
 local function axis(t, what)
@@ -112,13 +116,42 @@ function figure.lines(t)
   return result
 end
 
---- A field on the mesh at one time: field{ name =, case =, time = number, quantity or "last", array =, unit = }.
+--- The box that a solid is cut by, its sides in the unit with this factor.
+local function crop(t, factor)
+  local result = copy(t, known.crop, "crop")
+  for key, side in pairs(result) do
+    result[key] = scaled(side, factor)
+  end
+  return result
+end
+
+--- A rigid sphere (a circle in a plane picture): centre, radius and path in the unit with this factor, times in s.
+local function sphere(t, factor)
+  local result = copy(t, known.sphere, "sphere")
+  result.centre, result.radius = scaled(t.centre, factor), scaled(t.radius, factor)
+  if t.path then
+    local path = copy(t.path, known.path, "sphere.path")
+    path.times = scaled(t.path.times, 1)
+    for _, axis_name in ipairs { "x", "y", "z" } do
+      path[axis_name] = scaled(t.path[axis_name], factor)
+    end
+    result.path = path
+  end
+  return result
+end
+
+--- A field on the mesh at one time: field{ name =, case =, time = number, quantity or "last", array =, unit = };
+--- a solid with view = { azimuth = 30, elevation = 25 }, in degrees.
 function figure.field(t)
   local result = make(t, "field")
   result.case, result.file = nil, file_of(t, "fields.pvd")
   result.time = type(t.time) == "string" and t.time or units.si(t.time)
   result.range = scaled(t.range, factor_of(t.unit, "figure.field"))
-  result.window = scaled(t.window, factor_of(t.window_unit or "m", "figure.field: window_unit"))
+  local metres = factor_of(t.window_unit or "m", "figure.field: window_unit")
+  result.window = scaled(t.window, metres)
+  result.view = t.view and copy(t.view, known.view, "view")
+  result.crop = t.crop and crop(t.crop, metres)
+  result.sphere = t.sphere and sphere(t.sphere, metres)
   result.component = t.component and t.component - 1
   if t.scale_bar then
     result.scale_bar = copy(t.scale_bar, known.scale_bar, "scale_bar")

@@ -16,6 +16,11 @@ void write_grid(std::filesystem::path const& file, double descent);
 /// One quad8 of unit size (m) whose lower side bulges down by half; point data beta = 1.
 void write_curved(std::filesystem::path const& file);
 
+/// A quarter of a block, 8 mm by 8 mm by 5 mm high from the origin on, of tet4, tet10, hex8 or hex20, dented
+/// at the middle of its top; point data displacement, von_mises, beta and cell data layer (its z in m), at 1
+/// ms.
+void write_solid(std::filesystem::path const& file, std::string const& kind);
+
 /// An index of two steps of write_grid, at 0 s and 1 ms: fields.pvd and fields/.
 void write_steps(std::filesystem::path const& folder);
 

@@ -2,99 +2,16 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
-#include <fstream>
-#include <set>
-#include <sstream>
-#include <sys/wait.h>
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkSmartPointer.h>
-
+#include "harness.hpp"
 #include "samples.hpp"
 
 namespace {
 
+using namespace harness;
 namespace fs = std::filesystem;
-fs::path const work = WORK;
-
-struct Result {
-  int code = -1;
-  std::string messages;
-};
-
-std::string content(fs::path const& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-Result run(std::string const& arguments) {
-  auto const log = work / "log.txt";
-  int const status = std::system(fmt::format("{} {} > {} 2>&1", FIGURES, arguments, log.string()).c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(log)};
-}
-
-/// Draws a spec whose list of figures is given.
-Result draw(std::string const& name, std::string const& figures, std::string const& options = "") {
-  auto const spec = work / (name + ".json");
-  samples::write_text(spec, "{\"figures\":[" + figures + "]}");
-  return run(fmt::format("{} --out {} {}", spec.string(), (work / name).string(), options));
-}
-
-using Colour = std::array<int, 3>;
-
-class Image {
-public:
-  explicit Image(fs::path const& file) {
-    REQUIRE(fs::exists(file));
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    pixels_ = reader->GetOutput();
-  }
-  [[nodiscard]] int width() const { return pixels_->GetDimensions()[0]; }
-  [[nodiscard]] int height() const { return pixels_->GetDimensions()[1]; }
-  /// Row 0 is the lowest.
-  [[nodiscard]] Colour at(int x, int y) const {
-    auto const* pixel = static_cast<unsigned char const*>(pixels_->GetScalarPointer(x, y, 0));
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-  [[nodiscard]] std::size_t colours() const {
-    std::set<Colour> seen;
-    for (int y = 0; y < height(); ++y)
-      for (int x = 0; x < width(); ++x)
-        seen.insert(at(x, y));
-    return seen.size();
-  }
-  /// How many pixels have a colour within a part of the picture given in fractions of it.
-  [[nodiscard]] int count(Colour colour, std::array<double, 4> part = {0, 1, 0, 1}) const {
-    int found = 0;
-    for (int y = static_cast<int>(part[2] * height()); y < static_cast<int>(part[3] * height()); ++y)
-      for (int x = static_cast<int>(part[0] * width()); x < static_cast<int>(part[1] * width()); ++x)
-        found += at(x, y) == colour ? 1 : 0;
-    return found;
-  }
-  [[nodiscard]] bool white_rim() const {
-    for (int x = 0; x < width(); ++x)
-      if (at(x, 0) != white || at(x, height() - 1) != white)
-        return false;
-    for (int y = 0; y < height(); ++y)
-      if (at(0, y) != white || at(width() - 1, y) != white)
-        return false;
-    return true;
-  }
-  static constexpr Colour white{255, 255, 255};
-
-private:
-  vtkSmartPointer<vtkImageData> pixels_;
-};
 
 constexpr Colour blue{0, 114, 178}, vermilion{213, 94, 0}, green{0, 158, 115};
 constexpr int single_column = 1004, double_column = 2067;
