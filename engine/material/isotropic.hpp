@@ -15,7 +15,7 @@ struct InvariantEnergy {
 };
 
 /// Symmetric 3x3 tensor from strain: C = I + 2 E.
-template<int N> [[nodiscard]] Eigen::Matrix3d right_cauchy_green(Voigt<N> const& E) {
+template<int N> [[nodiscard]] EIGEN_ALWAYS_INLINE Eigen::Matrix3d right_cauchy_green(Voigt<N> const& E) {
   Eigen::Matrix3d C = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 3; ++i)
     C(i, i) += 2 * E[i];
@@ -28,7 +28,7 @@ template<int N> [[nodiscard]] Eigen::Matrix3d right_cauchy_green(Voigt<N> const&
 }
 
 /// Cofactors of a symmetric C: det(C) C^-1.
-template<int N> [[nodiscard]] Eigen::Matrix3d cofactors(Eigen::Matrix3d const& C) {
+template<int N> [[nodiscard]] EIGEN_ALWAYS_INLINE Eigen::Matrix3d cofactors(Eigen::Matrix3d const& C) {
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   auto const minor = [&](int i, int j, int k, int l) { return C(i, k) * C(j, l) - C(i, l) * C(j, k); };
   A.diagonal() << minor(1, 2, 1, 2), minor(0, 2, 0, 2), minor(0, 1, 0, 1);
@@ -41,7 +41,7 @@ template<int N> [[nodiscard]] Eigen::Matrix3d cofactors(Eigen::Matrix3d const& C
 }
 
 /// Stress-like Voigt vector of a symmetric tensor.
-template<int N> [[nodiscard]] Voigt<N> stress_vector(Eigen::Matrix3d const& T) {
+template<int N> [[nodiscard]] EIGEN_ALWAYS_INLINE Voigt<N> stress_vector(Eigen::Matrix3d const& T) {
   Voigt<N> v;
   v.template head<3>() = T.diagonal();
   v[3] = T(0, 1);
@@ -53,7 +53,7 @@ template<int N> [[nodiscard]] Voigt<N> stress_vector(Eigen::Matrix3d const& T) {
 }
 
 /// (A (.) A)_ijkl = (A_ik A_jl + A_il A_jk) / 2 as a Voigt matrix acting on engineering strain.
-template<int N> [[nodiscard]] VoigtMatrix<N> symmetric_square(Eigen::Matrix3d const& A) {
+template<int N> [[nodiscard]] EIGEN_ALWAYS_INLINE VoigtMatrix<N> symmetric_square(Eigen::Matrix3d const& A) {
   static constexpr std::array<std::array<int, 2>, 6> pair{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
   VoigtMatrix<N> M;
   for (std::size_t a = 0; a < N; ++a)
