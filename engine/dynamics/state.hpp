@@ -39,7 +39,8 @@ struct Ledger {
 struct State {
   double t = 0;    ///< s
   Vector u, v;     ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
-  Vector internal; ///< F_int(u), N
+  Vector internal; ///< F_int(u) + A(u) v, N
+  Vector damping;  ///< A(u) v, N; empty without viscosity
   Vector reaction; ///< H^T A r at the end of the step, N
   Vector drive;    ///< force of the motions over the last step, at driven unknowns, N
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]

@@ -44,6 +44,10 @@ State Stepper::initial() {
   state.reaction.setZero(dofs);
   state.drive.setZero(dofs);
   static_cast<void>(structure_.internal_force(state.u, state.internal));
+  if (structure_.damped()) {
+    structure_.damping_force(state.u, state.v, state.damping);
+    state.internal += state.damping;
+  }
   for (auto const& pair : model_->pairs) {
     ContactState fresh;
     if (pair.law.adhesion)
@@ -110,6 +114,11 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     inertia_ /= dt;
   } else {
     inertia_.setZero(d_.size());
+  }
+  if (structure_.damped()) {
+    Timer const timer(cost_.assembly);
+    structure_.damping_force(u_, old.v + rate_change_, damping_);
+    internal_ += damping_;
   }
   auto const& weight = structure_.mass().weight;
   dry_ = inertia_ - (1 - weights_.xi) * (weight - old.internal) - weights_.xi * (weight - internal_) -
@@ -229,6 +238,7 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.t = old.t + dt;
   next.u = u_;
   next.internal = internal_;
+  next.damping = damping_;
   next.reaction = reaction_;
   next.contacts = old.contacts;
   next.turned = old.turned;
@@ -287,6 +297,8 @@ void Stepper::account(State const& old, State& next) const {
     }
     ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
   }
+  if (structure_.damped())
+    ledger.damping_loss += ((1 - weights_.xi) * old.damping + weights_.xi * damping_).dot(d_);
   ledger.strain = strain_;
   ledger.potential = -structure_.mass().weight.dot(next.u);
   if (!weights_.inertia)

@@ -54,7 +54,7 @@ private:
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
   Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
-  Vector mass_rate_;
+  Vector mass_rate_, damping_;
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
 };

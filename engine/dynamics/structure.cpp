@@ -58,6 +58,8 @@ Structure::Structure(Model const& model, StepWeights const& weights) : model_(&m
     place_mass(weights);
   for (auto const& body : model.bodies)
     linear_ = linear_ && std::holds_alternative<material::LinearElastic>(body->material);
+  for (auto const& cells : model.cells)
+    damped_ = damped_ || (weights.inertia && cells.damped());
 }
 
 void Structure::number_unknowns(Model const& model) {
@@ -144,6 +146,17 @@ solid::Pass Structure::internal_force(Vector const& u, Vector& force) const {
   return all;
 }
 
+void Structure::damping_force(Vector const& u, Vector const& v, Vector& force) const {
+  force.setZero(u.size());
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    if (model_->cells[body].damped())
+      static_cast<void>(model_->cells[body].add_damping({u.data() + first, count}, {v.data() + first, count},
+                                                        {force.data() + first, count}));
+  }
+}
+
 namespace {
 double mass_factor(StepWeights const& weights, double dt) {
   return weights.inertia ? 1 / (weights.theta * dt * dt) : 0.0;
@@ -167,6 +180,9 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
       auto const first = ix(dim_ * model_->first_node[body]),
                  count = ix(dim_ * model_->first_node[body + 1]) - first;
       model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
+      if (damped_ && model_->cells[body].damped())
+        model_->cells[body].add_damping_stiffness({u.data() + first, count},
+                                                  weights.xi / (weights.theta * dt), maps_[body], values_);
     }
     auto const& columns = factor_->pattern().columns;
     stiffness_scale_ = 0;

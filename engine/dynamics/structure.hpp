@@ -30,10 +30,15 @@ public:
 
   /// F_int(u) over all degrees of freedom, with the strain energy.
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
+  /// Has any body a viscosity?
+  [[nodiscard]] bool damped() const { return damped_; }
+  /// A(u) v over all degrees of freedom, N.
+  void damping_force(Vector const& u, Vector const& v, Vector& force) const;
   /// Mass and weight; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
-  /// Builds and factors xi K(u) + M / (theta dt^2), (49). False if not positive definite.
+  /// Builds and factors xi K(u) + xi A(u) / (theta dt) + M / (theta dt^2), (49). False if not positive
+  /// definite.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
   /// True if a factor for these coefficients exists, of whatever u.
   [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
@@ -58,7 +63,7 @@ private:
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;
   std::unique_ptr<linear::Cholesky> factor_;
-  bool factored_ = false, linear_ = true;
+  bool factored_ = false, linear_ = true, damped_ = false;
   double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0;
 };
 

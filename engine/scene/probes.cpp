@@ -37,7 +37,8 @@ constexpr PointQuantity point_quantities[] = {
     {"slip", "m", "signed slip since the start", [](ContactState const& c) { return c.path[0]; }},
     {"slip_2", "m", "slip since the start along t2", [](ContactState const& c) { return c.path[1]; }, true},
     {"stretch", "m", "bond stretch x_t", [](ContactState const& c) { return c.bond.stretch[0]; }},
-    {"stretch_2", "m", "bond stretch along t2", [](ContactState const& c) { return c.bond.stretch[1]; }, true},
+    {"stretch_2", "m", "bond stretch along t2", [](ContactState const& c) { return c.bond.stretch[1]; },
+     true},
     {"beta", "1", "bond intensity", [](ContactState const& c) { return c.bond.beta; }},
     {"pressure", "Pa", "dry normal reaction rbar_n", [](ContactState const& c) { return c.dry[0]; }},
     {"friction", "Pa", "dry tangential reaction rbar_t", [](ContactState const& c) { return c.dry[1]; }},
@@ -159,8 +160,8 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   return [p, dim, &pair](State const& state, std::vector<double>& row) {
     auto const s = summarise(pair, state.contacts[p], state.reaction, dim);
     row.insert(row.end(), s.force.data(), s.force.data() + dim);
-    row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max,
-                           s.beta_mean, s.pressure_max, s.adhesion_t_max, s.adhesion_n_min, s.gap_min});
+    row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max, s.beta_mean, s.pressure_max,
+                           s.adhesion_t_max, s.adhesion_n_min, s.gap_min});
   };
 }
 
@@ -168,7 +169,8 @@ Sampler add(ForceProbe const& probe, Context const& context) {
   auto const nodes = *context.scene.nodes_of(probe.set);
   int const dim = context.dim();
   for (int c = 0; c < dim; ++c)
-    context.column(component("force", c), context.force_unit(), "force of the motion on the set over the step");
+    context.column(component("force", c), context.force_unit(),
+                   "force of the motion on the set over the step");
   return [nodes, dim](State const& state, std::vector<double>& row) {
     contact::Vec3 sum = contact::Vec3::Zero();
     for (Index const node : nodes)
@@ -238,8 +240,8 @@ Sampler add(EnergyProbe const&, Context const& context) {
   context.column("scheme_loss", unit, "lost by the time scheme");
   return [](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
-    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.damping_loss, l.friction_loss,
-                           l.bonding_loss, l.scheme_loss()});
+    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.damping_loss,
+                           l.friction_loss, l.bonding_loss, l.scheme_loss()});
   };
 }
 
