@@ -55,7 +55,9 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   if (!part.axis.empty() && (part.axis.size() != 3 || vec(part.axis).isZero(0)))
     complain({"obstacles", name, "axis"}, "wants three numbers, not all 0");
   check_path_end({"obstacles", name, "times"}, part.times);
-  dynamics::RigidBody rigid{name, part.shape};
+  dynamics::RigidBody rigid;
+  rigid.name = name;
+  rigid.shape = part.shape;
   rigid.pivot = part.pivot.empty() ? middle(part.shape) : vec(part.pivot);
   rigid.axis = part.axis.size() == 3 ? Vec3(vec(part.axis).normalized()) : Vec3::UnitZ();
   rigid.mass = part.mass;
