@@ -103,6 +103,30 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE("the wall of a cubic cavity is passed by the distance from its edges and corners") {
+    Matrix nodes(8, 3);
+    for (int i = 0; i < 8; ++i) // mirrored, so that the sides face inward
+      nodes.row(i) << ((i & 1) != 0 ? -1 : 1), ((i & 2) != 0 ? 1 : -1), ((i & 4) != 0 ? 1 : -1);
+    auto const cavity = surface_of(nodes, mesh::CellKind::quad4,
+                                   {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5});
+    CHECK(seen(cavity, {0.3, -0.2, 0.9}).gap == doctest::Approx(0.1));
+    auto const edge = seen(cavity, {0.3, 1.3, 1.4}), corner = seen(cavity, {1.1, 1.2, 1.2});
+    CHECK(edge.gap == doctest::Approx(-0.5));
+    CHECK(edge.frame.col(0).isApprox(Vec3(0, -0.6, -0.8)));
+    CHECK(corner.gap == doctest::Approx(-0.3));
+  }
+
+  TEST_CASE("a point that leaves one piece of a surface is taken up by another") {
+    Matrix nodes(8, 3);
+    nodes << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 3, 0, 0, 4, 0, 0, 4, 1, 0, 3, 1, 0;
+    auto const steps = surface_of(nodes, mesh::CellKind::quad4, {0, 1, 2, 3, 4, 5, 6, 7});
+    auto const first = seen(steps, {0.5, 0.5, 0.1});
+    auto const later = view<3>(steps, {3.5, 0.5, 0.2}, {}, first.foot, direction);
+    REQUIRE(later.found);
+    CHECK(later.gap == doctest::Approx(0.2));
+    CHECK(later.foot.segment != first.foot.segment);
+  }
+
   TEST_CASE("an open surface ends at its border") {
     Matrix nodes(4, 3);
     nodes << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
