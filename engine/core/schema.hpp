@@ -54,6 +54,12 @@ struct Schema {
   [[nodiscard]] Parameter const* find(std::string_view parameter) const;
 };
 
+/// Consecutive values of an enumeration from `first` on, by their names.
+template<class E> struct Choices {
+  E first;
+  std::vector<std::string> names;
+};
+
 /// Builds the Schema of T: `Describe<T>{"name", "meaning", "source"}.number("density", &T::rho, ...)...`.
 template<class T> class Describe {
 public:
@@ -134,20 +140,26 @@ public:
                 [](void*, Value const&) {},
                 [](void const*) { return Value{std::string()}; }});
   }
+  /// An enumeration of which some consecutive values may be chosen.
+  template<class E>
+  Describe& choice(std::string name, E T::*member, Choices<E> choices, Need need, std::string meaning) {
+    auto const first = static_cast<std::size_t>(choices.first);
+    auto set = [member, first, names = choices.names](void* p, Value const& v) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == std::get<std::string>(v))
+          static_cast<T*>(p)->*member = static_cast<E>(first + i);
+    };
+    auto get = [member, first, names = choices.names](void const* p) {
+      return Value{names.at(static_cast<std::size_t>(static_cast<T const*>(p)->*member) - first)};
+    };
+    return add({std::move(name), Parameter::Kind::choice, "", any_number, need, std::move(meaning),
+                choices.names, set, get});
+  }
   /// An enumeration whose values 0, 1, ... are called names[0], names[1], ...
   template<class E>
   Describe& choice(std::string name, E T::*member, std::vector<std::string> names, Need need,
                    std::string meaning) {
-    auto set = [member, names](void* p, Value const& v) {
-      for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == std::get<std::string>(v))
-          static_cast<T*>(p)->*member = static_cast<E>(i);
-    };
-    auto get = [member, names](void const* p) {
-      return Value{names.at(static_cast<std::size_t>(static_cast<T const*>(p)->*member))};
-    };
-    return add({std::move(name), Parameter::Kind::choice, "", any_number, need, std::move(meaning), names,
-                set, get});
+    return choice(std::move(name), member, Choices<E>{E{}, std::move(names)}, need, std::move(meaning));
   }
   [[nodiscard]] Schema build() {
     auto const parameters = schema_.parameters;

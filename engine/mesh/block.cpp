@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/lines.hpp"
 #include "mesh/numbers.hpp"
 #include "mesh/quads.hpp"
 
@@ -32,19 +33,6 @@ void check(BlockOptions const& options) {
     throw core::InputError(complaints);
 }
 
-/// Coordinates of n + 1 grid lines whose cell sizes form a geometric series; both ends are met exactly.
-std::vector<double> grid_lines(double start, double length, Index n, double ratio) {
-  double const q = n > 1 ? std::pow(ratio, 1.0 / (n - 1)) : 1.0;
-  double total = 0;
-  std::vector<double> sums{0};
-  for (Index i = 0; i < n; ++i)
-    sums.push_back(total += std::pow(q, i));
-  for (double& s : sums)
-    s = start + length * (s / total);
-  sums.back() = start + length;
-  return sums;
-}
-
 } // namespace
 
 core::Schema const& BlockOptions::schema() {
@@ -56,7 +44,7 @@ core::Schema const& BlockOptions::schema() {
           .numbers("cells", &BlockOptions::cells, "1", Need::required, "number of cells {nx, ny}")
           .numbers("grading", &BlockOptions::grading, "1", Need::optional,
                    "size of the last cell over that of the first {x, y}, each in [0.001, 1000]")
-          .choice("kind", &BlockOptions::kind, cell_names(), Need::optional, "kind of cells")
+          .choice("kind", &BlockOptions::kind, cell_choices(2), Need::optional, "kind of cells")
           .build();
   return result;
 }
@@ -65,24 +53,8 @@ Mesh block(BlockOptions const& options) {
   check(options);
   auto const nx = static_cast<Index>(std::round(options.cells[0])),
              ny = static_cast<Index>(std::round(options.cells[1]));
-  auto const xs = grid_lines(options.origin[0], options.size[0], nx, options.grading[0]);
-  auto const ys = grid_lines(options.origin[1], options.size[1], ny, options.grading[1]);
-  Quads quads;
-  for (double const y : ys)
-    for (double const x : xs)
-      quads.add(x, y);
-  for (Index j = 0; j < ny; ++j)
-    for (Index i = 0; i < nx; ++i) {
-      Index const a = i + j * (nx + 1), b = a + nx + 1;
-      quads.cells.push_back({a, a + 1, b + 1, b});
-    }
-  Mesh mesh = to_mesh(quads, options.kind);
-  mesh.sets["left"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.front(); });
-  mesh.sets["right"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.back(); });
-  mesh.sets["bottom"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.front(); });
-  mesh.sets["top"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.back(); });
-  mesh.sets["all"] = all_nodes(mesh);
-  return mesh;
+  return rectangle(grid_lines(options.origin[0], options.size[0], nx, options.grading[0]),
+                   grid_lines(options.origin[1], options.size[1], ny, options.grading[1]), options.kind);
 }
 
 } // namespace stiction::mesh

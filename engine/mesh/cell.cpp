@@ -1,23 +1,15 @@
-// The rows of the table of cell kinds: node order of VTK, shape functions, quadrature rules.
+// The rows of the table of cell kinds: node order of VTK, facets, gmsh's order, quadrature rules.
 #include "mesh/cell.hpp"
 
-#include <array>
-#include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shapes.hpp"
 
 namespace stiction::mesh {
 
 namespace {
-
-using RowVector = Eigen::RowVectorXd;
-/// Values N [nodes] and derivatives dN [nodes, dim] at reference point x [dim].
-using Shape = void (*)(RowVector const& x, Eigen::Ref<RowVector> N, Matrix& dN);
-
-struct Rule {
-  Matrix points;
-  Vector weights;
-};
 
 struct Row {
   CellInfo info;
@@ -26,120 +18,78 @@ struct Row {
   Rule stiffness, mass;
 };
 
-void shape_tri3(RowVector const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  N << 1 - x[0] - x[1], x[0], x[1];
-  dN << -1, -1, 1, 0, 0, 1;
+using Locals = std::vector<std::vector<int>>;
+using Edges = std::vector<std::array<int, 2>>;
+
+/// A kind whose node order is also gmsh's.
+CellInfo plane(CellKind kind, std::string_view name, Locals facets, std::array<int, 2> vtk_gmsh) {
+  bool const triangle = facets.size() == 3, second_order = facets.front().size() == 3;
+  int const corners = triangle ? 3 : 4;
+  Edges const edges = triangle ? Edges{{0, 1}, {1, 2}, {2, 0}} : Edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  std::vector<int> order(static_cast<std::size_t>(second_order ? 2 * corners : corners));
+  std::iota(order.begin(), order.end(), 0);
+  return {kind,        name,        2,    static_cast<int>(order.size()), corners, edges, std::move(facets),
+          vtk_gmsh[0], vtk_gmsh[1], order};
 }
 
-void shape_tri6(RowVector const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  double const a = 1 - x[0] - x[1], b = x[0], c = x[1];
-  N << a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b, 4 * b * c, 4 * c * a;
-  dN << 1 - 4 * a, 1 - 4 * a, //
-      4 * b - 1, 0,           //
-      0, 4 * c - 1,           //
-      4 * (a - b), -4 * b,    //
-      4 * c, 4 * b,           //
-      -4 * c, 4 * (a - c);
+std::vector<Row> plane_rows() {
+  Locals const tri3{{0, 1}, {1, 2}, {2, 0}}, tri6{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}};
+  Locals const quad4{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  Locals const quad8{{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
+  Matrix const &tri = triangle_nodes(), &quad = square_nodes();
+  return {
+      {plane(CellKind::tri3, "tri3", tri3, {5, 2}), tri.topRows(3), shape_tri3, triangle_1(), triangle_3()},
+      {plane(CellKind::tri6, "tri6", tri6, {22, 9}), tri, shape_tri6, triangle_3(), triangle_6()},
+      {plane(CellKind::quad4, "quad4", quad4, {9, 3}), quad.topRows(4), shape_quad4, cube_rule(2, 2),
+       cube_rule(2, 2)},
+      {plane(CellKind::quad8, "quad8", quad8, {23, 16}), quad, shape_quad8, cube_rule(2, 3), cube_rule(2, 3)},
+  };
 }
 
-constexpr std::array<std::array<double, 2>, 4> square_corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-
-void shape_quad4(RowVector const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  for (int i = 0; i < 4; ++i) {
-    auto const [s, t] = square_corners[static_cast<std::size_t>(i)];
-    double const u = 1 + s * x[0], v = 1 + t * x[1];
-    N[i] = u * v / 4;
-    dN.row(i) << s * v / 4, t * u / 4;
-  }
-}
-
-void shape_quad8(RowVector const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  double const p = x[0], q = x[1];
-  for (int i = 0; i < 4; ++i) {
-    auto const [s, t] = square_corners[static_cast<std::size_t>(i)];
-    double const u = 1 + s * p, v = 1 + t * q;
-    N[i] = u * v * (s * p + t * q - 1) / 4;
-    dN.row(i) << s * v * (2 * s * p + t * q) / 4, t * u * (s * p + 2 * t * q) / 4;
-  }
-  for (int i = 4; i < 8; i += 2) { // sides 4 (q = -1) and 6 (q = 1), then 5 (p = 1) and 7 (p = -1)
-    double const t = i == 4 ? -1 : 1, s = -t;
-    N[i] = (1 - p * p) * (1 + t * q) / 2;
-    dN.row(i) << -p * (1 + t * q), t * (1 - p * p) / 2;
-    N[i + 1] = (1 - q * q) * (1 + s * p) / 2;
-    dN.row(i + 1) << s * (1 - q * q) / 2, -q * (1 + s * p);
-  }
-}
-
-Matrix rows(std::vector<std::array<double, 2>> const& points) {
-  Matrix result(static_cast<Eigen::Index>(points.size()), 2);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) << points[i][0], points[i][1];
-  return result;
-}
-
-/// Gauss rule with n = 2 or 3 points a direction on [-1, 1]^2.
-Rule square_rule(int n) {
-  double const outer = n == 2 ? 1 / std::sqrt(3.0) : std::sqrt(0.6);
-  std::vector<double> const x = n == 2 ? std::vector{-outer, outer} : std::vector{-outer, 0.0, outer};
-  std::vector<double> const w = n == 2 ? std::vector{1.0, 1.0} : std::vector{5.0 / 9, 8.0 / 9, 5.0 / 9};
-  Rule rule{Matrix(n * n, 2), Vector(n * n)};
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      auto const a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      rule.points.row(j * n + i) << x[a], x[b];
-      rule.weights[j * n + i] = w[a] * w[b];
-    }
-  return rule;
-}
-
-/// Orbits {b, weight}: three points with barycentric coordinates (1 - 2 b, b, b); b = 1/3 is the centroid.
-Rule triangle_rule(std::vector<std::array<double, 2>> const& orbits) {
-  std::vector<std::array<double, 2>> points;
-  std::vector<double> weights;
-  for (auto const& [b, weight] : orbits) {
-    double const a = 1 - 2 * b;
-    bool const centroid = std::abs(a - b) < 1e-12;
-    points.push_back({b, b});
-    if (!centroid) {
-      points.push_back({a, b});
-      points.push_back({b, a});
-    }
-    weights.insert(weights.end(), centroid ? 1 : 3, weight / 2); // the reference triangle has area 1/2
-  }
-  return {rows(points), Eigen::Map<Vector>(weights.data(), static_cast<Eigen::Index>(weights.size()))};
-}
-
-/// Degrees 1, 2 and 4 (Dunavant, Int. J. Numer. Meth. Engng 21, 1985).
-Rule triangle_1() {
-  return triangle_rule({{1.0 / 3, 1.0}});
-}
-Rule triangle_3() {
-  return triangle_rule({{1.0 / 6, 1.0 / 3}});
-}
-Rule triangle_6() {
-  double const b1 = (8 - std::sqrt(10.0) + std::sqrt(38 - 44 * std::sqrt(0.4))) / 18;
-  double const b2 = (8 - std::sqrt(10.0) - std::sqrt(38 - 44 * std::sqrt(0.4))) / 18;
-  double const spread = std::sqrt(213125 - 53320 * std::sqrt(10.0));
-  return triangle_rule({{b1, (620 + spread) / 3720}, {b2, (620 - spread) / 3720}});
+/// Corners of the facets, so that every facet is a tri3, tri6, quad4 or quad8 seen from outside.
+std::vector<Row> solid_rows() {
+  Edges const tet{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+  Edges const hex{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                  {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  Locals const tet4{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  Locals const tet10{{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {0, 3, 2, 7, 9, 6}};
+  Locals const hex8{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  Locals const hex20{{0, 3, 2, 1, 11, 10, 9, 8},  {4, 5, 6, 7, 12, 13, 14, 15}, {0, 1, 5, 4, 8, 17, 12, 16},
+                     {1, 2, 6, 5, 9, 18, 13, 17}, {2, 3, 7, 6, 10, 19, 14, 18}, {3, 0, 4, 7, 11, 16, 15, 19}};
+  std::vector<int> const tet10_gmsh{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
+  std::vector<int> const hex20_gmsh{0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
+  std::vector<int> const tet4_gmsh(tet10_gmsh.begin(), tet10_gmsh.begin() + 4);
+  std::vector<int> const hex8_gmsh(hex20_gmsh.begin(), hex20_gmsh.begin() + 8);
+  Matrix const &T = tetrahedron_nodes(), &H = cube_nodes();
+  return {
+      {{CellKind::tet4, "tet4", 3, 4, 4, tet, tet4, 10, 4, tet4_gmsh},
+       T.topRows(4),
+       shape_tet4,
+       tetrahedron_1(),
+       tetrahedron_4()},
+      {{CellKind::tet10, "tet10", 3, 10, 4, tet, tet10, 24, 11, tet10_gmsh},
+       T,
+       shape_tet10,
+       tetrahedron_4(),
+       tetrahedron_14()},
+      {{CellKind::hex8, "hex8", 3, 8, 8, hex, hex8, 12, 5, hex8_gmsh},
+       H.topRows(8),
+       shape_hex8,
+       cube_rule(3, 2),
+       cube_rule(3, 2)},
+      {{CellKind::hex20, "hex20", 3, 20, 8, hex, hex20, 25, 17, hex20_gmsh},
+       H,
+       shape_hex20,
+       cube_rule(3, 3),
+       cube_rule(3, 3)},
+  };
 }
 
 std::vector<Row> make_rows() {
-  using Facets = std::vector<std::vector<int>>;
-  Facets const tri3{{0, 1}, {1, 2}, {2, 0}}, tri6{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}};
-  Facets const quad4{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-  Facets const quad8{{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
-  Matrix const tri = rows({{0, 0}, {1, 0}, {0, 1}, {.5, 0}, {.5, .5}, {0, .5}});
-  Matrix const quad = rows({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}});
-  return {
-      {{CellKind::tri3, "tri3", 2, 3, 3, tri3, 5, 2}, tri.topRows(3), shape_tri3, triangle_1(), triangle_3()},
-      {{CellKind::tri6, "tri6", 2, 6, 3, tri6, 22, 9}, tri, shape_tri6, triangle_3(), triangle_6()},
-      {{CellKind::quad4, "quad4", 2, 4, 4, quad4, 9, 3},
-       quad.topRows(4),
-       shape_quad4,
-       square_rule(2),
-       square_rule(2)},
-      {{CellKind::quad8, "quad8", 2, 8, 4, quad8, 23, 16}, quad, shape_quad8, square_rule(3), square_rule(3)},
-  };
+  auto rows = plane_rows();
+  for (auto& solid : solid_rows())
+    rows.push_back(std::move(solid));
+  return rows;
 }
 
 Row const& row(CellKind kind) {
@@ -171,11 +121,20 @@ std::vector<CellInfo> const& cell_table() {
   return table;
 }
 
-std::vector<std::string> cell_names() {
-  std::vector<std::string> names;
+std::vector<CellInfo> cell_table(int dim) {
+  std::vector<CellInfo> kinds;
   for (auto const& cell : cell_table())
-    names.emplace_back(cell.name);
-  return names;
+    if (cell.dim == dim)
+      kinds.push_back(cell);
+  return kinds;
+}
+
+core::Choices<CellKind> cell_choices(int dim) {
+  auto const kinds = cell_table(dim);
+  core::Choices<CellKind> choices{kinds.front().kind, {}};
+  for (auto const& cell : kinds)
+    choices.names.emplace_back(cell.name);
+  return choices;
 }
 
 std::optional<CellKind> kind_named(std::string_view name) {

@@ -223,7 +223,7 @@ core::Schema const& GmshGeometry::schema() {
       core::Describe<GmshGeometry>("gmsh",
                                    "plane region meshed by gmsh; sets are the names of its edges, and all")
           .number("size", &GmshGeometry::size, "m", core::positive, Need::required, "cell size")
-          .choice("kind", &GmshGeometry::kind, cell_names(), Need::optional, "kind of cells")
+          .choice("kind", &GmshGeometry::kind, cell_choices(2), Need::optional, "kind of cells")
           .numbers("start", &GmshGeometry::start, "m", Need::required, "first point of the outline {x, y}")
           .nested("edges", "edge", Need::required,
                   "list of edges {to=, centre=, through=, name=}, back to the start")

@@ -189,7 +189,7 @@ core::Schema const& HalfDiscOptions::schema() {
           .number("grading", &Options::grading, "1", {1, 9}, Need::optional,
                   "interior cells are at most this many times larger than the arc's; from 1.92 and 5.76 on "
                   "one and two 3 to 1 transitions")
-          .choice("kind", &Options::kind, cell_names(), Need::optional, "kind of cells")
+          .choice("kind", &Options::kind, cell_choices(2), Need::optional, "kind of cells")
           .build();
   return result;
 }

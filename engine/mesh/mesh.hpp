@@ -17,7 +17,8 @@ struct Block {
 };
 
 /// A facet as the nodes of one side of a cell, corner nodes first, in the cell's outward orientation:
-/// in 2D the body lies to the left when walking from nodes[0] to nodes[1].
+/// in 2D the body lies to the left when walking from nodes[0] to nodes[1]; in 3D the facet is a cell of the
+/// plane (facet_kind in surface.hpp) whose corners run counter-clockwise seen from outside.
 struct Facet {
   Indices nodes;
 };

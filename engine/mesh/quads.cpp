@@ -1,9 +1,9 @@
 // Splitting quadrilaterals into triangles and adding mid-side nodes.
 #include "mesh/quads.hpp"
 
-#include <map>
 #include <numeric>
-#include <utility>
+
+#include "core/error.hpp"
 
 namespace stiction::mesh {
 
@@ -29,26 +29,6 @@ Indices corner_cells(Quads const& quads, bool triangles) {
   return corners;
 }
 
-/// Makes one mid-side node per edge, shared by the cells on both sides.
-class MidNodes {
-public:
-  MidNodes(std::vector<Eigen::RowVector2d>& nodes, MidPoint const& middle)
-      : nodes_(&nodes), middle_(&middle) {}
-
-  Index between(Index a, Index b) {
-    auto const [found, is_new] = known_.try_emplace(std::minmax(a, b), static_cast<Index>(nodes_->size()));
-    if (is_new)
-      nodes_->push_back(
-          (*middle_)((*nodes_)[static_cast<std::size_t>(a)], (*nodes_)[static_cast<std::size_t>(b)]));
-    return found->second;
-  }
-
-private:
-  std::vector<Eigen::RowVector2d>* nodes_;
-  MidPoint const* middle_;
-  std::map<std::pair<Index, Index>, Index> known_;
-};
-
 } // namespace
 
 Eigen::RowVector2d straight_middle(Eigen::RowVector2d const& a, Eigen::RowVector2d const& b) {
@@ -56,28 +36,34 @@ Eigen::RowVector2d straight_middle(Eigen::RowVector2d const& a, Eigen::RowVector
 }
 
 Mesh to_mesh(Quads const& quads, CellKind kind, MidPoint const& middle) {
-  CellInfo const& cell = info(kind);
-  std::vector<Eigen::RowVector2d> nodes;
+  core::expect(info(kind).dim == 2, "a kind of cells of the plane");
+  std::vector<Place<2>> nodes;
   for (auto const& node : quads.nodes)
     nodes.emplace_back(node[0], node[1]);
-  MidNodes mid_nodes(nodes, middle);
+  return with_mid_nodes<2>(kind, std::move(nodes), corner_cells(quads, info(kind).corners == 3), middle);
+}
 
-  Block block{kind, {}};
-  auto const corners = corner_cells(quads, cell.corners == 3);
-  for (std::size_t first = 0; first < corners.size(); first += static_cast<std::size_t>(cell.corners)) {
-    auto const corner = [&](int local) { return corners[first + static_cast<std::size_t>(local)]; };
-    for (int i = 0; i < cell.corners; ++i)
-      block.nodes.push_back(corner(i));
-    for (int i = cell.corners; i < cell.nodes; ++i) {
-      auto const& side = cell.facets[static_cast<std::size_t>(i - cell.corners)];
-      block.nodes.push_back(mid_nodes.between(corner(side[0]), corner(side[1])));
+Quads grid(std::vector<double> const& xs, std::vector<double> const& ys) {
+  Quads quads;
+  for (double const y : ys)
+    for (double const x : xs)
+      quads.add(x, y);
+  auto const nx = static_cast<Index>(xs.size()), ny = static_cast<Index>(ys.size());
+  for (Index j = 0; j + 1 < ny; ++j)
+    for (Index i = 0; i + 1 < nx; ++i) {
+      Index const a = i + j * nx, b = a + nx;
+      quads.cells.push_back({a, a + 1, b + 1, b});
     }
-  }
-  Mesh mesh;
-  mesh.nodes.resize(static_cast<Eigen::Index>(nodes.size()), 2);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    mesh.nodes.row(static_cast<Eigen::Index>(i)) = nodes[i];
-  mesh.blocks.push_back(std::move(block));
+  return quads;
+}
+
+Mesh rectangle(std::vector<double> const& xs, std::vector<double> const& ys, CellKind kind) {
+  Mesh mesh = to_mesh(grid(xs, ys), kind);
+  mesh.sets["left"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.front(); });
+  mesh.sets["right"] = boundary_where(mesh, [&](auto const& x) { return x[0] == xs.back(); });
+  mesh.sets["bottom"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.front(); });
+  mesh.sets["top"] = boundary_where(mesh, [&](auto const& x) { return x[1] == ys.back(); });
+  mesh.sets["all"] = all_nodes(mesh);
   return mesh;
 }
 

@@ -1,10 +1,9 @@
 // A bare quadrilateral net, and its conversion into a mesh of any 2D kind.
 #pragma once
 #include <array>
-#include <functional>
 #include <vector>
 
-#include "mesh/mesh.hpp"
+#include "mesh/second_order.hpp"
 
 namespace stiction::mesh {
 
@@ -19,12 +18,16 @@ struct Quads {
   }
 };
 
-/// Mid-side node between two corners; given their coordinates (m), returns the place of the node.
-using MidPoint = std::function<Eigen::RowVector2d(Eigen::RowVector2d const&, Eigen::RowVector2d const&)>;
+using MidPoint = Middle<2>;
 [[nodiscard]] Eigen::RowVector2d straight_middle(Eigen::RowVector2d const& a, Eigen::RowVector2d const& b);
 
 /// Cells of `kind` without sets; triangles split each quadrilateral along its shorter diagonal.
 [[nodiscard]] Mesh to_mesh(Quads const& quads, CellKind kind, MidPoint const& middle = straight_middle);
+
+/// The net of a grid, lines ascending.
+[[nodiscard]] Quads grid(std::vector<double> const& xs, std::vector<double> const& ys);
+/// The mesh of a grid with the sets left, right, bottom, top and all.
+[[nodiscard]] Mesh rectangle(std::vector<double> const& xs, std::vector<double> const& ys, CellKind kind);
 
 /// The set of all nodes, without facets.
 [[nodiscard]] Set all_nodes(Mesh const& mesh);

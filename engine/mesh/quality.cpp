@@ -23,6 +23,26 @@ struct Cell {
   Index const* nodes;
 };
 
+using Locals = std::vector<int>;
+
+std::vector<Locals> neighbours_of(CellInfo const& cell) {
+  Matrix const& nodes = reference_nodes(cell.kind);
+  std::vector<Locals> result(static_cast<std::size_t>(cell.corners));
+  for (auto const& [a, b] : cell.edges) {
+    result[static_cast<std::size_t>(a)].push_back(b);
+    result[static_cast<std::size_t>(b)].push_back(a);
+  }
+  for (int i = 0; i < cell.corners; ++i) {
+    auto& ends = result[static_cast<std::size_t>(i)];
+    Matrix edges(cell.dim, cell.dim);
+    for (int k = 0; k < cell.dim; ++k)
+      edges.row(k) = nodes.row(ends[static_cast<std::size_t>(k)]) - nodes.row(i);
+    if (edges.determinant() < 0)
+      std::swap(ends[0], ends[1]);
+  }
+  return result;
+}
+
 void for_each_cell(Mesh const& mesh, std::function<void(Cell const&)> const& act) {
   Index number = 0;
   for (auto const& block : mesh.blocks) {
@@ -32,27 +52,53 @@ void for_each_cell(Mesh const& mesh, std::function<void(Cell const&)> const& act
   }
 }
 
-/// The corner between side i - 1 and side i of a 2D cell.
-struct Corner {
-  double sine = 0, cosine = 1, side = 0;
-};
-
-Corner corner(Mesh const& mesh, Cell const& cell, int i) {
-  int const n = cell.info->corners;
-  auto const at = [&](int k) -> Eigen::RowVector2d { return mesh.nodes.row(cell.nodes[k % n]).head<2>(); };
-  Eigen::RowVector2d const out = at(i + 1) - at(i), back = at(i + n - 1) - at(i);
-  double const lengths = out.norm() * back.norm();
-  if (!(lengths > 0))
-    return {0, 1, out.norm()};
-  return {(out[0] * back[1] - out[1] * back[0]) / lengths, out.dot(back) / lengths, out.norm()};
+/// Corners joined to each corner of a kind, ordered so that their edges have a positive determinant.
+std::vector<Locals> const& neighbours(CellKind kind) {
+  static auto const all = [] {
+    std::vector<std::vector<Locals>> result;
+    for (auto const& cell : cell_table())
+      result.push_back(neighbours_of(cell));
+    return result;
+  }();
+  return all.at(static_cast<std::size_t>(kind));
 }
 
-/// Sine of the worst corner over that of the ideal one.
+/// Edges that leave one corner. [dim, dim], m
+Matrix edges_at(Mesh const& mesh, Cell const& cell, int corner) {
+  auto const& ends = neighbours(cell.info->kind)[static_cast<std::size_t>(corner)];
+  Matrix edges(mesh.dim, mesh.dim);
+  for (int i = 0; i < mesh.dim; ++i)
+    edges.row(i) =
+        mesh.nodes.row(cell.nodes[ends[static_cast<std::size_t>(i)]]) - mesh.nodes.row(cell.nodes[corner]);
+  return edges;
+}
+
+/// Volume of the unit edges of the worst corner over that of the ideal one.
 double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < cell.info->corners; ++i)
-    least = std::min(least, corner(mesh, cell, i).sine);
-  return least / (cell.info->corners == 3 ? std::sin(std::numbers::pi / 3) : 1.0);
+  for (int i = 0; i < cell.info->corners; ++i) {
+    Matrix const edges = edges_at(mesh, cell, i);
+    double const lengths = edges.rowwise().norm().prod();
+    least = std::min(least, lengths > 0 ? edges.determinant() / lengths : 0.0);
+  }
+  bool const simplex = cell.info->corners == mesh.dim + 1;
+  double const regular = mesh.dim == 2 ? std::sqrt(0.75) : std::sqrt(0.5);
+  return least / (simplex ? regular : 1.0);
+}
+
+/// Takes the angles at one corner into account: in 2D beyond 180 degrees too, in 3D between every two edges.
+void add_angles(Quality& result, Matrix const& edges) {
+  double const degree = 180 / std::numbers::pi;
+  for (Eigen::Index i = 0; i < edges.rows(); ++i)
+    for (Eigen::Index j = i + 1; j < edges.rows(); ++j) {
+      auto const a = edges.row(i), b = edges.row(j);
+      double const across =
+          std::sqrt(std::max(0.0, a.squaredNorm() * b.squaredNorm() - std::pow(a.dot(b), 2)));
+      double const sine = edges.rows() == 2 ? edges.determinant() : across;
+      double const angle = std::atan2(sine, a.dot(b)) * degree;
+      result.min_angle = std::min(result.min_angle, angle);
+      result.max_angle = std::max(result.max_angle, angle < 0 ? angle + 360 : angle);
+    }
 }
 
 /// Smallest Jacobian determinant over the quadrature points and corners, over the cell's mean, so that curved
@@ -111,7 +157,8 @@ std::string centre_words(Mesh const& mesh, Cell const& cell) {
   Vector centre = Vector::Zero(mesh.dim);
   for (int i = 0; i < cell.info->corners; ++i)
     centre += mesh.nodes.row(cell.nodes[i]).transpose() / cell.info->corners;
-  return fmt::format("({:.6g}, {:.6g}) m", centre[0], centre[1]);
+  return mesh.dim == 2 ? fmt::format("({:.6g}, {:.6g}) m", centre[0], centre[1])
+                       : fmt::format("({:.6g}, {:.6g}, {:.6g}) m", centre[0], centre[1], centre[2]);
 }
 
 void check_numbering(Mesh const& mesh, std::string const& name, core::Complaints& complaints) {
@@ -165,19 +212,16 @@ Quality quality(Mesh const& mesh) {
   Quality result;
   result.nodes = mesh.node_count();
   result.cells = mesh.cell_count();
-  double const degree = 180 / std::numbers::pi;
   result.min_angle = 180;
   result.min_edge = std::numeric_limits<double>::infinity();
   std::vector<double> jacobians;
   for_each_cell(mesh, [&](Cell const& cell) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (int i = 0; i < cell.info->corners; ++i) {
-      Corner const c = corner(mesh, cell, i);
-      double const angle = std::atan2(c.sine, c.cosine) * degree;
-      result.min_angle = std::min(result.min_angle, angle);
-      result.max_angle = std::max(result.max_angle, angle < 0 ? angle + 360 : angle);
-      shortest = std::min(shortest, c.side);
-      longest = std::max(longest, c.side);
+      Matrix const edges = edges_at(mesh, cell, i);
+      add_angles(result, edges);
+      shortest = std::min(shortest, edges.rowwise().norm().minCoeff());
+      longest = std::max(longest, edges.rowwise().norm().maxCoeff());
     }
     result.min_edge = std::min(result.min_edge, shortest);
     result.max_aspect = std::max(result.max_aspect, longest / shortest);

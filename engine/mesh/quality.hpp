@@ -10,7 +10,7 @@ namespace stiction::mesh {
 struct Quality {
   Index cells = 0, nodes = 0;
   double min_jacobian = 1,
-         median_jacobian = 1;          ///< scaled Jacobian: 1 is ideal (square, equilateral), <= 0 inverted
+         median_jacobian = 1; ///< scaled Jacobian: 1 is ideal (square, cube, equilateral), <= 0 inverted
   double min_angle = 0, max_angle = 0; ///< between sides, degrees
   double max_aspect = 1;               ///< longest over shortest side of a cell
   double min_edge = 0;                 ///< m

@@ -4,11 +4,15 @@
 
 #include "mesh/generators.hpp"
 #include "mesh/gmsh.hpp"
+#include "mesh/gmsh_solid.hpp"
 
 namespace stiction::mesh {
 
-/// What scripts make as mesh.block{...}, mesh.half_disc{...}, mesh.gmsh{...}, mesh.msh_file{...}.
-using Generator = std::variant<BlockOptions, HalfDiscOptions, GmshGeometry, MshFile>;
+/// What scripts make as mesh.block{...}, mesh.half_disc{...}, mesh.gmsh{...}, and so on by their schemas'
+/// names.
+using Generator =
+    std::variant<BlockOptions, GradedBlockOptions, HalfDiscOptions, QuarterDiscOptions, BoxOptions,
+                 QuarterCylinderOptions, HalfBallOptions, GmshGeometry, GmshSolid, MshFile>;
 
 /// Makes the mesh. Throws InputError when the numbers make no mesh.
 [[nodiscard]] Mesh make(Generator const& generator);

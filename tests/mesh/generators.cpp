@@ -11,12 +11,14 @@ using namespace stiction;
 using namespace stiction::mesh;
 using test::area;
 using test::length;
+using test::mentions;
+using test::refusal;
 
 namespace {
 
 std::vector<CellKind> all_kinds() {
   std::vector<CellKind> kinds;
-  for (auto const& cell : cell_table())
+  for (auto const& cell : cell_table(2))
     kinds.push_back(cell.kind);
   return kinds;
 }
@@ -162,5 +164,87 @@ TEST_SUITE("mesh") {
     CHECK(
         test::mentions(test::refusal([] { (void)half_disc(disc(1e-3, CellKind::quad4, 0.5)); }), "grading"));
     CHECK(test::mentions(test::refusal([] { (void)half_disc({.radius = -1, .size = 1}); }), "radius"));
+  }
+
+  TEST_CASE("a graded block has fine cells of one size at its top left and no cell too large") {
+    for (auto const kind : all_kinds()) {
+      CAPTURE(info(kind).name);
+      Mesh const mesh = graded_block({.origin = {1, -10},
+                                      .size = {10, 10},
+                                      .fine = {4.5, 1},
+                                      .fine_size = 0.25,
+                                      .coarse_size = 2,
+                                      .kind = kind});
+      check(mesh, "block");
+      CHECK(area(mesh) == doctest::Approx(100));
+      for (auto const* name : {"left", "right", "bottom", "top"})
+        CHECK(length(mesh, mesh.sets.at(name)) == doctest::Approx(10));
+      CHECK(node_at(mesh, 1, 0) >= 0);
+      CHECK(node_at(mesh, 11, -10) >= 0);
+      double before = 0.25;
+      std::vector<double> xs;
+      for (auto const& facet : mesh.sets.at("top").facets)
+        xs.insert(xs.end(), {mesh.nodes(facet.nodes[0], 0), mesh.nodes(facet.nodes[1], 0)});
+      std::sort(xs.begin(), xs.end());
+      for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
+        double const size = xs[i + 1] - xs[i];
+        if (xs[i + 1] < 5.5 + 1e-9)
+          CHECK(size == doctest::Approx(0.25));
+        CHECK(size < before * 1.25 * (1 + 1e-9));
+        CHECK(size <= 2);
+        before = size;
+      }
+    }
+  }
+
+  TEST_CASE("the quarter disc has its sets and areas and is fine near its pole") {
+    for (auto const kind : all_kinds())
+      for (bool const standing : {false, true}) {
+        CAPTURE(info(kind).name);
+        Mesh const mesh = quarter_disc({.centre = {1, 2},
+                                        .radius = 10,
+                                        .fine = {4.5, 1},
+                                        .fine_size = 0.1,
+                                        .coarse_size = 1,
+                                        .standing = standing,
+                                        .kind = kind});
+        check(mesh, "disc");
+        CHECK(area(mesh) == doctest::Approx(25 * std::numbers::pi).epsilon(1e-3));
+        CHECK(test::enclosed_area(mesh, boundary(mesh)) == doctest::Approx(area(mesh)).epsilon(1e-2));
+        CHECK(length(mesh, mesh.sets.at("arc")) == doctest::Approx(5 * std::numbers::pi).epsilon(1e-3));
+        CHECK(length(mesh, mesh.sets.at("flat")) == doctest::Approx(10));
+        CHECK(length(mesh, mesh.sets.at("axis")) == doctest::Approx(10));
+        Eigen::RowVector2d const pole(1, standing ? 12 : -8);
+        CHECK(node_at(mesh, pole[0], pole[1]) >= 0);
+        for (Index const node : mesh.sets.at("arc").nodes)
+          CHECK((mesh.nodes.row(node) - Eigen::RowVector2d(1, 2)).norm() == doctest::Approx(10));
+        for (auto const& facet : mesh.sets.at("arc").facets) {
+          auto const a = mesh.nodes.row(facet.nodes[0]), b = mesh.nodes.row(facet.nodes[1]);
+          double const size = (a - b).norm();
+          CHECK(size < (std::max((a - pole).norm(), (b - pole).norm()) < 4.4 ? 0.1001 : 1.0));
+        }
+        CHECK(mesh.cell_count() < (info(kind).corners == 3 ? 6000 : 3000));
+        if (info(kind).corners == 4)
+          CHECK(quality(mesh).min_jacobian > 0.5);
+      }
+  }
+
+  TEST_CASE("graded block and quarter disc refuse wrong numbers") {
+    CHECK(mentions(refusal([] {
+                     (void)graded_block({.size = {1, 1}, .fine = {1}, .fine_size = 0.1, .coarse_size = 0.2});
+                   }),
+                   "graded_block.fine"));
+    CHECK(mentions(refusal([] {
+                     (void)graded_block({.size = {1, 1}, .fine = {1, 1}, .fine_size = 2, .coarse_size = 0.2});
+                   }),
+                   "graded_block.coarse_size"));
+    CHECK(mentions(refusal([] {
+                     (void)quarter_disc({.radius = 0, .fine = {1, 1}, .fine_size = 2, .coarse_size = 3});
+                   }),
+                   "quarter_disc.radius"));
+    CHECK(mentions(refusal([] {
+                     (void)quarter_disc({.radius = 1, .fine = {-1, 1}, .fine_size = 0.2, .coarse_size = 3});
+                   }),
+                   "quarter_disc.fine"));
   }
 }

@@ -1,5 +1,6 @@
 // Measures of meshes that several tests share.
 #pragma once
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/surface.hpp"
 
 namespace stiction::mesh::test {
 
@@ -27,6 +29,55 @@ inline double area(Mesh const& mesh) {
       }
   }
   return sum;
+}
+
+/// Volume by the mass rule, m^3.
+inline double volume(Mesh const& mesh) {
+  double sum = 0;
+  for (auto const& block : mesh.blocks) {
+    auto const& rule = mass_rule(block.kind);
+    auto const n = static_cast<std::size_t>(info(block.kind).nodes);
+    for (std::size_t first = 0; first < block.nodes.size(); first += n) {
+      Matrix places(static_cast<Eigen::Index>(n), 3);
+      for (std::size_t i = 0; i < n; ++i)
+        places.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(block.nodes[first + i]);
+      for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+        Matrix3 const jacobian = places.transpose() * rule.gradients[ix(static_cast<Index>(q))];
+        sum += jacobian.determinant() * rule.weights[q];
+      }
+    }
+  }
+  return sum;
+}
+
+/// Integral over facets of a function of place and outward normal times area, f(x, n dA).
+template<class Function>
+double over_facets(Mesh const& mesh, std::vector<Facet> const& facets, Function const& f) {
+  double sum = 0;
+  for (auto const& facet : facets) {
+    auto const& rule = mass_rule(facet_kind(facet));
+    Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), 3);
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+      places.row(i) = mesh.nodes.row(facet.nodes[ix(static_cast<Index>(i))]);
+    for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+      Eigen::Matrix<double, 3, 2> const t = places.transpose() * rule.gradients[ix(static_cast<Index>(q))];
+      Eigen::Vector3d const place = places.transpose() * rule.shape.row(q).transpose();
+      sum += f(place, Eigen::Vector3d(t.col(0).cross(t.col(1)) * rule.weights[q]));
+    }
+  }
+  return sum;
+}
+
+/// Volume by the divergence theorem: right only when every facet faces outwards, m^3.
+inline double enclosed_volume(Mesh const& mesh, std::vector<Facet> const& facets) {
+  return over_facets(mesh, facets,
+                     [](Eigen::Vector3d const& x, Eigen::Vector3d const& n) { return x.dot(n) / 3; });
+}
+
+/// Area of a surface in 3D, m^2.
+inline double surface_area(Mesh const& mesh, Set const& set) {
+  return over_facets(mesh, set.facets,
+                     [](Eigen::Vector3d const&, Eigen::Vector3d const& n) { return n.norm(); });
 }
 
 /// Length of a set by its facets; those with a mid node count as two straight pieces, m.

@@ -57,7 +57,7 @@ Eigen::RowVector4d exact_stress(material::Material const& law, Eigen::Matrix2d c
 }
 
 template<class Act> void each_kind(Act const& act) {
-  for (auto const& cell : mesh::cell_table())
+  for (auto const& cell : mesh::cell_table(2))
     for (auto const kinematics : kinematics_list) {
       bool const axisymmetric = kinematics == Kinematics::axisymmetric;
       CAPTURE(axisymmetric);
@@ -122,7 +122,7 @@ TEST_SUITE("solid") {
 
   TEST_CASE("a rigid rotation gives no force, and turns the forces of a deformed body with it") {
     Eigen::Matrix2d const Q = Eigen::Rotation2Dd(2.1).toRotationMatrix();
-    for (auto const& cell : mesh::cell_table())
+    for (auto const& cell : mesh::cell_table(2))
       for (auto const& [name, law] : sample_materials()) {
         if (small_strain(law))
           continue;

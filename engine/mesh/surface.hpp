@@ -1,0 +1,24 @@
+// Boundaries as surfaces: their cells' kinds, areas of their nodes, consistency of their orientation.
+#pragma once
+#include <string>
+
+#include "mesh/mesh.hpp"
+
+namespace stiction::mesh {
+
+/// The plane kind that a facet of a 3D mesh is, by its number of nodes.
+[[nodiscard]] CellKind facet_kind(Facet const& facet);
+
+/// The area that each node of a surface stands for, all positive, in the order of set.nodes, m^2: integrals
+/// of the shape functions over tri3 and quad4 facets. On tri6 and quad8, where the integral of a corner's
+/// function is 0 or negative, each facet's area is shared in proportion to the integrals of N_a^2 (Hinton,
+/// Rock and Zienkiewicz, Earthq. Engng Struct. Dyn. 4, 1976), so that the sum stays the area. For meshes in
+/// 3D.
+[[nodiscard]] Vector nodal_areas(Mesh const& mesh, Set const& set);
+
+/// Refuses surfaces that contact cannot use: without facets or, in 3D, with an edge that two facets run
+/// through in the same direction or that more than two share. Throws InputError naming the set and the first
+/// facets.
+void check_surface(Mesh const& mesh, Set const& set, std::string const& name);
+
+} // namespace stiction::mesh
