@@ -10,6 +10,8 @@ std::string unfit(Obstacle const& obstacle, int dim, bool axisymmetric) {
 void prepare(Obstacle& obstacle) {
   if (auto* line = std::get_if<RigidPolyline>(&obstacle))
     prepare(*line);
+  if (auto* surface = std::get_if<RigidSurface>(&obstacle))
+    prepare(*surface);
 }
 
 } // namespace stiction::contact

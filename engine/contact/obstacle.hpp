@@ -5,13 +5,15 @@
 #include "contact/foot.hpp"
 #include "contact/obstacle_polyline.hpp"
 #include "contact/obstacle_shapes.hpp"
+#include "contact/obstacle_surface.hpp"
 #include "interface/cone.hpp"
 
 namespace stiction::contact {
 
 using interface::Local;
 
-using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline>;
+using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline,
+                              RigidSurface>;
 
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {

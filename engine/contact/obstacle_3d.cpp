@@ -9,13 +9,9 @@ namespace stiction::contact {
 
 namespace {
 
-Foot foot_3d(RigidPlane const& /*plane*/, Vec3 const& x, Foot /*guess*/) {
-  return {0, x.x(), x.y(), x.z()};
-}
-
-Look3d look_3d(RigidPlane const& plane, Vec3 const& x, Foot /*foot*/) {
+Look3d look_3d(RigidPlane const& plane, Vec3 const& x, Foot /*guess*/) {
   Vec3 const n = unit_or_last_axis<3>(plane.normal);
-  return {n.dot(x - place_or_origin<3>(plane.point)), n};
+  return {0, n.dot(x - place_or_origin<3>(plane.point)), n};
 }
 
 /// Distance from the skeleton of a round shape (centre, axis or middle circle), with two derivatives.
@@ -68,14 +64,11 @@ concept Round = requires(Shape const& shape, Vec3 const& x) {
   away_from(shape, x);
 };
 
-Foot foot_3d(Round auto const& shape, Vec3 const& x, Foot /*guess*/) {
-  return away_from(shape, x).distance > 0 ? Foot{0, x.x(), x.y(), x.z()} : Foot{};
-}
-
-Look3d look_3d(Round auto const& shape, Vec3 const& x, Foot /*foot*/) {
+Look3d look_3d(Round auto const& shape, Vec3 const& x, Foot /*guess*/) {
   auto const away = away_from(shape, x);
   double const sign = sign_of(shape.side);
-  return {sign * (away.distance - thickness(shape)), sign * away.direction, sign * away.by_xx};
+  return {away.distance > 0 ? 0 : -1, sign * (away.distance - thickness(shape)), sign * away.direction,
+          sign * away.by_xx};
 }
 
 /// The axis whose part along the surface is t1: `direction`, or if n is parallel to it the axis after that
@@ -109,13 +102,13 @@ Mat<3> turn_of_frame(Mat<3> const& frame, Mat<3> const& dn, Vec3 const& directio
 }
 
 ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Foot start, Foot guess, Vec3 const& direction) {
-  if constexpr (requires { foot_3d(shape, point, guess); }) {
+  if constexpr (requires { look_3d(shape, point, guess); }) {
+    auto const seen = look_3d(shape, point, guess);
     ObstacleView<3> result;
-    result.foot = foot_3d(shape, point, guess);
-    result.found = result.foot.found();
+    result.found = seen.segment >= 0;
     if (!result.found)
       return result;
-    auto const seen = look_3d(shape, point, result.foot);
+    result.foot = {seen.segment, point.x(), point.y(), point.z()};
     result.gap = seen.gap;
     result.frame = frame_of(seen.normal, direction);
     result.by_x = result.frame.transpose();
@@ -131,7 +124,7 @@ Mat<3> stiffness_of(auto const& shape, Foot foot, Vec3 const& point, Local<3> co
                     Vec3 const& direction) {
   if constexpr (requires { look_3d(shape, point, foot); }) {
     auto const seen = look_3d(shape, point, foot);
-    return turn_of_frame(frame_of(seen.normal, direction), seen.gap_by_xx, direction, force);
+    return turn_of_frame(frame_of(seen.normal, direction), seen.normal_by_x, direction, force);
   } else {
     core::fail_expectation("the obstacle has a form in space", std::source_location::current());
   }

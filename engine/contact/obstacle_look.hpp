@@ -14,9 +14,10 @@ struct Look2d {
 
 /// A shape of space from a point near it.
 struct Look3d {
-  double gap = 0; ///< m
+  int segment = -1; ///< of the foot, where to start looking next time; -1: no counterpart
+  double gap = 0;   ///< m
   Vec3 normal = Vec3::Zero();
-  Mat<3> gap_by_xx = Mat<3>::Zero(); ///< 1/m
+  Mat<3> normal_by_x = Mat<3>::Zero(); ///< 1/m
 };
 
 /// t of a normal n in the plane: (t, n) is right-handed.

@@ -48,8 +48,9 @@ struct GmshGeometry {
   void read_nested(core::Reader& reader);
 };
 
-/// A mesh file of gmsh. Sets: its physical groups by name (curves become boundaries, surfaces and points node
-/// sets), "all" (nodes). Without physical surfaces all cells are taken.
+/// A mesh file of gmsh, solid where it has solid cells. Sets: its physical groups by name (curves in 2D and
+/// surfaces in 3D become boundaries, others node sets), "all" (nodes). Without physical surfaces (2D) or
+/// volumes (3D) all cells are taken.
 struct MshFile {
   std::string path;   ///< ends in .msh
   double scale = 1.0; ///< length of the file's unit, m
@@ -59,7 +60,8 @@ struct MshFile {
 /// Throws InputError for outlines that are open, arcs off their circle, unknown names, and what gmsh refuses.
 [[nodiscard]] Mesh gmsh_geometry(GmshGeometry const& geometry);
 
-/// Throws InputError when the file is missing, truncated, not plane or has cells of a kind we lack.
+/// Throws InputError when the file is missing, truncated, a shell, of solid and surface cells without a
+/// physical volume, or has cells of a kind we lack.
 [[nodiscard]] Mesh msh_file(MshFile const& file);
 
 } // namespace stiction::mesh

@@ -22,6 +22,7 @@ Mesh make(Generator const& generator) {
     Mesh operator()(QuarterCylinderOptions const& options) const { return quarter_cylinder(options); }
     Mesh operator()(HalfBallOptions const& options) const { return half_ball(options); }
     Mesh operator()(GmshGeometry const& geometry) const { return gmsh_geometry(geometry); }
+    Mesh operator()(GmshSolid const& solid) const { return gmsh_solid(solid); }
     Mesh operator()(MshFile const& file) const { return msh_file(file); }
   } dispatch;
   return std::visit(dispatch, generator);

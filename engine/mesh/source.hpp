@@ -4,13 +4,15 @@
 
 #include "mesh/generators.hpp"
 #include "mesh/gmsh.hpp"
+#include "mesh/gmsh_solid.hpp"
 
 namespace stiction::mesh {
 
 /// What scripts make as mesh.block{...}, mesh.half_disc{...}, mesh.gmsh{...}, and so on by their schemas'
 /// names.
-using Generator = std::variant<BlockOptions, GradedBlockOptions, HalfDiscOptions, QuarterDiscOptions,
-                               BoxOptions, QuarterCylinderOptions, HalfBallOptions, GmshGeometry, MshFile>;
+using Generator =
+    std::variant<BlockOptions, GradedBlockOptions, HalfDiscOptions, QuarterDiscOptions, BoxOptions,
+                 QuarterCylinderOptions, HalfBallOptions, GmshGeometry, GmshSolid, MshFile>;
 
 /// Makes the mesh. Throws InputError when the numbers make no mesh.
 [[nodiscard]] Mesh make(Generator const& generator);

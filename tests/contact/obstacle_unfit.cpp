@@ -32,6 +32,7 @@ TEST_SUITE("contact") {
     CHECK(unfit(Obstacle{RigidSphere{{1, 2, 3}, 4}}, 3, false).empty());
     CHECK(unfit(Obstacle{RigidCylinder{{1, 2, 3}, {1, 0, 0}, 4}}, 3, false).empty());
     CHECK(unfit(Obstacle{RigidTorus{{1, 2, 3}, {1, 0, 0}, 4, 1}}, 3, false).empty());
+    CHECK(unfit(Obstacle{RigidSurface{"stamp.msh", 1, {}}}, 3, false).empty());
     CHECK(unfit(Obstacle{RigidTorus{{0, 2}, {0, -1}, 4, 1}}, 2, true).empty());
     CHECK(unfit(Obstacle{RigidSphere{{1, 2}, 3}}, 2, false).empty());
   }
@@ -42,6 +43,7 @@ TEST_SUITE("contact") {
     CHECK(says(unfit(Obstacle{RigidCylinder{{}, {}, 1}}, 2, true), {"3D", "plane", "{1, 0}"}));
     CHECK(says(unfit(Obstacle{RigidTorus{{}, {}, 2, 1}}, 2, false), {"3D", "axisymmetry", "circle"}));
     CHECK(says(unfit(Obstacle{line({0, 0, 1, 0})}, 3, false), {"plane", "surface"}));
+    CHECK(says(unfit(Obstacle{RigidSurface{"stamp.msh", 1, {}}}, 2, false), {"3D", "polyline"}));
   }
 
   TEST_CASE("components that are too few or too many are counted") {

@@ -35,6 +35,33 @@ inline core::Numbers ellipse(int count, double a, double b, double turn = 6.2831
   return points;
 }
 
+/// Corners and cells of one kind, as a rigid surface.
+inline contact::RigidSurface surface_of(Matrix nodes, mesh::CellKind kind, Indices cells) {
+  mesh::Mesh mesh;
+  mesh.dim = 3;
+  mesh.nodes = std::move(nodes);
+  mesh.blocks = {{kind, std::move(cells)}};
+  contact::RigidSurface surface;
+  surface.prepared = std::make_shared<contact::FixedSurface const>(mesh);
+  return surface;
+}
+
+/// The cube |x|, |y|, |z| <= half.
+inline contact::RigidSurface cube(double half, mesh::CellKind kind) {
+  Matrix nodes(8, 3);
+  for (int i = 0; i < 8; ++i)
+    nodes.row(i) << ((i & 1) != 0 ? half : -half), ((i & 2) != 0 ? half : -half),
+        ((i & 4) != 0 ? half : -half);
+  Indices const sides{0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  if (kind == mesh::CellKind::quad4)
+    return surface_of(nodes, kind, sides);
+  Indices halves;
+  for (std::size_t q = 0; q < sides.size(); q += 4)
+    for (std::size_t const k : {0, 1, 2, 0, 2, 3})
+      halves.push_back(sides[q + k]);
+  return surface_of(nodes, kind, halves);
+}
+
 /// Every shape of the plane, from both sides, with open and penetrating points.
 inline std::vector<Encounter<2>> encounters(std::integral_constant<int, 2> /*D*/) {
   using namespace contact;
@@ -62,6 +89,10 @@ inline std::vector<Encounter<3>> encounters(std::integral_constant<int, 3> /*D*/
     shapes.emplace_back(RigidSphere{{-0.4, 0.3, 0.2}, 1.5, side});
     shapes.emplace_back(RigidCylinder{{0.1, -0.2, 5}, {1, 0.5, -2}, 1.2, side});
     shapes.emplace_back(RigidTorus{{0.1, 0.5, -0.2}, {0.3, 1, 0.4}, 2, 0.7, side});
+  }
+  for (double const half : {0.65, 1.0, 1.45, 2.2}) { // corners, edges, faces, from inside
+    shapes.emplace_back(cube(half, mesh::CellKind::tri3));
+    shapes.emplace_back(cube(half, mesh::CellKind::quad4));
   }
   std::vector<Encounter<3>> all;
   for (auto const& shape : shapes)

@@ -2,56 +2,25 @@
 #include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
-#include <fstream>
 #include <numbers>
-#include <optional>
 
 #include "helpers.hpp"
 #include "mesh/gmsh.hpp"
 #include "mesh/mesh_cache.hpp"
 #include "mesh/mesher_process.hpp"
 #include "mesh/quality.hpp"
+#include "own_cache.hpp"
 
 using namespace stiction;
 using namespace stiction::mesh;
 using test::area;
 using test::length;
 using test::mentions;
+using test::no_mesher;
+using test::OwnCache;
 using test::refusal;
 
 namespace {
-
-/// Sends the cache to a folder of this test.
-class OwnCache {
-public:
-  OwnCache() { set(folder_.path().string()); }
-  ~OwnCache() { restore(); }
-  OwnCache(OwnCache const&) = delete;
-  OwnCache& operator=(OwnCache const&) = delete;
-  [[nodiscard]] std::string operator/(std::string const& name) const { return folder_ / name; }
-
-private:
-  void set(std::string const& value) {
-    if (char const* before = std::getenv("XDG_CACHE_HOME"))
-      before_ = before;
-    setenv("XDG_CACHE_HOME", value.c_str(), 1);
-  }
-  void restore() {
-    if (before_)
-      setenv("XDG_CACHE_HOME", before_->c_str(), 1);
-    else
-      unsetenv("XDG_CACHE_HOME");
-  }
-  test::Folder folder_;
-  std::optional<std::string> before_;
-};
-
-bool no_mesher() {
-  if (!find_mesher().empty())
-    return false;
-  MESSAGE("the mesher was not built: nothing tested");
-  return true;
-}
 
 /// A quarter of a ring, inner radius 1, outer 2, with a square hole when asked.
 GmshGeometry quarter_ring(CellKind kind) {
@@ -76,9 +45,7 @@ std::string msh_text(std::string const& cells = "3 2 2 2 1 1 2 3\n4 2 2 2 1 1 3 
 }
 
 std::string write(OwnCache const& folder, std::string const& name, std::string const& text) {
-  std::string const path = folder / name;
-  std::ofstream(path) << text;
-  return path;
+  return folder.write(name, text);
 }
 
 std::string import_words(std::string const& path) {
@@ -249,7 +216,7 @@ TEST_SUITE("mesh") {
     CHECK(mentions(import_words(mixed), "inverted"));
   }
 
-  TEST_CASE("truncated, foreign, missing and solid files are refused with a reason") {
+  TEST_CASE("truncated, foreign and missing files are refused with a reason") {
     if (no_mesher())
       return;
     OwnCache const cache;
@@ -265,11 +232,6 @@ TEST_SUITE("mesh") {
     CHECK(mentions(import_words(write(cache, "empty.msh", "")), "empty"));
     CHECK(mentions(import_words(cache / "none.msh"), "cannot be read"));
     CHECK(mentions(import_words("mesh.geo"), "must end in .msh"));
-    auto const solid =
-        write(cache, "solid.msh",
-              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
-              "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n");
-    CHECK(mentions(import_words(solid), "3D"));
   }
 
   TEST_CASE("a mesher that crashes or is missing becomes a message") {

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "mesh/mesher/tasks.hpp"
 #include "mesh/quads.hpp"
+#include "mesh/surface.hpp"
 
 namespace stiction::mesher {
 
@@ -57,9 +58,9 @@ struct Group {
   std::vector<int> entities;
 };
 
-/// The physical groups of a dimension; those without a name are called point_1, curve_1, surface_1.
+/// The physical groups of a dimension; those without a name are called point_1, curve_1, surface_1, volume_1.
 std::vector<Group> groups_of(int dim) {
-  static constexpr char const* words[] = {"point", "curve", "surface"};
+  static constexpr char const* words[] = {"point", "curve", "surface", "volume"};
   gmsh::vectorpair pairs;
   gmsh::model::getPhysicalGroups(pairs, dim);
   std::vector<Group> groups;
@@ -74,16 +75,28 @@ std::vector<Group> groups_of(int dim) {
   return groups;
 }
 
-/// Surfaces in physical groups, or all surfaces when there are no such groups.
-std::vector<int> surfaces_to_take() {
-  std::vector<int> surfaces;
-  for (auto const& group : groups_of(2))
-    surfaces.insert(surfaces.end(), group.entities.begin(), group.entities.end());
-  if (surfaces.empty())
-    return entities_of(2);
-  std::sort(surfaces.begin(), surfaces.end());
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
-  return surfaces;
+/// Entities of a dimension in physical groups, or all of them when there are no such groups.
+std::vector<int> entities_to_take(int dim) {
+  std::vector<int> entities;
+  for (auto const& group : groups_of(dim))
+    entities.insert(entities.end(), group.entities.begin(), group.entities.end());
+  if (entities.empty())
+    return entities_of(dim);
+  std::sort(entities.begin(), entities.end());
+  entities.erase(std::unique(entities.begin(), entities.end()), entities.end());
+  return entities;
+}
+
+/// 3 when the mesh has solid cells, else 2. Solid and surface cells together leave open which are wanted,
+/// unless there is a physical volume.
+int dimension() {
+  if (elements_on(3, entities_of(3)).empty())
+    return 2;
+  if (groups_of(3).empty() && !elements_on(2, entities_of(2)).empty())
+    throw core::InputError(
+        "the mesh has solid cells and surface cells but no physical volume, so that it is "
+        "open which to compute on; make the volume a physical group, or save a mesh in 2D");
+  return 3;
 }
 
 std::optional<mesh::CellKind> kind_of_type(int gmsh_type) {
@@ -91,12 +104,6 @@ std::optional<mesh::CellKind> kind_of_type(int gmsh_type) {
     if (cell.gmsh_type == gmsh_type)
       return cell.kind;
   return std::nullopt;
-}
-
-void refuse_solids() {
-  for (auto const& elements : elements_on(3, entities_of(3)))
-    if (!elements.nodes.empty())
-      throw core::InputError("the mesh has solid cells (3D); only plane meshes are read so far");
 }
 
 /// Numbers the nodes that cells use, in the order of gmsh's tags.
@@ -114,8 +121,9 @@ public:
       return std::nullopt;
     return static_cast<Index>(found - tags_.begin());
   }
-  /// Coordinates [nodes, 2], m. Throws InputError when the nodes do not lie in a plane z = constant.
-  [[nodiscard]] Matrix coordinates(double scale) const {
+  /// Coordinates [nodes, dim], m. Throws InputError when the nodes of a 2D mesh do not lie in a plane z =
+  /// constant.
+  [[nodiscard]] Matrix coordinates(double scale, int dim) const {
     std::vector<double> xyz, parameters;
     Tags given;
     gmsh::model::mesh::getNodes(given, xyz, parameters);
@@ -123,10 +131,13 @@ public:
     for (std::size_t i = 0; i < given.size(); ++i)
       if (auto const node = find(given[i]))
         nodes.row(*node) << xyz[3 * i] * scale, xyz[3 * i + 1] * scale, xyz[3 * i + 2] * scale;
+    if (dim == 3)
+      return nodes;
     double const extent = (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).maxCoeff();
     if (nodes.col(2).maxCoeff() - nodes.col(2).minCoeff() > 1e-9 * extent)
-      throw core::InputError(
-          "the mesh is not plane: its z coordinates differ; only meshes in x, y are read so far");
+      throw core::InputError("the mesh is not plane: its z coordinates differ but it has no solid cells; "
+                             "shells are not computed "
+                             "on: mesh the volume too, or lay the mesh into a plane z = constant");
     return nodes.leftCols(2);
   }
 
@@ -178,25 +189,47 @@ Indices unique_nodes(std::vector<Elements> const& elements, Numbering const& num
   return nodes;
 }
 
-/// Facets by their two corners in ascending order.
-using Boundary = std::map<std::pair<Index, Index>, mesh::Facet>;
+/// Facets by their corners in ascending order.
+using Boundary = std::map<Indices, mesh::Facet>;
+
+Indices key_of(Index const* nodes, std::size_t corners) {
+  Indices key(nodes, nodes + corners);
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Corners of a side: a line in 2D, a cell of the plane in 3D.
+std::size_t corners_of(mesh::Facet const& facet, int dim) {
+  return dim == 2 ? 2 : static_cast<std::size_t>(mesh::info(mesh::facet_kind(facet)).corners);
+}
 
 Boundary boundary_by_corners(Mesh const& mesh) {
   Boundary result;
   for (auto const& facet : mesh::boundary(mesh))
-    result.emplace(std::minmax(facet.nodes[0], facet.nodes[1]), facet);
+    result.emplace(key_of(facet.nodes.data(), corners_of(facet, mesh.dim)), facet);
   return result;
 }
 
-/// The facets that lie on lines; lines inside the body have none.
-std::vector<mesh::Facet> facets_on(std::vector<Elements> const& lines, Numbering const& numbering,
+/// Nodes and corners of gmsh's lines (2 or 3 nodes) and plane cells.
+std::array<std::size_t, 2> nodes_and_corners(int gmsh_type) {
+  auto const kind = kind_of_type(gmsh_type);
+  if (!kind)
+    return {gmsh_type == 8 ? 3U : 2U, 2};
+  auto const& cell = mesh::info(*kind);
+  return {static_cast<std::size_t>(cell.nodes), static_cast<std::size_t>(cell.corners)};
+}
+
+/// The facets that lie on these lines or plane cells; those inside the body have none.
+std::vector<mesh::Facet> facets_on(std::vector<Elements> const& sides, Numbering const& numbering,
                                    Boundary const& boundary) {
   std::vector<mesh::Facet> facets;
-  for (auto const& part : lines) {
-    std::size_t const step = part.type == 8 ? 3 : 2; // gmsh's 3-node line, else 2 nodes
+  for (auto const& part : sides) {
+    auto const [step, corners] = nodes_and_corners(part.type);
     for (std::size_t i = 0; i + step <= part.nodes.size(); i += step) {
-      auto const a = numbering.find(part.nodes[i]), b = numbering.find(part.nodes[i + 1]);
-      auto const found = a && b ? boundary.find(std::minmax(*a, *b)) : boundary.end();
+      Indices nodes;
+      for (std::size_t k = 0; k < corners; ++k)
+        nodes.push_back(numbering.find(part.nodes[i + k]).value_or(-1));
+      auto const found = boundary.find(key_of(nodes.data(), corners));
       if (found != boundary.end())
         facets.push_back(found->second);
     }
@@ -206,7 +239,7 @@ std::vector<mesh::Facet> facets_on(std::vector<Elements> const& lines, Numbering
 
 void add_sets(Mesh& mesh, Numbering const& numbering) {
   auto const boundary = boundary_by_corners(mesh);
-  for (int dim = 0; dim <= 2; ++dim)
+  for (int dim = 0; dim <= mesh.dim; ++dim)
     for (auto const& group : groups_of(dim)) {
       auto const elements = elements_on(dim, group.entities);
       auto& set = mesh.sets[group.name];
@@ -215,35 +248,44 @@ void add_sets(Mesh& mesh, Numbering const& numbering) {
       std::set_union(set.nodes.begin(), set.nodes.end(), nodes.begin(), nodes.end(),
                      std::back_inserter(both));
       set.nodes = both;
-      if (dim == 1)
+      if (dim == mesh.dim - 1)
         set.facets = facets_on(elements, numbering, boundary);
     }
   mesh.sets.try_emplace("all", mesh::all_nodes(mesh));
 }
 
+/// Cells of one of our kinds in the order of its nodes.
+mesh::Block block_of(Elements const& elements, Numbering const& numbering) {
+  auto const kind = kind_of_type(elements.type);
+  if (!kind)
+    throw core::InputError(
+        fmt::format("the mesh has cells of gmsh's type {}; known are tri3, tri6, quad4, quad8, tet4, tet10, "
+                    "hex8 and hex20 (second order quadrilaterals and hexahedra need "
+                    "Mesh.SecondOrderIncomplete = 1)",
+                    elements.type));
+  auto const& order = mesh::info(*kind).gmsh_order;
+  mesh::Block block{*kind, {}};
+  for (std::size_t first = 0; first < elements.nodes.size(); first += order.size())
+    for (int const local : order)
+      block.nodes.push_back(*numbering.find(elements.nodes[first + static_cast<std::size_t>(local)]));
+  return block;
+}
+
 } // namespace
 
 Mesh extract(double scale) {
-  refuse_solids();
-  auto const cells = elements_on(2, surfaces_to_take());
+  int const dim = dimension();
+  auto const cells = elements_on(dim, entities_to_take(dim));
   if (cells.empty())
-    throw core::InputError("the mesh has no cells (no surface elements)");
+    throw core::InputError("the mesh has no cells (no surface or volume elements)");
   Numbering const numbering(cells);
   Mesh mesh;
-  mesh.nodes = numbering.coordinates(scale);
-  for (auto const& elements : cells) {
-    auto const kind = kind_of_type(elements.type);
-    if (!kind)
-      throw core::InputError(
-          fmt::format("the mesh has cells of gmsh's type {}; known are tri3, tri6, quad4 and quad8 "
-                      "(second order quadrilaterals need Mesh.SecondOrderIncomplete = 1)",
-                      elements.type));
-    mesh::Block block{*kind, {}};
-    for (std::size_t const tag : elements.nodes)
-      block.nodes.push_back(*numbering.find(tag));
-    mesh.blocks.push_back(std::move(block));
-  }
-  turn_to_front(mesh);
+  mesh.dim = dim;
+  mesh.nodes = numbering.coordinates(scale, dim);
+  for (auto const& elements : cells)
+    mesh.blocks.push_back(block_of(elements, numbering));
+  if (dim == 2)
+    turn_to_front(mesh);
   add_sets(mesh, numbering);
   return mesh;
 }

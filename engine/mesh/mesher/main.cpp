@@ -57,12 +57,14 @@ std::string gmsh_words() {
 
 void answer(std::string const& request_text, std::string const& output) {
   auto const request = nlohmann::json::parse(request_text);
-  bool const import = request.at("task") == "import";
-  if (import)
+  auto const task = request.at("task").get<std::string>();
+  if (task == "import")
     mesher::import_file(request);
+  else if (task == "solid")
+    mesher::build_solid(request);
   else
     mesher::build_geometry(request);
-  mesh::write_mesh(output, mesher::extract(import ? request.at("scale").get<double>() : 1.0), request_text);
+  mesh::write_mesh(output, mesher::extract(request.value("scale", 1.0)), request_text);
 }
 
 int guarded(std::string const& request, std::string const& output) {

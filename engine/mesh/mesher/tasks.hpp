@@ -11,12 +11,16 @@ namespace stiction::mesher {
 /// Throws InputError or what gmsh throws.
 void build_geometry(nlohmann::json const& request);
 
+/// Meshes one of a few solids about the origin with tetrahedra; its faces become physical surfaces.
+void build_solid(nlohmann::json const& request);
+
 /// Reads the .msh file of a request into gmsh's current model.
 /// Throws InputError when the file is truncated or not a mesh file.
 void import_file(nlohmann::json const& request);
 
-/// The plane mesh of gmsh's current model, lengths times `scale`, with its physical groups as sets.
-/// Throws InputError for meshes that are not plane and for cells of a kind we lack.
+/// The plane or solid mesh of gmsh's current model, lengths times `scale`, with its physical groups as sets.
+/// Throws InputError for shells, for solid and surface cells without a physical volume, and for cells of a
+/// kind we lack.
 [[nodiscard]] mesh::Mesh extract(double scale);
 
 } // namespace stiction::mesher

@@ -1,0 +1,116 @@
+// Welding equal vertices, and the checks that every surface file needs.
+#include "mesh/surface_weld.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace stiction::mesh {
+
+namespace {
+
+/// Nodes by their cell in a grid as coarse as the weld distance; neighbouring cells are looked through.
+class Welder {
+public:
+  explicit Welder(double distance) : distance_(distance) {}
+
+  Index node(Eigen::RowVector3d const& place) {
+    Key const key = key_of(place);
+    for (int i = 0; i < 27; ++i) {
+      auto const found = grid_.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
+      if (found != grid_.end() && (nodes_[ix(found->second)] - place).norm() <= distance_)
+        return found->second;
+    }
+    nodes_.push_back(place);
+    return grid_[key] = static_cast<Index>(nodes_.size()) - 1;
+  }
+  [[nodiscard]] Matrix nodes() const {
+    Matrix all(static_cast<Eigen::Index>(nodes_.size()), 3);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      all.row(static_cast<Eigen::Index>(i)) = nodes_[i];
+    return all;
+  }
+
+private:
+  using Key = std::array<std::int64_t, 3>;
+  [[nodiscard]] Key key_of(Eigen::RowVector3d const& place) const {
+    Key key{};
+    for (std::size_t d = 0; d < 3; ++d)
+      key[d] = std::llround(place[static_cast<Eigen::Index>(d)] / distance_);
+    return key;
+  }
+  double distance_;
+  std::vector<Eigen::RowVector3d> nodes_;
+  std::map<Key, Index> grid_;
+};
+
+/// Refuses numbers that are not finite and files without a triangle of a size.
+double checked_extent(Triangles const& triangles, std::string const& path) {
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (auto const& vertex : triangles[i]) {
+      if (!vertex.allFinite())
+        refuse_surface(path, fmt::format("triangle {} has a coordinate that is not a finite number", i + 1));
+      low = low.cwiseMin(vertex);
+      high = high.cwiseMax(vertex);
+    }
+  double const extent = triangles.empty() ? 0.0 : (high - low).maxCoeff();
+  if (!(extent > 0))
+    refuse_surface(path, triangles.empty() ? "holds no triangle" : "holds only triangles without an area");
+  return extent;
+}
+
+} // namespace
+
+void refuse_surface(std::string const& path, std::string const& words) {
+  throw core::InputError(fmt::format("surface file {}: {}", path, words));
+}
+
+std::string read_surface_file(std::string const& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream content;
+  if (!in)
+    refuse_surface(path, "cannot be read");
+  content << in.rdbuf();
+  if (content.str().empty())
+    refuse_surface(path, "is empty");
+  return content.str();
+}
+
+bool read_vertex(std::istream& in, Eigen::RowVector3d& vertex) {
+  for (int d = 0; d < 3; ++d) {
+    std::string word;
+    if (!(in >> word))
+      return false;
+    char* end = nullptr;
+    vertex[d] = std::strtod(word.c_str(), &end);
+    if (end == word.c_str() || *end != '\0')
+      return false;
+  }
+  return true;
+}
+
+SurfaceMesh weld(Triangles const& triangles, double scale, std::string const& path) {
+  double const extent = checked_extent(triangles, path);
+  Welder welder(1e-7 * extent);
+  SurfaceMesh surface;
+  for (auto const& triangle : triangles) {
+    Indices nodes;
+    for (auto const& vertex : triangle)
+      nodes.push_back(welder.node(vertex));
+    if (nodes[0] != nodes[1] && nodes[1] != nodes[2] && nodes[2] != nodes[0])
+      surface.facets.push_back({nodes});
+  }
+  if (surface.facets.empty())
+    refuse_surface(path, "holds only triangles without an area");
+  surface.nodes = welder.nodes() * scale;
+  return surface;
+}
+
+} // namespace stiction::mesh
