@@ -1,6 +1,7 @@
 // One cell in deformed state: strain, stress, force and stiffness, all of fixed size.
 #pragma once
 #include <array>
+#include <utility>
 
 #include "solid/block.hpp"
 #include "solid/dilatation.hpp"
@@ -196,25 +197,34 @@ private:
                                           slope.col(i).lazyProduct(mixed.col(j).transpose()));
   }
 
-  /// K_ij += G (L_i^T D L_j + delta_ij S) G^T, where L_i^T is G::pull.
+  /// Adds the share of a point to the blocks between all components.
   void add_point(int q, double weight, Stiffness& K) const {
-    auto const& F = points_[at(q)].F;
-    auto const& D = responses_[at(q)].tangent;
-    Gradients const gradients = this->gradients(q);
-    for (int j = 0; j < dim; ++j) {
-      Eigen::Matrix<double, voigt, width> T;
-      for (int v = 0; v < voigt; ++v)
-        T.row(v) = weight * G::pull(F, j, D.col(v));
-      for (int i = j; i < dim; ++i) {
-        Eigen::Matrix<double, width, width> A;
-        for (int k = 0; k < width; ++k)
-          A.col(k) = G::pull(F, i, T.col(k));
-        if (i == j && finite_)
-          A += weight * G::initial_stress(responses_[at(q)].stress, i);
-        Eigen::Matrix<double, Nodes, width> const left = gradients.lazyProduct(A);
-        K[at(G::pair(i, j))] += left.lazyProduct(gradients.transpose());
-      }
+    [&]<int... j>(std::integer_sequence<int, j...>) {
+      (add_column<j>(q, weight, K, std::make_integer_sequence<int, dim - j>()), ...);
     }
+    (std::make_integer_sequence<int, dim>());
+  }
+  /// K_ij += G (L_i^T D L_j + delta_ij S) G^T for i = j + k, where L_i^T is G::pull.
+  template<int j, int... k>
+  void add_column(int q, double weight, Stiffness& K, std::integer_sequence<int, k...>) const {
+    auto const& D = responses_[at(q)].tangent;
+    Eigen::Matrix<double, voigt, G::active(j)> T;
+    for (int v = 0; v < voigt; ++v)
+      T.row(v) = weight * G::pull(points_[at(q)].F, j, D.col(v)).template head<G::active(j)>();
+    (add_block<j + k, j>(q, weight, T, K), ...);
+  }
+  template<int i, int j, class Pulled>
+  void add_block(int q, double weight, Pulled const& T, Stiffness& K) const {
+    constexpr int rows = G::active(i), columns = G::active(j);
+    Eigen::Matrix<double, rows, columns> A;
+    for (int c = 0; c < columns; ++c)
+      A.col(c) = G::pull(points_[at(q)].F, i, T.col(c)).template head<rows>();
+    if constexpr (i == j)
+      if (finite_)
+        A += weight * G::initial_stress(responses_[at(q)].stress, i).template topLeftCorner<rows, rows>();
+    Gradients const g = gradients(q);
+    Eigen::Matrix<double, Nodes, columns> const left = g.template leftCols<rows>().lazyProduct(A);
+    K[at(G::pair(i, j))] += left.lazyProduct(g.template leftCols<columns>().transpose());
   }
 
   PreparedBlock const& block_;

@@ -1,4 +1,5 @@
-// Mean dilatation at one point: the strain whose volume change is the cell's mean, and what is conjugate to it.
+// Mean dilatation at one point: the strain whose volume change is the cell's mean, and what is conjugate to
+// it.
 #pragma once
 #include <Eigen/LU>
 #include <cmath>
@@ -7,9 +8,9 @@
 
 namespace stiction::solid {
 
-/// Fbar = (theta/J)^(1/3) F, so that Ebar = (a C - I)/2 with a = (theta/J)^(2/3) depends on this point's E and
-/// on tau = ln theta (Simo, Taylor & Pister, Comput. Methods Appl. Mech. Engng 51, 1985). With small strains
-/// Ebar = dev(E) + tau/3 I, tau the mean of tr(E): the same formulas with C = I and a = J = 1 held.
+/// Fbar = (theta/J)^(1/3) F, so that Ebar = (a C - I)/2 with a = (theta/J)^(2/3) depends on this point's E
+/// and on tau = ln theta (Simo, Taylor & Pister, Comput. Methods Appl. Mech. Engng 51, 1985). With small
+/// strains Ebar = dev(E) + tau/3 I, tau the mean of tr(E): the same formulas with C = I and a = J = 1 held.
 template<int N> struct Dilatation {
   using Voigt = material::Voigt<N>;
   using VoigtMatrix = material::VoigtMatrix<N>;
@@ -47,7 +48,8 @@ template<int N> struct Dilatation {
       a = ratio * ratio;
       result *= a;
     }
-    result.template head<3>().array() += finite ? 0.5 * (a - 1) : (theta - strain.template head<3>().sum()) / 3;
+    result.template head<3>().array() +=
+        finite ? 0.5 * (a - 1) : (theta - strain.template head<3>().sum()) / 3;
     return result;
   }
 
@@ -72,7 +74,8 @@ template<int N> struct Dilatation {
     double const CDC = C.dot(DC), b = 2 * a / 3;
     VoigtMatrix const square = inverse * inverse.transpose();
     Second result;
-    result.by_strain = a * a * (D - (inverse * DC.transpose() + DC * inverse.transpose() - CDC / 3 * square) / 3);
+    result.by_strain =
+        a * a * (D - (inverse * DC.transpose() + DC * inverse.transpose() - CDC / 3 * square) / 3);
     result.mixed = a * a / 3 * (DC - CDC / 3 * inverse);
     result.by_tau = a * a / 9 * CDC;
     if (finite) {

@@ -18,6 +18,8 @@ template<Kinematics kinematics> struct Geometry {
   using Row = Eigen::Matrix<double, width, 1>;
   using Gradient = Eigen::Matrix<double, width, dim>; ///< H(B, i) = du_i/dX_B; H(2, 0) = u_r/R
 
+  /// How many of the derivatives act on component i.
+  [[nodiscard]] static constexpr int active(int i) { return axisymmetric && i == 1 ? 2 : width; }
   [[nodiscard]] static constexpr int pair(int i, int j) { return i * (i + 1) / 2 + j; }
 
   /// F = I + H as a full tensor.

@@ -78,8 +78,10 @@ private:
       respond(cell);
       cell.stiffness(target.factor, K);
       for (int a = 0; a < Nodes; ++a)
-        for (int i = 0; i < dim; ++i)
-          scatter_row(K, a, i, {1, map, target.values}), map += dim * a + i + 1;
+        for (int i = 0; i < dim; ++i) {
+          scatter_row(K, a, i, {1, map, target.values});
+          map += dim * a + i + 1;
+        }
     }
   }
   /// Row (a, i) of the lower triangle.
@@ -88,13 +90,9 @@ private:
     for (int b = 0; b <= a; ++b)
       for (int j = 0; j < (b < a ? dim : i + 1); ++j, ++map)
         if (*map >= 0)
-          to.values[ix(*map)] += entry(K, dim * a + i, dim * b + j);
+          to.values[ix(*map)] += i >= j ? K[pair(i, j)](a, b) : K[pair(j, i)](b, a);
   }
-  static double entry(typename Element::Stiffness const& K, int row, int column) {
-    int const a = row / dim, i = row % dim, b = column / dim, j = column % dim;
-    auto const pair = static_cast<std::size_t>(Element::G::pair(std::max(i, j), std::min(i, j)));
-    return i >= j ? K[pair](a, b) : K[pair](b, a);
-  }
+  static constexpr std::size_t pair(int i, int j) { return static_cast<std::size_t>(Element::G::pair(i, j)); }
 };
 
 /// The one of Passes<kinematics, Nodes>... with so many nodes.

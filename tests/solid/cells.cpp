@@ -24,7 +24,8 @@ Matrix3 gradient_of_patch(Kinematics kinematics, bool small) {
     H.row(2).setZero();
     H.col(2).setZero();
   }
-  if (kinematics == Kinematics::axisymmetric) { // constant stress needs equal radial and hoop stretch, no shear
+  if (kinematics ==
+      Kinematics::axisymmetric) { // constant stress needs equal radial and hoop stretch, no shear
     H(0, 1) = H(1, 0) = 0;
     H(2, 2) = H(0, 0);
   }
@@ -94,7 +95,7 @@ TEST_SUITE("solid") {
     });
   }
 
-  TEST_CASE("force is the derivative of energy and stiffness that of force, at second order") {
+  TEST_CASE("force is the derivative of energy and stiffness that of force at second order") {
     each_case_and_law([](Case const& each, material::Material const& law) {
       Body const body = each.body(law, each.dim() == 3 ? 1 : 2);
       Cells const cells(body, each.kinematics);
@@ -127,7 +128,7 @@ TEST_SUITE("solid") {
     });
   }
 
-  TEST_CASE("a rigid motion gives no force, and turns the forces of a deformed body with it") {
+  TEST_CASE("a rigid motion gives no force and turns the forces of a deformed body with it") {
     each_case_and_law([](Case const& each, material::Material const& law) {
       Body const body = each.body(law, each.dim() == 3 ? 1 : 2);
       Cells const cells(body, each.kinematics);
@@ -137,7 +138,8 @@ TEST_SUITE("solid") {
         return;
       Matrix3 const Q = rotation(each.dim());
       Vector const X = nodal(body.mesh, [](Point const& at) { return at; });
-      Vector const moved = turned(Q, X, each.dim()) - X + nodal(body.mesh, [&](Point const&) { return shift; });
+      Vector const moved =
+          turned(Q, X, each.dim()) - X + nodal(body.mesh, [&](Point const&) { return shift; });
       CHECK(force(cells, moved).norm() < 1e-9 * 1e6);
       CHECK(std::abs(energy(cells, moved)) < 1e-9 * 1e6);
       Vector const u = random_vector(X.size(), 0.03);
@@ -147,25 +149,26 @@ TEST_SUITE("solid") {
     });
   }
 
-  TEST_CASE("finite laws reach linear elasticity as displacements vanish, at first order") {
+  TEST_CASE("finite laws reach linear elasticity at first order as displacements vanish") {
     each_case([](Case const& each) {
       Body const linear = each.body(material::LinearElastic{1e6, 0.25}, 1);
       Vector const d = random_vector(each.dim() * linear.mesh.node_count(), 1);
       Vector const exact = force(Cells(linear, each.kinematics), d);
-      for (material::Material const& law :
-           {material::Material(material::StVenantKirchhoff{1e6, 0.25}),
-            material::Material(material::NeoHookean{1e6, 0.25}), material::Material(material::BlatzKo{4e5})}) {
+      for (material::Material const& law : {material::Material(material::StVenantKirchhoff{1e6, 0.25}),
+                                            material::Material(material::NeoHookean{1e6, 0.25}),
+                                            material::Material(material::BlatzKo{4e5})}) {
         Body const body = each.body(law, 1);
         Cells const cells(body, each.kinematics);
         auto const error = [&](double s) { return (force(cells, s * d) / s - exact).norm() / exact.norm(); };
         CHECK(error(1e-4) < 1e-2);
         CHECK(error(1e-5) / error(1e-4) == doctest::Approx(0.1).epsilon(0.05));
-        CHECK((stiffness(cells, Vector::Zero(d.size()), each.dim()) * d - exact).norm() <= 1e-12 * exact.norm());
+        CHECK((stiffness(cells, Vector::Zero(d.size()), each.dim()) * d - exact).norm() <=
+              1e-12 * exact.norm());
       }
     });
   }
 
-  TEST_CASE("mass: its sum is density times volume, its first moment exact") {
+  TEST_CASE("mass: its sum is density times volume and its first moment exact") {
     for (Case const& each : all_cases()) {
       CAPTURE(each.words());
       Body const body{"b", distorted(each.kind, {3, 2, 2}), material::BlatzKo{1e6}, 800};
@@ -183,7 +186,7 @@ TEST_SUITE("solid") {
     }
   }
 
-  TEST_CASE("an inverted cell is reported by its number, across blocks") {
+  TEST_CASE("an inverted cell is reported by its number across blocks") {
     Body body{"b", {}, material::BlatzKo{1e6}, 1};
     body.mesh.nodes.resize(8, 2);
     body.mesh.nodes << 0, 0, 1, 0, 2, 0, 3, 0, 0, 1, 1, 1, 2, 1, 3, 1;
@@ -204,7 +207,7 @@ TEST_SUITE("solid") {
     CHECK(std::isnan(force(cells, flat)[0])); // det F = 0 is no state either
   }
 
-  TEST_CASE("a solid turned inside out is reported in 3D, with either interpolation") {
+  TEST_CASE("a solid turned inside out is reported in 3D with either interpolation") {
     each_case([](Case const& each) {
       if (each.dim() == 2)
         return;

@@ -37,7 +37,8 @@ constexpr material::KelvinVoigt sample{30, 50};
 } // namespace
 
 TEST_SUITE("solid") {
-  TEST_CASE("damping: A is the derivative of the force by v, symmetric, semidefinite; power is v.A v") {
+  TEST_CASE("damping: A is the derivative of the force by v and symmetric and semidefinite and its power is "
+            "v.A v") {
     each_case_and_law([](Case const& each, material::Material const& law) {
       Body const body = damped(each, law, sample);
       Cells const cells(body, each.kinematics);
@@ -102,7 +103,8 @@ TEST_SUITE("solid") {
     Case const each{mesh::CellKind::quad8, Kinematics::plane_strain, solid::Interpolation::plain};
     double const young = 1e3, poisson = 0.3;
     material::Moduli const moduli{young, poisson};
-    Body const body = damped(each, material::StVenantKirchhoff{young, poisson}, {moduli.shear(), moduli.bulk()});
+    Body const body =
+        damped(each, material::StVenantKirchhoff{young, poisson}, {moduli.shear(), moduli.bulk()});
     Cells const cells(body, each.kinematics);
     Vector const zero = Vector::Zero(2 * body.mesh.node_count());
     Dense const K = stiffness(cells, zero, 2);

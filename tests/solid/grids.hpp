@@ -101,7 +101,9 @@ inline void straighten(mesh::Mesh& mesh) {
       continue;
     for (std::size_t c = 0; c < block.nodes.size(); c += nodes)
       for (std::size_t e = 0; e < info.edges.size(); ++e) {
-        auto const corner = [&](int k) { return mesh.nodes.row(block.nodes[c + static_cast<std::size_t>(k)]); };
+        auto const corner = [&](int k) {
+          return mesh.nodes.row(block.nodes[c + static_cast<std::size_t>(k)]);
+        };
         mesh.nodes.row(block.nodes[c + corners + e]) =
             0.5 * (corner(info.edges[e][0]) + corner(info.edges[e][1]));
       }

@@ -143,8 +143,9 @@ template<class Visit> void each_entry(solid::Cells const& cells, int dim, Visit&
 /// column.
 inline solid::ScatterMap dense_map(solid::Cells const& cells, Index n, int dim) {
   solid::ScatterMap map;
-  each_entry(cells, dim,
-             [&](Index row, Index column) { map.push_back(std::max(row, column) * n + std::min(row, column)); });
+  each_entry(cells, dim, [&](Index row, Index column) {
+    map.push_back(std::max(row, column) * n + std::min(row, column));
+  });
   return map;
 }
 
