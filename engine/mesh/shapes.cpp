@@ -2,6 +2,7 @@
 #include "mesh/shapes.hpp"
 
 #include <array>
+#include <vector>
 
 namespace stiction::mesh {
 
@@ -9,24 +10,28 @@ namespace {
 
 using RowVector = Eigen::RowVectorXd;
 
+using Edges = std::vector<std::array<int, 2>>;
+
+struct Values {
+  RowVector N; ///< [nodes]
+  Matrix dN;   ///< [nodes, dim]
+};
+
 /// Quadratic functions of the barycentric coordinates L, whose derivatives are dL [corners, dim]:
 /// L (2 L - 1) at the corners, 4 La Lb on the edges.
-template<std::size_t edges>
-void quadratic_simplex(RowVector const& L, Matrix const& dL,
-                       std::array<std::array<int, 2>, edges> const& edge,
-                       std::pair<Eigen::Ref<RowVector>, Matrix&> out) {
-  auto& [N, dN] = out;
-  auto const corners = L.size();
+Values quadratic_simplex(RowVector const& L, Matrix const& dL, Edges const& edges) {
+  auto const corners = L.size(), nodes = corners + static_cast<Eigen::Index>(edges.size());
+  Values out{RowVector(nodes), Matrix(nodes, dL.cols())};
   for (Eigen::Index a = 0; a < corners; ++a) {
-    N[a] = L[a] * (2 * L[a] - 1);
-    dN.row(a) = (4 * L[a] - 1) * dL.row(a);
+    out.N[a] = L[a] * (2 * L[a] - 1);
+    out.dN.row(a) = (4 * L[a] - 1) * dL.row(a);
   }
-  for (std::size_t i = 0; i < edges; ++i) {
-    auto const [a, b] = edge[i];
-    auto const m = corners + static_cast<Eigen::Index>(i);
-    N[m] = 4 * L[a] * L[b];
-    dN.row(m) = 4 * (L[a] * dL.row(b) + L[b] * dL.row(a));
+  auto m = corners;
+  for (auto const& [a, b] : edges) {
+    out.N[m] = 4 * L[a] * L[b];
+    out.dN.row(m++) = 4 * (L[a] * dL.row(b) + L[b] * dL.row(a));
   }
+  return out;
 }
 
 /// Derivatives of the barycentric coordinates (1 - sum x, x). [dim + 1, dim]
@@ -116,7 +121,9 @@ void shape_tri3(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
 }
 
 void shape_tri6(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  quadratic_simplex<3>(barycentric(x), barycentric_slopes(2), {{{0, 1}, {1, 2}, {2, 0}}}, {N, dN});
+  Values const values = quadratic_simplex(barycentric(x), barycentric_slopes(2), {{0, 1}, {1, 2}, {2, 0}});
+  N = values.N;
+  dN = values.dN;
 }
 
 void shape_tet4(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
@@ -125,8 +132,10 @@ void shape_tet4(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
 }
 
 void shape_tet10(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  quadratic_simplex<6>(barycentric(x), barycentric_slopes(3),
-                       {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}}, {N, dN});
+  Values const values = quadratic_simplex(barycentric(x), barycentric_slopes(3),
+                                          {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}});
+  N = values.N;
+  dN = values.dN;
 }
 
 void shape_quad4(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {

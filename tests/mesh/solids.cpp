@@ -174,7 +174,7 @@ TEST_SUITE("mesh") {
           continue; // many cells, nothing new
         Mesh const mesh = quarter_cylinder(options);
         check(mesh, "cylinder");
-        CHECK(quality(mesh).min_jacobian > 0.55);
+        CHECK(quality(mesh).min_jacobian > 0.75);
         for (auto const& facet : mesh.sets.at("top").facets)
           for (std::size_t i = 0; i < 4; ++i) {
             auto const a = mesh.nodes.row(facet.nodes[i]), b = mesh.nodes.row(facet.nodes[(i + 1) % 4]);
@@ -219,7 +219,7 @@ TEST_SUITE("mesh") {
       CAPTURE(size);
       Mesh const mesh = half_ball(ball(size));
       check(mesh, "ball");
-      CHECK(quality(mesh).min_jacobian > 0.4);
+      CHECK(quality(mesh).min_jacobian > 0.65);
       Eigen::RowVector3d const pole(0, 0, -10);
       for (auto const& facet : mesh.sets.at("cap").facets)
         for (std::size_t i = 0; i < 4; ++i) {

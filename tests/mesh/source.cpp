@@ -55,6 +55,44 @@ TEST_SUITE("mesh") {
     CHECK(mesh.nodes.row(mesh.node_count() - 1) == Eigen::RowVector2d(4, 6));
   }
 
+  TEST_CASE("a box and a half ball read their kinds and a kind of the plane is refused") {
+    core::Complaints complaints;
+    core::List const cells{
+        {core::Quantity{1, {}}, "", ""}, {core::Quantity{2, {}}, "", ""}, {core::Quantity{3, {}}, "", ""}};
+    core::Table table{{"size", {core::List{metres(1), metres(1), metres(1)}, "", ""}},
+                      {"cells", {cells, "", ""}},
+                      {"kind", words("hex20")}};
+    Mesh const mesh = make(read(made("mesh.box", table), complaints));
+    CHECK(complaints.empty());
+    CHECK(mesh.cell_count() == 6);
+    CHECK(mesh.blocks.at(0).kind == CellKind::hex20);
+
+    auto const generator = read(made("mesh.half_ball", {{"radius", metres(1)},
+                                                        {"fine", pair(0.5, 0.2)},
+                                                        {"fine_size", metres(0.2)},
+                                                        {"coarse_size", metres(0.5)},
+                                                        {"part", words("half")},
+                                                        {"kind", words("tet10")}}),
+                                complaints);
+    CHECK(complaints.empty());
+    CHECK(std::get<HalfBallOptions>(generator).part == Part::half);
+    CHECK(make(generator).blocks.at(0).kind == CellKind::tet10);
+
+    table["kind"] = words("quad4");
+    (void)read(made("mesh.box", table), complaints);
+    REQUIRE(complaints.size() == 1);
+    CHECK(test::mentions(complaints[0].message(), "hex8"));
+    CHECK_FALSE(test::mentions(complaints[0].message(), "tri3"));
+  }
+
+  TEST_CASE("the default of a kind is named among those that may be chosen") {
+    for (auto const& schema : generator_schemas())
+      for (std::size_t i = 0; i < schema.parameters.size(); ++i)
+        if (auto const& names = schema.parameters[i].choices; !names.empty())
+          CHECK(std::find(names.begin(), names.end(), std::get<std::string>(schema.fallback(i))) !=
+                names.end());
+  }
+
   TEST_CASE("a gmsh geometry reads its nested lists, and misspelt keys in them are complained about") {
     core::Complaints complaints;
     core::List const edges{edge(1, 0, "bottom"), edge(1, 1, ""), edge(0, 0, "")};
