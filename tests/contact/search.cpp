@@ -206,7 +206,7 @@ TEST_SUITE("contact") {
     for (double const thickness : {0.01, 0.05, 0.1, 0.3}) {
       auto const bar = outline({{0, 0}, {2, 0}, {2, thickness}, {0, thickness}}, 0.05);
       auto const curve = bar.curve();
-      for (auto const& x : {flat(bar.nodes), shaken(flat(bar.nodes), 0.1 * thickness)}) {
+      for (auto const& x : {flat(bar.nodes), shaken(flat(bar.nodes), 0.1 * std::min(thickness, 0.05))}) {
         Search<2> search(curve, 0.5);
         search.allow_self(flat(bar.nodes));
         search.update(x);

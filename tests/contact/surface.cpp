@@ -226,6 +226,23 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE("in the walls of a cavity beyond its edges the gap is negative and the edge is nearest") {
+    for (bool const triangles : {false, true}) {
+      auto shell = cube(3, triangles);
+      for (auto& facet : shell.facets)
+        std::reverse(facet.nodes.begin(), facet.nodes.end());
+      auto const surface = shell.surface();
+      for (auto const& point : {Vec3(1.2, 0.1, 1.3), Vec3(-1.1, -1.2, 0.5), Vec3(1.1, 1.2, -1.3)}) {
+        Vec3 const nearest = point.cwiseMax(-1).cwiseMin(1), d = point - nearest;
+        auto const k = kinematics(surface, shell.free_node(), {}, {}, shell.with(point));
+        REQUIRE(k.found);
+        CHECK((surface.place(k.foot, shell.with(point)) - nearest).norm() < 1e-12);
+        CHECK(k.gap == doctest::Approx(-d.norm()));
+        CHECK((k.normal() + d.normalized()).norm() < 1e-12);
+      }
+    }
+  }
+
   TEST_CASE("inside a cube the side with the smaller penetration is taken first") {
     auto const shell = cube(4, false);
     auto const surface = shell.surface();
