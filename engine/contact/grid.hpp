@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/foot.hpp"
+#include "core/error.hpp"
 
 namespace stiction::contact {
 
@@ -88,16 +89,19 @@ private:
     double sum = 0;
     for (auto const& box : boxes_)
       sum += (box.high - box.low).maxCoeff();
-    cell_size_ = boxes_.empty() || !(sum > 0) ? 1 : sum / static_cast<double>(boxes_.size());
+    cell_size_ = sum > 0 ? sum / static_cast<double>(boxes_.size()) : 1;
     double const most = 16 * static_cast<double>(boxes_.size());
-    double count = 0;
-    for (cell_size_ /= 2; count == 0 || count > most;) {
+    double count = count_entries();
+    for (; count > most; count = count_entries())
       cell_size_ *= 2;
-      count = boxes_.empty() ? 1 : 0;
-      for (auto const& box : boxes_)
-        count += cells_between(box.low, box.high);
-    }
-    entry_count_ = boxes_.empty() ? 0 : static_cast<std::size_t>(count);
+    core::expect(std::isfinite(count), "the boxes of a grid are finite");
+    entry_count_ = static_cast<std::size_t>(count);
+  }
+  [[nodiscard]] double count_entries() const {
+    double count = 0;
+    for (auto const& box : boxes_)
+      count += cells_between(box.low, box.high);
+    return std::isfinite(count) ? count : std::nan("");
   }
   template<class Do> static void each_cell(Cell const& low, Cell const& high, Do const& act) {
     Cell at = low;

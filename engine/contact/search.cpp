@@ -47,6 +47,9 @@ Vec2 place(Curve const& curve, Foot foot, std::span<double const> x) {
 Vec3 place(Surface const& surface, Foot foot, std::span<double const> x) {
   return surface.place(foot, x);
 }
+double gap_at(Curve const& curve, Vec2 const& point, Foot foot, std::span<double const> x) {
+  return normal_at(curve, foot, x).dot(point - place(curve, foot, x));
+}
 
 } // namespace
 
@@ -71,9 +74,9 @@ OwnSide::OwnSide(Curve const& curve, std::span<double const> reference, double r
     grid.near(point, radius, [&](int s) { // half of what is seen through the body is not gone through
       double distance2 = 0;
       Foot const foot = curve.sample(s, point, reference, distance2);
-      if (faces(own, foot, reference) &&
-          normal_at(curve, foot, reference).dot(point - place(curve, foot, reference)) < 0)
-        own.depth = std::min(own.depth, std::sqrt(distance2) / 2);
+      double const gap = gap_at(curve, point, foot, reference);
+      if (gap < 0 && faces(own, foot, reference))
+        own.depth = std::min(own.depth, -gap / 2);
     });
   }
 }
@@ -90,8 +93,7 @@ bool OwnSide::allows(Index node, Vec2 const& point, Foot foot, std::span<double 
   if (node < 0 || ix(node) >= of_node_.size() || !of_node_[ix(node)].foot.found())
     return true;
   auto const& own = of_node_[ix(node)];
-  double const gap = normal_at(*curve_, foot, x).dot(point - place(*curve_, foot, x));
-  return gap > -own.depth && faces(own, foot, x);
+  return gap_at(*curve_, point, foot, x) > -own.depth && faces(own, foot, x);
 }
 
 template<int D>
