@@ -13,8 +13,8 @@
 
 namespace stiction::material {
 
-using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce,
-                              Ogden, BlatzKo>;
+using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, BlatzKo, MooneyRivlin, Yeoh,
+                              ArrudaBoyce, Ogden>;
 
 [[nodiscard]] inline Moduli moduli(Material const& material) {
   return std::visit([](auto const& law) { return law.moduli(); }, material);
