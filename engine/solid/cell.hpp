@@ -100,10 +100,12 @@ public:
     if (mean_)
       conjugate_stress();
     Nodal f = Nodal::Zero();
-    for (int q = 0; q < points(); ++q)
+    for (int q = 0; q < points(); ++q) {
+      typename G::Gradient P;
       for (int i = 0; i < dim; ++i)
-        f.col(i) += gradients(q).lazyProduct(
-            (weight(q) * G::pull(points_[at(q)].F, i, responses_[at(q)].stress)).eval());
+        P.col(i) = weight(q) * G::pull(points_[at(q)].F, i, responses_[at(q)].stress);
+      f += gradients(q).lazyProduct(P);
+    }
     return f;
   }
 
