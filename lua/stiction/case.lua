@@ -48,6 +48,14 @@ local lazy = {
   time = function(case)
     return engine.series_time(case.history)
   end,
+  cost = function(case)
+    local result = engine.decode_json(engine.read_file(case.folder .. "/result.json"))
+    return {
+      seconds = result.seconds, steps = result.steps, iterations = result.iterations,
+      factorizations = result.factorizations, unknowns = result.counters.unknowns,
+      cells_evaluated = result.counters.cells_evaluated,
+    }
+  end,
 }
 
 local case_meta = {
@@ -59,7 +67,7 @@ local case_meta = {
       rawset(case, name, value)
       return value
     end
-    fault.script("a case has no '%s'; it has id, p, results, time, series, max, min, at", tostring(name))
+    fault.script("a case has no '%s'; it has id, p, results, time, series, max, min, at, cost", tostring(name))
   end,
 }
 
