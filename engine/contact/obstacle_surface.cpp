@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 
 #include "core/error.hpp"
-#include "mesh/gmsh.hpp"
 
 namespace stiction::contact {
 
@@ -12,17 +11,8 @@ using core::Need;
 
 namespace {
 
-std::vector<mesh::Facet> facets_of(mesh::Mesh const& mesh) {
-  std::vector<mesh::Facet> facets;
-  for (auto const& block : mesh.blocks) {
-    auto const& info = mesh::info(block.kind);
-    if (info.dim != 2)
-      return mesh::boundary(mesh);
-    auto const count = static_cast<std::size_t>(info.nodes);
-    for (auto first = block.nodes.begin(); first != block.nodes.end(); first += info.nodes)
-      facets.push_back({Indices(first, first + static_cast<std::ptrdiff_t>(count))});
-  }
-  return facets;
+bool ends_in(std::string const& text, std::string const& ending) {
+  return text.size() > ending.size() && text.ends_with(ending);
 }
 
 /// Far enough to find a foot from anywhere near the whole surface, m.
@@ -63,9 +53,9 @@ Look3d look_from_wedge(Facet const& facet, FacetNow const& now, Foot const& foot
 
 } // namespace
 
-FixedSurface::FixedSurface(mesh::Mesh const& mesh)
+FixedSurface::FixedSurface(mesh::SurfaceMesh const& mesh)
     : x_(mesh.nodes.data(), mesh.nodes.data() + mesh.nodes.size()),
-      surface_(facets_of(mesh), mesh.nodes, Vec3::UnitX()), search_(surface_, extent(mesh.nodes)) {
+      surface_(mesh.facets, mesh.nodes, Vec3::UnitX()), search_(surface_, extent(mesh.nodes)) {
   search_.update(x_);
 }
 
@@ -79,20 +69,27 @@ Foot FixedSurface::project(Vec3 const& point, int facet) const {
 
 core::Schema const& RigidSurface::schema() {
   static auto const made =
-      core::Describe<RigidSurface>{"surface", "rigid surface of triangles or quadrilaterals, in 3D", ""}
-          .text("path", &RigidSurface::path, Need::required, "a mesh file of gmsh, ends in .msh")
+      core::Describe<RigidSurface>{"surface", "rigid surface of triangles, in 3D", ""}
+          .text("path", &RigidSurface::path, Need::required,
+                "file of its triangles, seen from outside counter-clockwise; ends in .stl or .msh")
           .number("scale", &RigidSurface::scale, "m", core::positive, Need::optional,
                   "length of the file's unit")
           .build();
   return made;
 }
 
-std::string unfit(RigidSurface const& /*surface*/, int dim, bool /*axisymmetric*/) {
-  return dim == 3 ? "" : "a surface needs 3D; in the plane use a polyline";
+std::string unfit(RigidSurface const& surface, int dim, bool /*axisymmetric*/) {
+  if (dim == 2)
+    return "a surface needs 3D; in the plane use a polyline";
+  if (!ends_in(surface.path, ".stl") && !ends_in(surface.path, ".msh"))
+    return "path is \"" + surface.path + "\"; give a file that ends in .stl or .msh";
+  return "";
 }
 
 void prepare(RigidSurface& surface) {
-  surface.prepared = std::make_shared<FixedSurface const>(mesh::msh_file({surface.path, surface.scale}));
+  auto const& [path, scale, prepared] = surface;
+  surface.prepared = std::make_shared<FixedSurface const>(
+      ends_in(path, ".stl") ? mesh::read_stl(path, scale) : mesh::read_msh_triangles(path, scale));
 }
 
 Look3d look_3d(RigidSurface const& rigid, Vec3 const& x, Foot guess) {

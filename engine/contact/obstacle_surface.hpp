@@ -5,15 +5,15 @@
 #include "contact/obstacle_look.hpp"
 #include "contact/search.hpp"
 #include "core/schema.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/surface_file.hpp"
 
 namespace stiction::contact {
 
 /// A surface that does not move, with the positions of its nodes and a search among its facets.
 class FixedSurface {
 public:
-  /// The facets of `mesh`, outward: its cells if they are triangles or quadrilaterals, else their boundary.
-  explicit FixedSurface(mesh::Mesh const& mesh);
+  /// Facets as Surface takes them, outward.
+  explicit FixedSurface(mesh::SurfaceMesh const& mesh);
   FixedSurface(FixedSurface const&) = delete;
   FixedSurface& operator=(FixedSurface const&) = delete;
 

@@ -1,7 +1,10 @@
 // Rigid triangulated surfaces: convergence to the shape they run through, edges, borders, derivatives.
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "contact/obstacles.hpp"
+#include "core/error.hpp"
 
 using namespace stiction;
 using namespace stiction::contact;
@@ -125,6 +128,17 @@ TEST_SUITE("contact") {
     REQUIRE(later.found);
     CHECK(later.gap == doctest::Approx(0.2));
     CHECK(later.foot.segment != first.foot.segment);
+  }
+
+  TEST_CASE("a surface is read from its file and scaled") {
+    auto const file = std::filesystem::temp_directory_path() / "stiction-test-patch.stl";
+    std::ofstream(file) << "solid patch\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nvertex 4 0 1\n"
+                           "vertex 0 4 1\nendloop\nendfacet\nendsolid patch\n";
+    Obstacle patch{RigidSurface{file.string(), 0.5, {}}};
+    prepare(patch);
+    CHECK(seen(patch, {0.5, 0.5, 0.7}).gap == doctest::Approx(0.2));
+    std::filesystem::remove(file);
+    CHECK_THROWS_AS(prepare(patch), core::InputError);
   }
 
   TEST_CASE("an open surface ends at its border") {

@@ -43,6 +43,7 @@ TEST_SUITE("contact") {
     CHECK(says(unfit(Obstacle{RigidCylinder{{}, {}, 1}}, 2, true), {"3D", "plane", "{1, 0}"}));
     CHECK(says(unfit(Obstacle{RigidTorus{{}, {}, 2, 1}}, 2, false), {"3D", "axisymmetry", "circle"}));
     CHECK(says(unfit(Obstacle{line({0, 0, 1, 0})}, 3, false), {"plane", "surface"}));
+    CHECK(says(unfit(Obstacle{RigidSurface{"stamp.obj", 1, {}}}, 3, false), {"stamp.obj", ".stl", ".msh"}));
     CHECK(says(unfit(Obstacle{RigidSurface{"stamp.msh", 1, {}}}, 2, false), {"3D", "polyline"}));
   }
 

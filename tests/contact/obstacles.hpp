@@ -36,11 +36,11 @@ inline core::Numbers ellipse(int count, double a, double b, double turn = 6.2831
 }
 
 /// Corners and cells of one kind, as a rigid surface.
-inline contact::RigidSurface surface_of(Matrix nodes, mesh::CellKind kind, Indices cells) {
-  mesh::Mesh mesh;
-  mesh.dim = 3;
-  mesh.nodes = std::move(nodes);
-  mesh.blocks = {{kind, std::move(cells)}};
+inline contact::RigidSurface surface_of(Matrix nodes, mesh::CellKind kind, Indices const& cells) {
+  mesh::SurfaceMesh mesh{std::move(nodes), {}};
+  auto const count = kind == mesh::CellKind::tri3 ? 3 : 4;
+  for (auto first = cells.begin(); first != cells.end(); first += count)
+    mesh.facets.push_back({Indices(first, first + count)});
   contact::RigidSurface surface;
   surface.prepared = std::make_shared<contact::FixedSurface const>(mesh);
   return surface;
