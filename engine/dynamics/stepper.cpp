@@ -77,11 +77,10 @@ State Stepper::initial() {
   return state;
 }
 
-void Stepper::predict(State const& old, double dt) {
+/// First guess: on with the old rates, or at rest.
+void Stepper::predict(State const& old, double dt, bool extrapolate) {
   double const t1 = old.t + dt;
-  d_ = dt * old.v;
-  if (!weights_.inertia)
-    d_.setZero();
+  d_ = (extrapolate ? dt : 0.0) * old.v;
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->path.value(t1) - old.u[dof];
@@ -207,9 +206,19 @@ bool Stepper::apply_factor() {
   return correction_.allFinite();
 }
 
+/// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
 Outcome Stepper::step(State const& old, double dt) {
+  Outcome outcome = attempt(old, dt, true);
+  if (outcome.converged() || old.v.isZero(0))
+    return outcome;
+  Outcome second = attempt(old, dt, false);
+  second.iterations += outcome.iterations;
+  return second;
+}
+
+Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
   Outcome outcome;
-  predict(old, dt);
+  predict(old, dt, extrapolate);
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
     if (!balance(old, dt, outcome))
       return outcome;

@@ -35,7 +35,8 @@ public:
   [[nodiscard]] Structure const& structure() const { return structure_; }
 
 private:
-  void predict(State const& old, double dt);
+  [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
+  void predict(State const& old, double dt, bool extrapolate);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apart(Index dof) const;
   [[nodiscard]] double imbalance() const;

@@ -43,8 +43,17 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   Where const where{"obstacles", name};
   auto& model = *scene_.model;
   bool const axisymmetric = model.kinematics == solid::Kinematics::axisymmetric;
+  dynamics::RigidBody rigid;
+  rigid.name = name;
+  rigid.shape = part.shape;
   if (auto const words = contact::unfit(part.shape, model.dim(), axisymmetric); !words.empty())
-    complain({"obstacles", name, "shape"}, words);
+    return complain({"obstacles", name, "shape"}, words);
+  try {
+    contact::prepare(rigid.shape);
+  } catch (core::InputError const& error) {
+    for (auto const& complaint : error.complaints())
+      complain({"obstacles", name, "shape"}, complaint.message());
+  }
   check_no_z({"obstacles", name, "z"}, part.z);
   for (auto const& [key, numbers] :
        {std::pair{"pivot", &part.pivot}, {"velocity", &part.velocity}, {"force", &part.force}})
@@ -55,9 +64,6 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   if (!part.axis.empty() && (part.axis.size() != 3 || vec(part.axis).isZero(0)))
     complain({"obstacles", name, "axis"}, "wants three numbers, not all 0");
   check_path_end({"obstacles", name, "times"}, part.times);
-  dynamics::RigidBody rigid;
-  rigid.name = name;
-  rigid.shape = part.shape;
   rigid.pivot = part.pivot.empty() ? middle(part.shape) : vec(part.pivot);
   rigid.axis = part.axis.size() == 3 ? Vec3(vec(part.axis).normalized()) : Vec3::UnitZ();
   rigid.mass = part.mass;

@@ -54,7 +54,7 @@ Travel drag_over_arc(double size, int steps) {
   auto const& point = state.contacts[0][0];
   CHECK(std::abs(point.gap) < 1e-9);
   test::Vec2 const place = scene.model->reference.row(tip).transpose() + state.u.segment<2>(2 * tip);
-  return {point.path, point.bond.stretch[0], radius * std::atan2(place.x(), place.y() + radius)};
+  return {point.path[0], point.bond.stretch[0], radius * std::atan2(place.x(), place.y() + radius)};
 }
 
 } // namespace

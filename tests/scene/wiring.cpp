@@ -32,12 +32,12 @@ void add_body(Snapshot& shot, scene::Scene const& scene, std::size_t b) {
   shot[name + ".mean"] = nodes.col(0).mean(); // of the grading
 }
 
-void add_primary(Snapshot& shot, dynamics::Pair const& pair) {
+void add_primary(Snapshot& shot, dynamics::Model const& model, dynamics::Pair const& pair) {
   if (auto const* curve = std::get_if<contact::Curve>(&pair.primary)) {
     shot[pair.name + ".segment nodes"] = curve->segments()[1].count;
     return;
   }
-  auto const& moving = std::get<dynamics::MovingObstacle>(pair.primary);
+  auto const& moving = model.rigids[std::get<dynamics::RigidSide>(pair.primary).body];
   shot[pair.name + ".offset.x"] = moving.offset(1).x();
   shot[pair.name + ".offset.y"] = moving.offset(1).y();
   auto const& plane = std::get<contact::RigidPlane>(moving.shape);
@@ -45,14 +45,14 @@ void add_primary(Snapshot& shot, dynamics::Pair const& pair) {
   shot[pair.name + ".normal.x"] = plane.normal[0];
 }
 
-void add_pair(Snapshot& shot, dynamics::Pair const& pair) {
+void add_pair(Snapshot& shot, dynamics::Model const& model, dynamics::Pair const& pair) {
   auto const& name = pair.name;
   shot[name + ".points"] = pair.size();
   shot[name + ".reach"] = pair.reach;
   for (double const area : pair.areas)
     shot[name + ".area"] += area;
   shot[name + ".mu"] = pair.law.friction ? pair.law.friction->mu : -1;
-  add_primary(shot, pair);
+  add_primary(shot, model, pair);
   if (!pair.law.adhesion)
     return;
   auto const& law = *pair.law.adhesion;
@@ -104,7 +104,7 @@ Snapshot snapshot(test::Input const& table) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     add_body(shot, scene, b);
   for (auto const& pair : model.pairs)
-    add_pair(shot, pair);
+    add_pair(shot, model, pair);
   for (std::size_t m = 0; m < model.motions.size(); ++m) {
     auto const& motion = model.motions[m];
     std::string const name = "motion " + std::to_string(m + 1);
