@@ -166,9 +166,9 @@ Interpolation interpolate(CellKind kind, Matrix const& points, Vector const& wei
                "reference points [points, dim] and weights [points]");
   Interpolation result{points, weights, Matrix(points.rows(), cell.info.nodes), {}};
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    Matrix gradient(cell.info.nodes, cell.info.dim);
-    cell.shape(points.row(i), result.shape.row(i), gradient);
-    result.gradients.push_back(std::move(gradient));
+    auto [N, dN] = cell.shape(points.row(i));
+    result.shape.row(i) = N;
+    result.gradients.push_back(std::move(dN));
   }
   return result;
 }

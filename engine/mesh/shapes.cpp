@@ -12,16 +12,11 @@ using RowVector = Eigen::RowVectorXd;
 
 using Edges = std::vector<std::array<int, 2>>;
 
-struct Values {
-  RowVector N; ///< [nodes]
-  Matrix dN;   ///< [nodes, dim]
-};
-
 /// Quadratic functions of the barycentric coordinates L, whose derivatives are dL [corners, dim]:
 /// L (2 L - 1) at the corners, 4 La Lb on the edges.
-Values quadratic_simplex(RowVector const& L, Matrix const& dL, Edges const& edges) {
+ShapeValues quadratic_simplex(RowVector const& L, Matrix const& dL, Edges const& edges) {
   auto const corners = L.size(), nodes = corners + static_cast<Eigen::Index>(edges.size());
-  Values out{RowVector(nodes), Matrix(nodes, dL.cols())};
+  ShapeValues out{RowVector(nodes), Matrix(nodes, dL.cols())};
   for (Eigen::Index a = 0; a < corners; ++a) {
     out.N[a] = L[a] * (2 * L[a] - 1);
     out.dN.row(a) = (4 * L[a] - 1) * dL.row(a);
@@ -48,8 +43,10 @@ RowVector barycentric(ReferencePoint const& x) {
 }
 
 /// Multilinear functions, product of (1 + s x) / 2, of the corners s. [corners, dim]
-void multilinear(Matrix const& corners, ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
+ShapeValues multilinear(Matrix const& corners, ReferencePoint const& x) {
   auto const dim = x.size();
+  ShapeValues out{RowVector(corners.rows()), Matrix(corners.rows(), dim)};
+  auto& [N, dN] = out;
   for (Eigen::Index a = 0; a < N.size(); ++a) {
     RowVector const factor = (1 + corners.row(a).array() * x.array()) / 2;
     N[a] = factor.prod();
@@ -59,12 +56,15 @@ void multilinear(Matrix const& corners, ReferencePoint const& x, Eigen::Ref<RowV
       dN(a, d) = others.prod();
     }
   }
+  return out;
 }
 
 /// Serendipity functions on nodes s in {-1, 0, 1}: prod(1 + s x) (sum s x - dim + 1) / 2^dim at corners,
 /// (1 - x_d^2) prod of the others / 2^(dim - 1) on the edge along d.
-void serendipity(Matrix const& nodes, ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
+ShapeValues serendipity(Matrix const& nodes, ReferencePoint const& x) {
   auto const dim = x.size();
+  ShapeValues out{RowVector(nodes.rows()), Matrix(nodes.rows(), dim)};
+  auto& [N, dN] = out;
   for (Eigen::Index a = 0; a < N.size(); ++a) {
     RowVector const s = nodes.row(a);
     RowVector factor(dim), slope(dim);
@@ -83,6 +83,7 @@ void serendipity(Matrix const& nodes, ReferencePoint const& x, Eigen::Ref<RowVec
       dN(a, d) = others.prod() * sum + (corner ? factor.prod() * s[d] : 0);
     }
   }
+  return out;
 }
 
 } // namespace
@@ -115,43 +116,37 @@ Matrix const& cube_nodes() {
   return nodes;
 }
 
-void shape_tri3(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  N = barycentric(x);
-  dN = barycentric_slopes(2);
+ShapeValues shape_tri3(ReferencePoint const& x) {
+  return {barycentric(x), barycentric_slopes(2)};
 }
 
-void shape_tri6(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  Values const values = quadratic_simplex(barycentric(x), barycentric_slopes(2), {{0, 1}, {1, 2}, {2, 0}});
-  N = values.N;
-  dN = values.dN;
+ShapeValues shape_tri6(ReferencePoint const& x) {
+  return quadratic_simplex(barycentric(x), barycentric_slopes(2), {{0, 1}, {1, 2}, {2, 0}});
 }
 
-void shape_tet4(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  N = barycentric(x);
-  dN = barycentric_slopes(3);
+ShapeValues shape_tet4(ReferencePoint const& x) {
+  return {barycentric(x), barycentric_slopes(3)};
 }
 
-void shape_tet10(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  Values const values = quadratic_simplex(barycentric(x), barycentric_slopes(3),
-                                          {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}});
-  N = values.N;
-  dN = values.dN;
+ShapeValues shape_tet10(ReferencePoint const& x) {
+  return quadratic_simplex(barycentric(x), barycentric_slopes(3),
+                           {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}});
 }
 
-void shape_quad4(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  multilinear(square_nodes(), x, N, dN);
+ShapeValues shape_quad4(ReferencePoint const& x) {
+  return multilinear(square_nodes().topRows(4), x);
 }
 
-void shape_quad8(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  serendipity(square_nodes(), x, N, dN);
+ShapeValues shape_quad8(ReferencePoint const& x) {
+  return serendipity(square_nodes(), x);
 }
 
-void shape_hex8(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  multilinear(cube_nodes(), x, N, dN);
+ShapeValues shape_hex8(ReferencePoint const& x) {
+  return multilinear(cube_nodes().topRows(8), x);
 }
 
-void shape_hex20(ReferencePoint const& x, Eigen::Ref<RowVector> N, Matrix& dN) {
-  serendipity(cube_nodes(), x, N, dN);
+ShapeValues shape_hex20(ReferencePoint const& x) {
+  return serendipity(cube_nodes(), x);
 }
 
 } // namespace stiction::mesh

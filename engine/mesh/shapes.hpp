@@ -5,17 +5,21 @@
 namespace stiction::mesh {
 
 using ReferencePoint = Eigen::RowVectorXd; ///< [dim]
-/// Values N [nodes] and derivatives dN [nodes, dim] at a reference point.
-using Shape = void (*)(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
+/// Shape functions at a reference point.
+struct ShapeValues {
+  Eigen::RowVectorXd N; ///< [nodes]
+  Matrix dN;            ///< [nodes, dim], derivatives by the reference coordinates
+};
+using Shape = ShapeValues (*)(ReferencePoint const& x);
 
-void shape_tri3(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_tri6(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_quad4(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_quad8(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_tet4(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_tet10(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_hex8(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
-void shape_hex20(ReferencePoint const& x, Eigen::Ref<Eigen::RowVectorXd> N, Matrix& dN);
+[[nodiscard]] ShapeValues shape_tri3(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_tri6(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_quad4(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_quad8(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_tet4(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_tet10(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_hex8(ReferencePoint const& x);
+[[nodiscard]] ShapeValues shape_hex20(ReferencePoint const& x);
 
 /// Where the nodes lie, in the order of VTK: triangle, tetrahedron, [-1, 1]^2 and [-1, 1]^3 with mid-side
 /// nodes, the corners first. [nodes, dim]
