@@ -92,8 +92,10 @@ private:
     cell_size_ = sum > 0 ? sum / static_cast<double>(boxes_.size()) : 1;
     double const most = 16 * static_cast<double>(boxes_.size());
     double count = count_entries();
-    for (; count > most; count = count_entries())
+    while (count > most) {
       cell_size_ *= 2;
+      count = count_entries();
+    }
     core::expect(std::isfinite(count), "the boxes of a grid are finite");
     entry_count_ = static_cast<std::size_t>(count);
   }

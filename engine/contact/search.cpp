@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/error.hpp"
+
 namespace stiction::contact {
 
 namespace {
@@ -100,6 +102,13 @@ template<int D>
 Search<D>::Search(Primary const& primary, double reach)
     : primary_(&primary), size_(mean_size(primary)),
       radius_(std::max(4 * size_, reach + largest_size(primary))) {}
+
+template<int D> void Search<D>::allow_self(std::span<double const> reference) {
+  if constexpr (D == 2)
+    own_.emplace(*primary_, reference, radius_);
+  else
+    core::expect(reference.empty(), "only plane curves may touch themselves");
+}
 
 template<int D> void Search<D>::update(std::span<double const> x) {
   boxes_.clear();

@@ -37,10 +37,8 @@ public:
   /// Looks as far as `reach` (m) and at least a few facets; beyond that nothing is found.
   Search(Primary const& primary, double reach);
 
-  /// Plane curves that may touch themselves: nodes of the curve look for it elsewhere only.
-  void allow_self(std::span<double const> reference) requires(D == 2) {
-    own_.emplace(*primary_, reference, radius_);
-  }
+  /// Plane curves that may touch themselves: nodes of the curve look for it elsewhere only. In space a bug.
+  void allow_self(std::span<double const> reference);
 
   /// Takes the boxes of all facets at x; call at the start of a step.
   void update(std::span<double const> x);

@@ -206,10 +206,17 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
   return point;
 }
 
+/// A point whose stiffness is asked for.
+struct Asked {
+  Surface const& surface;
+  PointKinematics<3> const& point;
+  std::span<double const> x;
+};
+
 /// Adds what the motion of nodes does through nodal normal k; by_normal: [rows, 3].
 template<class ByNormal>
-void add_by_normal(Surface const& surface, PointKinematics<3> const& point, std::span<double const> x, int k,
-                   ByNormal const& by_normal, Block<3>& K) {
+void add_by_normal(Asked const& asked, int k, ByNormal const& by_normal, Block<3>& K) {
+  auto const& [surface, point, x] = asked;
   auto const fan = surface.fan(surface.facets()[ix(point.foot.segment)].corner[ix(k)]);
   Vec3 area = Vec3::Zero();
   for (int const f : fan)
@@ -262,7 +269,7 @@ Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& p
   Block<3> K = Block<3>::Zero(n, n);
   K.topLeftCorner(15, own) = by_input.leftCols(own);
   for (int k = 0; k < facet.count; ++k)
-    add_by_normal(surface, point, x, k, by_input.middleCols<3>(15 + 3 * k), K);
+    add_by_normal({surface, point, x}, k, by_input.middleCols<3>(15 + 3 * k), K);
   return K;
 }
 
