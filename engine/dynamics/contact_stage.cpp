@@ -102,7 +102,7 @@ template<int D, int C> void Stage<D, C>::add_search(Pair const& pair) {
   auto const* primary = std::get_if<Deformable>(&pair.primary);
   if (primary == nullptr)
     return;
-  search.emplace(*primary, pair.reach);
+  search.emplace(*primary, 6 * pair.reach); // as deep as choose_active looks
   if constexpr (D == 2)
     if (pair.self)
       search->allow_self({model_->reference.data(), ix(model_->dofs())});

@@ -46,7 +46,6 @@ Scene Builder::run() {
   scene_.model = std::make_unique<dynamics::Model>();
   auto& model = *scene_.model;
   model.kinematics = scene_.part.kinematics;
-  check_size({"gravity"}, scene_.part.gravity);
   model.gravity = vec(scene_.part.gravity);
   model.scheme = scene_.part.scheme;
   model.solver = scene_.part.solver;
@@ -55,6 +54,8 @@ Scene Builder::run() {
   settle();
   add_obstacles();
   add_motions();
+  hold_axis();
+  check_supports();
   add_pairs();
   check_probes();
   settle();

@@ -37,6 +37,11 @@ private:
   void add_motion(std::size_t k);
   void check_driven_twice();
 
+  // support.cpp
+  void hold_axis();
+  void check_supports();
+  [[nodiscard]] std::vector<std::string> loose_motions(std::size_t body) const;
+
   // build_contact.cpp
   void add_obstacles();
   void add_obstacle(std::string const& name, ObstaclePart const& part);

@@ -239,6 +239,9 @@ core::Schema const& ScenePart::schema() {
 }
 
 void ScenePart::read_nested(Reader& reader) {
+  if (!gravity.empty() && gravity.size() != static_cast<std::size_t>(dim()))
+    reader.complain_at("gravity", fmt::format("has {} numbers; {} are wanted", gravity.size(),
+                                              dim() == 2 ? "two" : "three"));
   bodies = named<BodyPart>(reader, "bodies", Need::required, [](Reader r) { return r.record<BodyPart>(); });
   obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
                                   [](Reader r) { return r.record<ObstaclePart>(); });

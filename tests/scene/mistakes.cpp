@@ -60,10 +60,29 @@ TEST_CASE("an obstacle that does not exist is a surface that does not exist") {
   check_only(table, "pairs.sole.primary", {"\"flor\""});
 }
 
-TEST_CASE("a pair needs two surfaces") {
+TEST_CASE("a body that nothing holds in a quasi-static run") {
   auto table = test::foot_on_floor();
-  test::at(table, "pairs.sole.primary") = test::text("foot.bottom");
-  check_only(table, "pairs.sole.primary", {"foot.bottom", "the secondary itself", "two different surfaces"});
+  test::at(table, "scheme") = test::quasi_static();
+  test::at(table, "motions") = test::list({});
+  check_only(table, "bodies.foot", {"move along x", "move along y", "turn", "no motion holds it"});
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  CHECK(complaints(table).empty());
+  auto slides = test::fix("foot.top");
+  test::at(slides, "x") = test::flag(false);
+  test::at(table, "motions") = test::list({slides});
+  check_only(table, "bodies.foot", {"move along x"});
+}
+
+TEST_CASE("a free obstacle in a quasi-static run, and what only a free one has") {
+  auto table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
+  CHECK(complaints(table).empty());
+  test::at(table, "scheme") = test::quasi_static();
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  check_only(table, "obstacles.floor", {"quasi-static", "paths"});
+  table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.inertia") = test::value(1, "kg m^2");
+  check_only(table, "obstacles.floor.inertia", {"mass"});
 }
 
 TEST_CASE("a probe of an unknown pair, set or place") {
@@ -131,21 +150,19 @@ TEST_CASE("an axisymmetric body left of the axis") {
 }
 
 TEST_CASE("vectors with too few or too many components") {
-  for (std::string const path :
-       {"gravity", "bodies.foot.velocity", "obstacles.floor.shape.normal", "obstacles.floor.shape.point"}) {
+  for (std::string const path : {"gravity", "bodies.foot.velocity"}) {
     auto table = test::foot_on_floor();
-    std::string const unit = path == "gravity"            ? "m/s^2"
-                             : path.ends_with("velocity") ? "m/s"
-                             : path.ends_with("point")    ? "m"
-                                                          : "1";
+    std::string const unit = path == "gravity" ? "m/s^2" : "m/s";
     test::at(table, path) = test::values({1, 2, 3}, unit);
     check_only(table, path, {"has 3 numbers", "two are wanted"});
     test::at(table, path) = test::values({1}, unit);
     check_only(table, path, {"has 1 numbers", "two are wanted"});
   }
   auto table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.shape.normal") = test::values({1, 2, 3});
+  check_only(table, "obstacles.floor.shape", {"normal has 3 components", "give 2"});
   test::at(table, "obstacles.floor.shape.normal") = test::values({0, 0});
-  check_only(table, "obstacles.floor.shape.normal", {"give a direction"});
+  check_only(table, "obstacles.floor.shape", {"normal"});
 }
 
 TEST_CASE("a run needs bodies, a schedule and stages that follow each other") {

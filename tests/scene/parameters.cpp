@@ -116,7 +116,8 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   using Others =
       std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
                    interface::Coulomb, interface::Rcc, scene::SchedulePart, scene::StagePart,
-                   dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline, mesh::Refinement>;
+                   dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline, mesh::Refinement,
+                   material::KelvinVoigt>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();

@@ -41,8 +41,8 @@ void add_primary(Snapshot& shot, dynamics::Model const& model, dynamics::Pair co
   shot[pair.name + ".offset.x"] = moving.offset(1).x();
   shot[pair.name + ".offset.y"] = moving.offset(1).y();
   auto const& plane = std::get<contact::RigidPlane>(moving.shape);
-  shot[pair.name + ".point.y"] = plane.point[1];
-  shot[pair.name + ".normal.x"] = plane.normal[0];
+  shot[pair.name + ".point.y"] = plane.point.empty() ? 0 : plane.point[1];
+  shot[pair.name + ".normal.x"] = plane.normal.empty() ? 0 : plane.normal[0];
 }
 
 void add_pair(Snapshot& shot, dynamics::Model const& model, dynamics::Pair const& pair) {
