@@ -54,9 +54,9 @@ Matrix3 rotation(int dim) {
 
 /// Q v at every node.
 Vector turned(Matrix3 const& Q, Vector const& v, int dim) {
-  Vector result(v.size());
-  for (Eigen::Index i = 0; i < v.size(); i += dim)
-    result.segment(i, dim) = Q.topLeftCorner(dim, dim) * v.segment(i, dim);
+  Vector result = Vector::Zero(v.size());
+  for (Index node = 0; node < v.size() / dim; ++node)
+    add_at_node(result, node, dim, Q * at_node(v, node, dim));
   return result;
 }
 
@@ -66,7 +66,7 @@ double most_inside(mesh::Mesh const& mesh, Vector const& f) {
   double most = 0;
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (inner[ix(i)])
-      most = std::max(most, f.segment(mesh.dim * i, mesh.dim).norm());
+      most = std::max(most, at_node(f, i, mesh.dim).norm());
   return most;
 }
 

@@ -67,12 +67,9 @@ TEST_SUITE("solid") {
                          : each.dim() == 3   ? Point(0.4, -1, 2)
                                              : Point(0, 0, 2);
       Point const drift = each.axisymmetric() ? Point(0, 3, 0) : Point(1, 3, -2);
-      Vector v(X.size());
-      for (Eigen::Index i = 0; i < X.size(); i += each.dim()) {
-        Point x = Point::Zero();
-        x.head(each.dim()) = (X + u).segment(i, each.dim());
-        v.segment(i, each.dim()) = (drift + spin.cross(x)).head(each.dim());
-      }
+      Vector v = Vector::Zero(X.size());
+      for (Index node = 0; node < body.mesh.node_count(); ++node)
+        add_at_node(v, node, each.dim(), drift + spin.cross(at_node(X + u, node, each.dim())));
       double const scale = damping_matrix(cells, u, each.dim()).norm();
       CHECK(damping_force(cells, u, v).norm() <= 1e-13 * scale * v.norm());
     });

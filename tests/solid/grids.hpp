@@ -9,6 +9,14 @@ namespace stiction::test {
 
 using Place = std::function<Point(Point const&)>; ///< from the unit square or cube, m
 
+/// Where a node is.
+inline Point node_place(mesh::Mesh const& mesh, Index node) {
+  Point X = Point::Zero();
+  for (int d = 0; d < mesh.dim; ++d)
+    X[d] = mesh.nodes(node, d);
+  return X;
+}
+
 namespace detail {
 using Lattice = std::array<int, 3>; ///< twice the position in cells, so that mid-side nodes have one too
 
@@ -85,9 +93,9 @@ inline mesh::Mesh square(mesh::CellKind kind, int nx, int ny) {
 inline mesh::Mesh grid(mesh::CellKind kind, std::array<int, 3> const& n, Place const& place) {
   auto mesh = mesh::info(kind).dim == 3 ? cube(kind, n) : square(kind, n[0], n[1]);
   for (Index i = 0; i < mesh.node_count(); ++i) {
-    Point at = Point::Zero();
-    at.head(mesh.dim) = mesh.nodes.row(i).transpose();
-    mesh.nodes.row(i) = place(at).head(mesh.dim).transpose();
+    Point const at = place(node_place(mesh, i));
+    for (int d = 0; d < mesh.dim; ++d)
+      mesh.nodes(i, d) = at[d];
   }
   return mesh;
 }

@@ -19,10 +19,11 @@ inline mesh::Mesh distorted(mesh::CellKind kind, std::array<int, 3> const& n) {
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   auto mesh = grid(kind, n, [&](Point const& at) {
     Point shift = Point::Zero();
-    int const dim = mesh::info(kind).dim;
-    for (int d = 0; d < dim; ++d)
+    bool inner = true;
+    for (int d = 0; d < mesh::info(kind).dim; ++d) {
       shift[d] = uniform(random) / n[static_cast<std::size_t>(d)];
-    bool const inner = at.head(dim).minCoeff() > 1e-9 && at.head(dim).maxCoeff() < 1 - 1e-9;
+      inner = inner && at[d] > 1e-9 && at[d] < 1 - 1e-9;
+    }
     Point const moved = inner ? Point(at + shift) : at;
     return Point(Point(1, 0, 0) + size.cwiseProduct(moved));
   });
@@ -97,14 +98,23 @@ inline std::vector<bool> inner_nodes(mesh::Mesh const& mesh) {
   return inner;
 }
 
+/// The entries of v that belong to a node; unused components are zero.
+inline Point at_node(Vector const& v, Index node, int dim) {
+  Point point = Point::Zero();
+  for (int i = 0; i < dim; ++i)
+    point[i] = v[dim * node + i];
+  return point;
+}
+inline void add_at_node(Vector& v, Index node, int dim, Point const& point) {
+  for (int i = 0; i < dim; ++i)
+    v[dim * node + i] += point[i];
+}
+
 /// u(X) at every node, [dim * nodes].
 template<class Field> Vector nodal(mesh::Mesh const& mesh, Field const& field) {
-  Vector u(mesh.dim * mesh.node_count());
-  for (Index i = 0; i < mesh.node_count(); ++i) {
-    Point X = Point::Zero();
-    X.head(mesh.dim) = mesh.nodes.row(i).transpose();
-    u.segment(mesh.dim * i, mesh.dim) = Point(field(X)).head(mesh.dim);
-  }
+  Vector u = Vector::Zero(mesh.dim * mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i)
+    add_at_node(u, i, mesh.dim, field(node_place(mesh, i)));
   return u;
 }
 

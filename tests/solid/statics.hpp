@@ -29,22 +29,22 @@ struct Problem {
 
 /// Calls act(place, N [nodes], outward area) at the quadrature points of a facet; per metre of depth in 2D.
 template<class Act> void over_facet(mesh::Mesh const& mesh, mesh::Facet const& facet, Act const& act) {
-  Matrix X = Matrix::Zero(static_cast<Eigen::Index>(facet.nodes.size()), 3);
-  for (Eigen::Index k = 0; k < X.rows(); ++k)
-    X.row(k).head(mesh.dim) = mesh.nodes.row(facet.nodes[static_cast<std::size_t>(k)]);
+  Eigen::Matrix3Xd X(3, static_cast<Eigen::Index>(facet.nodes.size()));
+  for (Eigen::Index k = 0; k < X.cols(); ++k)
+    X.col(k) = node_place(mesh, facet.nodes[static_cast<std::size_t>(k)]);
   if (mesh.dim == 2) { // two points on a straight side; the body lies to the left
-    Point const along = (X.row(1) - X.row(0)).transpose() / 2;
+    Point const along = (X.col(1) - X.col(0)) / 2;
     for (double const s : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
       Vector const N = Eigen::Vector2d((1 - s) / 2, (1 + s) / 2);
-      act(Point(X.transpose() * N), N, Point(along.y(), -along.x(), 0));
+      act(Point(X * N), N, Point(along.y(), -along.x(), 0));
     }
     return;
   }
   auto const& rule = mesh::mass_rule(mesh::facet_kind(facet));
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-    Eigen::Matrix<double, 3, 2> const t = X.transpose() * rule.gradients[static_cast<std::size_t>(q)];
+    Eigen::Matrix<double, 3, 2> const t = X * rule.gradients[static_cast<std::size_t>(q)];
     Vector const N = rule.shape.row(q).transpose();
-    act(Point(X.transpose() * N), N, Point(rule.weights[q] * t.col(0).cross(t.col(1))));
+    act(Point(X * N), N, Point(rule.weights[q] * t.col(0).cross(t.col(1))));
   }
 }
 
@@ -56,8 +56,7 @@ template<class Where> void add_pressure(Problem& problem, double pressure, Where
     over_facet(mesh, facet, [&](Point const& X, Vector const& N, Point const& area) {
       Point const push = -pressure * (turn ? 2 * std::numbers::pi * X.x() : 1.0) * area;
       for (std::size_t k = 0; k < facet.nodes.size(); ++k)
-        problem.load.segment(mesh.dim * facet.nodes[k], mesh.dim) +=
-            N[static_cast<Eigen::Index>(k)] * push.head(mesh.dim);
+        add_at_node(problem.load, facet.nodes[k], mesh.dim, N[static_cast<Eigen::Index>(k)] * push);
     });
 }
 

@@ -99,13 +99,12 @@ double error(Vessel const& vessel, double poisson, Interpolation interpolation) 
   int count = 0;
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (inside(mesh.nodes.row(i))) {
-      Eigen::VectorXd X = mesh.nodes.row(i).transpose();
-      Eigen::VectorXd direction = X;
+      Point direction = node_place(mesh, i);
       if (flat)
         direction[1] = 0;
       if (tube3d)
         direction[2] = 0;
-      sum += u.segment(mesh.dim * i, mesh.dim).dot(direction.normalized());
+      sum += at_node(u, i, mesh.dim).dot(direction.normalized());
       ++count;
     }
   return sum / count / lame(vessel.sphere, poisson, inner) - 1;
