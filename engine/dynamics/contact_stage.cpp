@@ -54,6 +54,7 @@ private:
   void place_rigid_bodies(Vector const& u);
   void choose_active(Point& point) const;
   void gather();
+  void take_shift_away(double weight);
 
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
@@ -253,6 +254,16 @@ template<int D, int C> double Stage<D, C>::force_scale() const {
   return largest;
 }
 
+/// S du = y becomes (S + shift P) du = y + shift P du: a stiffness on the contact unknowns like K_geo.
+template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
+  double const shift = structure_->shift() / weight;
+  if (shift == 0)
+    return;
+  Index const count = structure_->unknowns() - structure_->first_contact_unknown();
+  for (Index u = 0; u < count; ++u)
+    reduced_.add_stiffness({u}, Dense::Constant(1, 1, shift));
+}
+
 /// Hands rows and stiffness of the active points to the reduction.
 template<int D, int C> void Stage<D, C>::gather() {
   reduced_.clear();
@@ -274,9 +285,10 @@ template<int D, int C> void Stage<D, C>::gather() {
 template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
   c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
-  if (active_.empty())
+  if (active_.empty() && structure_->shift() == 0)
     return true;
   gather();
+  take_shift_away(weight);
   problem_.dim = C;
   reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
   problem_.points.clear();

@@ -194,6 +194,16 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
   }
   Timer const timer(cost.factorization);
   ++cost.factorizations;
+  shift_ = 0;
+  factored_ = factor_->factorize(values_);
+  if (factored_ || trailing_ == 0)
+    return factored_;
+  ++cost.factorizations;
+  ++cost.shifted_factorizations;
+  shift_ = 10 * stiffness_scale_;
+  auto const& columns = factor_->pattern().columns;
+  for (Index j = first_contact_unknown(); j < unknowns(); ++j)
+    values_[ix(columns[ix(j)])] += shift_;
   return factored_ = factor_->factorize(values_);
 }
 

@@ -11,7 +11,7 @@ namespace stiction::dynamics {
 /// Seconds and counts of the phases of a run.
 struct Cost {
   double assembly = 0, factorization = 0, contact = 0, solve = 0; ///< s
-  long force_passes = 0, stiffness_passes = 0, factorizations = 0, solves = 0;
+  long force_passes = 0, stiffness_passes = 0, factorizations = 0, shifted_factorizations = 0, solves = 0;
   long newton_iterations = 0, contact_iterations = 0, contact_problems = 0;
 };
 
@@ -37,9 +37,13 @@ public:
   /// Mass and weight; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
-  /// Builds and factors xi K(u) + xi A(u) / (theta dt) + M / (theta dt^2), (49). False if not positive
-  /// definite.
+  /// Builds and factors xi K(u) + xi A(u) / (theta dt) + M / (theta dt^2), (49). Where that is not
+  /// positive definite by itself but would be with the contact surfaces held, as a law that softens under a
+  /// punch, `shift` is added on the contact unknowns; who solves with the factor takes it away again. False
+  /// if that does not help.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
+  /// What the last factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
+  [[nodiscard]] double shift() const { return shift_; }
   /// True if a factor for these coefficients exists, of whatever u.
   [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
   /// True if K does not depend on u, so that a factor for these coefficients is exact.
@@ -64,7 +68,7 @@ private:
   std::vector<double> values_;
   std::unique_ptr<linear::Cholesky> factor_;
   bool factored_ = false, linear_ = true, damped_ = false;
-  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0;
+  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0;
 };
 
 } // namespace stiction::dynamics

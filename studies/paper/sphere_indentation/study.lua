@@ -227,7 +227,7 @@ return stiction.study {
       { set = "A", model = "rigid" }, { set = "A", model = "deformable" }, { set = "A", model = "space" },
       { set = "B", model = "rigid" }, { set = "C", model = "rigid" }, { set = "A", model = "fast_bonds" },
     },
-    set = { mesh_size = 0.4*mm, mesh_size_3d = 0.85*mm, steps_down = 75 },
+    set = { mesh_size_3d = 0.85*mm, steps_down = 75 },
   },
   case_id = function(p) return p.set .. "_" .. p.model end,
   scene = scene,
