@@ -22,8 +22,9 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
         "inertia: waves count above 0.1, nothing moves by inertia below 0.001");
   add(section, "run / transit", all.end / transit,
       fmt::format("duration over the time {} of a wave through the body", human(transit, "s")));
-  add(section, "step / transit of a cell", all.longest_step * facts.pressure_speed() / facts.smallest_edge,
-      "Courant number of the longest step; free to choose, above 1 waves are smeared");
+  if (all.dynamic())
+    add(section, "step / transit of a cell", all.longest_step * facts.pressure_speed() / facts.smallest_edge,
+        "Courant number of the longest step; free to choose, above 1 waves are smeared");
   add(section, "K / G", facts.moduli.bulk() / facts.moduli.shear(),
       "above 10 (nu > 0.45) plain linear cells lock");
   explanation.sections.push_back(std::move(section));
@@ -56,12 +57,14 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
                       human(motion.closed_time, "s")));
     add(section, "V* normal", motion.normal_speed() * bonding / opening,
         "V b / (w u0): the bond's viscosity raises the peak by 1 % at 0.1, by 11 % at 1");
-    add(section, "V* along", motion.sliding * bonding / along, "the same along the surface");
+    if (law.C_t > 0)
+      add(section, "V* along", motion.sliding * bonding / along, "the same along the surface");
   }
   if (law.b > 0)
     add(section, "bonding per step", all.longest_step * law.w / law.b, "growth of beta in the longest step");
   add(section, "opening per step / u0", motion.opening_step / opening, "above 0.25 the peak is cut off");
-  add(section, "sliding per step / u0", motion.sliding_step / along, "above 0.25 the peak is cut off");
+  if (law.C_t > 0)
+    add(section, "sliding per step / u0", motion.sliding_step / along, "above 0.25 the peak is cut off");
 }
 
 void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation) {

@@ -145,12 +145,12 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
   explanation.sections.push_back(std::move(section));
 }
 
-void add_motion(MotionPart const& motion, Section& section) {
+void add_motion(MotionPart const& motion, int dim, Section& section) {
   if (auto const* drive = std::get_if<DrivePart>(&motion))
     return add_paths(section, drive->set, *drive);
   auto const& fix = std::get<FixPart>(motion);
   add(section, fix.set,
-      fmt::format("held in{}{}{}", fix.x ? " x" : "", fix.y ? " y" : "", fix.z ? " z" : ""));
+      fmt::format("held in{}{}{}", fix.x ? " x" : "", fix.y ? " y" : "", fix.z && dim == 3 ? " z" : ""));
 }
 
 void add_run(Facts const& facts, Explanation& explanation) {
@@ -189,7 +189,7 @@ void describe_scene(Facts const& facts, Explanation& explanation) {
     add_pair(facts, pair, explanation);
   Section motions{"Motions", {}};
   for (auto const& motion : part.motions)
-    add_motion(motion, motions);
+    add_motion(motion, part.dim(), motions);
   if (!motions.lines.empty())
     explanation.sections.push_back(std::move(motions));
   add_run(facts, explanation);

@@ -33,7 +33,10 @@ std::string rigid_shape(ShapeFit const& fit, Facts const& all, std::string const
   bool const axisymmetric = all.scene->part.kinematics == solid::Kinematics::axisymmetric;
   if (fit.kind == ShapeFit::none)
     return fmt::format("rigid.{} of its surface {}", dim == 3 ? "surface" : "polyline", set);
-  auto const misses = fmt::format(", which misses no node of {} by more than {}", set, human(fit.error, "m"));
+  double const least = 1e-9 * std::max(fit.radius, 1e-3);
+  auto const misses = fit.error < least ? fmt::format(", which runs through the nodes of {}", set)
+                                        : fmt::format(", which misses no node of {} by more than {}", set,
+                                                      human(fit.error, "m"));
   if (fit.kind == ShapeFit::flat)
     return fmt::format("rigid.plane through {}{}", place(fit.centre, dim), misses);
   bool const sphere = dim == 3 || (axisymmetric && std::abs(fit.centre.x()) < 1e-2 * fit.radius);
@@ -160,11 +163,13 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
                        "rotations only",
                        body.name, percent(strain)),
            law});
+    double const stretch = 1 - strain,
+                 kept = std::max(0.0, (3 * stretch * stretch - 1) / 2); // of (35) along x
     if (saint_venant && strain > saint_venant_strain)
       warnings.push_back(
-          {fmt::format("body {} will be compressed by about {}, where st_venant_kirchhoff softens and "
-                       "collapses",
-                       body.name, percent(strain)),
+          {fmt::format("body {} will be compressed by about {}, where st_venant_kirchhoff keeps {} of its "
+                       "stiffness; it has none at 42 %",
+                       body.name, percent(strain), percent(kept)),
            law});
   };
   check(all.bodies[pair.secondary], pair.strain[0]);
