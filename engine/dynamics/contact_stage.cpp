@@ -359,8 +359,12 @@ bool acts_along_surface(Pair const& pair) {
 
 } // namespace
 
+int contact_components(Model const& model) {
+  return std::any_of(model.pairs.begin(), model.pairs.end(), acts_along_surface) ? model.dim() : 1;
+}
+
 std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {
-  bool const tangential = std::any_of(model.pairs.begin(), model.pairs.end(), acts_along_surface);
+  bool const tangential = contact_components(model) > 1;
   if (model.dim() == 2) {
     if (tangential)
       return std::make_unique<Stage<2, 2>>(model, structure);

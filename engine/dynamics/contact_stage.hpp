@@ -37,8 +37,9 @@ public:
   [[nodiscard]] virtual contact::Problem const& problem() const = 0;
 };
 
-/// One component per point where all pairs are frictionless and bond along the normal alone, else as many as
-/// the model has dimensions.
+/// Per point: one where all pairs are frictionless and bond along the normal alone, else as many as the model
+/// has dimensions.
+[[nodiscard]] int contact_components(Model const& model);
 [[nodiscard]] std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure);
 
 } // namespace stiction::dynamics

@@ -33,6 +33,7 @@ public:
   [[nodiscard]] Cost const& cost() const { return cost_; }
   [[nodiscard]] ContactStage const& contact() const { return *contact_; }
   [[nodiscard]] Structure const& structure() const { return structure_; }
+  [[nodiscard]] Structure& structure() { return structure_; }
 
 private:
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);

@@ -54,6 +54,10 @@ Cholesky::~Cholesky() {
   cholmod_finish(&w.common);
 }
 
+Effort Cholesky::effort() const {
+  return {static_cast<double>(work_->factor->xsize), work_->common.fl};
+}
+
 bool Cholesky::factorize(std::span<double const> values) {
   core::expect(values.size() == pattern_.rows.size(), "one value per entry of the pattern");
   auto& w = *work_;

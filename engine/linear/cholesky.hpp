@@ -8,6 +8,12 @@
 
 namespace stiction::linear {
 
+/// What one factorization takes.
+struct Effort {
+  double entries = 0;    ///< numbers that the factor stores
+  double operations = 0; ///< of floating point
+};
+
 /// Analyses a pattern once, then factors new values of it again and again without heap allocation.
 class Cholesky {
 public:
@@ -31,6 +37,7 @@ public:
   /// trailing]
   [[nodiscard]] Dense const& trailing_inverse();
   [[nodiscard]] Pattern const& pattern() const { return pattern_; }
+  [[nodiscard]] Effort effort() const;
 
 private:
   struct Workspace;

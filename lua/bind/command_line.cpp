@@ -83,10 +83,11 @@ void Commands::add_others() {
   study(figures)->required();
   study_options(figures);
   out(figures);
-  auto& explain = command("explain", "Show what a study asks, assumes and runs");
+  auto& explain = command("explain", "Show what a study asks, models and costs, and what to change, without running it");
   study(explain)->required();
   study_options(explain);
   one_case(explain);
+  flag(explain, "json", "Print JSON instead of text");
   auto& solve = command("solve", "Solve a saved contact problem again");
   value<std::string>(solve, "file", "FILE", "Contact problem saved by a run (HDF5)")->required();
   value<std::string>(solve, "--with", "SOLVER", "A solver of 'stiction help solver' (default: all)");

@@ -1,10 +1,13 @@
-// The verbs of a scene for scripts: validate and run.
+// The verbs of a scene for scripts: validate, explain and run.
 #include "bind/engine.hpp"
+
+#include <cmath>
 
 #include "bind/convert.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
+#include "scene/explain.hpp"
 #include "scene/run.hpp"
 
 namespace stiction::bind {
@@ -15,6 +18,50 @@ namespace {
 int validate(lua_State* lua) {
   scene::validate(to_input(lua, 1));
   return 0;
+}
+
+void push(lua_State* lua, scene::Line const& line) {
+  lua_newtable(lua);
+  set(lua, "name", line.name);
+  set(lua, "words", line.words);
+  set(lua, "meaning", line.meaning);
+  if (!std::isfinite(line.value))
+    return;
+  set(lua, "value", line.value);
+  set(lua, "unit", line.unit);
+}
+
+/// Sets field `name` of the table on top of the stack to a list.
+template<class T> void set_list(lua_State* lua, char const* name, std::vector<T> const& values);
+
+void push(lua_State* lua, scene::Section const& section) {
+  lua_newtable(lua);
+  set(lua, "title", section.title);
+  set_list(lua, "lines", section.lines);
+}
+
+void push(lua_State* lua, scene::Warning const& warning) {
+  lua_newtable(lua);
+  set(lua, "text", warning.text);
+  set(lua, "change", warning.change);
+}
+
+template<class T> void set_list(lua_State* lua, char const* name, std::vector<T> const& values) {
+  lua_newtable(lua);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    push(lua, values[i]);
+    lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(lua, -2, name);
+}
+
+/// explain(scene) -> {sections = {{title =, lines =}}, warnings = {{text =, change =}}}
+int explain(lua_State* lua) {
+  auto const explanation = scene::explain(to_input(lua, 1));
+  lua_newtable(lua);
+  set_list(lua, "sections", explanation.sections);
+  set_list(lua, "warnings", explanation.warnings);
+  return 1;
 }
 
 void push(lua_State* lua, scene::Progress const& progress) {
@@ -75,6 +122,7 @@ int run(lua_State* lua) {
 
 void add_scene_functions(lua_State* lua) {
   add<validate>(lua, "validate");
+  add<explain>(lua, "explain");
   add<run>(lua, "run");
 }
 

@@ -1,10 +1,12 @@
--- stiction explain: what a study asks, assumes and runs, without running it.
+-- stiction explain: what a study asks, assumes and models, what it will cost and what to change, without running it.
 local engine = require "stiction.engine"
 local ordered = require "stiction.ordered"
+local output = require "stiction.output"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
-local units = require "stiction.units"
+
+local width, name_width, words_width = 110, 26, 14
 
 local function show_parameters(title, section, p)
   local rows = {}
@@ -37,28 +39,34 @@ local function show_results(results)
   end
 end
 
-local show_value
-
-local function show_table(name, value, indent)
-  local meta = getmetatable(value) == "part" and engine.part(value) or ""
-  report.line("%s%s%s", indent, name, meta ~= "" and " = " .. meta or "")
-  for _, key in ipairs(ordered.keys(value)) do
-    show_value(type(key) == "number" and ("[%d]"):format(key) or key, value[key], indent .. "  ")
-  end
+--- `head`, then `text` beside it, wrapped.
+local function beside(head, text)
+  local indent = (" "):rep(#head)
+  local lines = report.wrapped(text, indent, width)
+  report.line("%s", head .. lines:sub(#indent + 1))
 end
 
-function show_value(name, value, indent)
-  if type(value) == "table" and not units.is_quantity(value) then
-    show_table(name, value, indent)
+local function show_line(line)
+  local head = ("  %-" .. name_width .. "s"):format(line.name)
+  if line.meaning == "" then
+    beside(head, line.words)
   else
-    report.line("%s%s = %s", indent, name, report.value(value))
+    beside(head .. ("%-" .. words_width .. "s"):format(line.words) .. "  ", line.meaning)
   end
 end
 
-return function(options)
-  local study = study_module.load(options.study, options.trust)
-  local cases, names = sweep.cases(study, options)
-  local case = options.case and sweep.find(cases, options.case) or cases[1]
+local function show_warnings(warnings)
+  if #warnings == 0 then
+    return report.line("\nNothing to change")
+  end
+  report.line("\nWhat to change")
+  for i, warning in ipairs(warnings) do
+    beside(("  %d. "):format(i), warning.text)
+    beside("     -> ", warning.change)
+  end
+end
+
+local function show(study, cases, names, case, explanation)
   report.line("%s", study.title)
   if study.question ~= "" then
     report.line("%s", report.wrapped(study.question, ""))
@@ -67,9 +75,26 @@ return function(options)
   show_parameters("Chosen", study.chosen, case.p)
   show_cases(cases, names)
   show_results(study.results)
-  local scene = study.scene(case.p)
-  engine.validate(scene)
-  report.line("\nScene of case %s", case.id)
-  show_table("scene", scene, "  ")
+  report.line("\nCase %s", case.id)
+  for _, section in ipairs(explanation.sections) do
+    report.line("\n%s", section.title)
+    for _, line in ipairs(section.lines) do
+      show_line(line)
+    end
+  end
+  show_warnings(explanation.warnings)
+end
+
+return function(options)
+  local study = study_module.load(options.study, options.trust)
+  local cases, names = sweep.cases(study, options)
+  local case = options.case and sweep.find(cases, options.case) or cases[1]
+  local explanation = engine.explain(study.scene(case.p))
+  if options.json then
+    explanation.study, explanation.case, explanation.parameters = study.name, case.id, output.plain(case.p)
+    engine.write(engine.encode_json(explanation, 2) .. "\n")
+  else
+    show(study, cases, names, case, explanation)
+  end
   return 0
 end

@@ -9,7 +9,7 @@ stiction help TOPIC       topics: commands, study, units, any part below or any 
 pages.commands = [[
 run STUDY      run the cases of a study, check them, draw its figures
 figures STUDY  draw the figures again from the output
-explain STUDY  what a study asks, assumes and runs
+explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver
 bench [STUDY]  time one case, phase by phase
 help [TOPIC]   this help

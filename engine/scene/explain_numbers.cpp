@@ -1,0 +1,109 @@
+// The dimensionless numbers that decide what a model needs (PHYSICS 2; Johnson, Contact Mechanics, 1985).
+#include <fmt/format.h>
+
+#include "scene/facts.hpp"
+#include "scene/human.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+void add(Section& section, std::string name, double value, std::string meaning, char const* unit = "1") {
+  if (std::isfinite(value))
+    section.lines.push_back({std::move(name), human(value, unit), value, unit, std::move(meaning)});
+}
+
+void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation) {
+  Section section{"Numbers of body " + facts.body->name, {}};
+  double const shear = facts.shear_speed(), transit = facts.extent() / shear;
+  add(section, "c_s", shear, "shear wave speed sqrt(G / density)", "m/s");
+  if (all.speed > 0)
+    add(section, "speed / c_s", all.speed / shear,
+        "inertia: waves count above 0.1, nothing moves by inertia below 0.001");
+  add(section, "run / transit", all.end / transit,
+      fmt::format("duration over the time {} of a wave through the body", human(transit, "s")));
+  if (all.dynamic())
+    add(section, "step / transit of a cell", all.longest_step * facts.pressure_speed() / facts.smallest_edge,
+        "Courant number of the longest step; free to choose, above 1 waves are smeared");
+  add(section, "K / G", facts.moduli.bulk() / facts.moduli.shear(),
+      "above 10 (nu > 0.45) plain linear cells lock");
+  explanation.sections.push_back(std::move(section));
+}
+
+/// sigma0, u0 and what follows from them.
+void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
+  auto const& law = *facts.pair->law.adhesion;
+  auto const& motion = facts.motion;
+  double const traction = std::sqrt(law.w * law.C_n), opening = std::sqrt(law.w / law.C_n);
+  double const along = std::sqrt(law.w / law.C_t);
+  add(section, "sigma0", traction, "peak traction sqrt(w C_n)", "Pa");
+  add(section, "u0", opening, "opening sqrt(w / C_n) at that peak", "m");
+  add(section, "sigma0 / E*", traction / facts.modulus, "strain that the bonds can put into the bodies");
+  add(section, "cohesive length", facts.modulus / law.C_n, "E* / C_n, over which a bond fails", "m");
+  add(section, "cohesive length / cell", facts.modulus / law.C_n / facts.size,
+      "below 3 the pull-off depends on the mesh");
+  add(section, "stiffness / (3 C_n)", facts.column / (3 * law.C_n),
+      "bodies as columns against the softening bond (PHYSICS 3): below 1 a bond without viscosity snaps");
+  if (facts.radius > 0)
+    add(section, "Tabor-like",
+        std::cbrt(facts.radius * law.w * law.w / (facts.modulus * facts.modulus)) / opening,
+        "(R w^2 / E*^2)^(1/3) / u0: above 5 JKR, below 0.1 DMT");
+  if (law.b > 0) {
+    double const bonding = law.b / law.w;
+    add(section, "bonding time", bonding, "b / w, from no bond to a full one in contact", "s");
+    if (motion.closed_time > 0)
+      add(section, "closed / bonding time", motion.closed_time / bonding,
+          fmt::format("{} of contact by the motions; below 1 no bond is full",
+                      human(motion.closed_time, "s")));
+    add(section, "V* normal", motion.normal_speed() * bonding / opening,
+        "V b / (w u0): the bond's viscosity raises the peak by 1 % at 0.1, by 11 % at 1");
+    if (law.C_t > 0)
+      add(section, "V* along", motion.sliding * bonding / along, "the same along the surface");
+  }
+  if (law.b > 0)
+    add(section, "bonding per step", all.longest_step * law.w / law.b, "growth of beta in the longest step");
+  add(section, "opening per step / u0", motion.opening_step / opening, "above 0.25 the peak is cut off");
+  if (law.C_t > 0)
+    add(section, "sliding per step / u0", motion.sliding_step / along, "above 0.25 the peak is cut off");
+}
+
+void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation) {
+  Section section{"Numbers of pair " + facts.pair->name, {}};
+  auto const& motion = facts.motion;
+  add(section, "E*", facts.modulus, "1 / sum of (1 - nu^2) / E", "Pa");
+  if (facts.primary && *facts.primary != facts.secondary) {
+    auto const &a = all.bodies[facts.secondary], &b = all.bodies[*facts.primary];
+    bool const first = a.plane_modulus() >= b.plane_modulus();
+    add(section, "stiffness contrast",
+        first ? a.plane_modulus() / b.plane_modulus() : b.plane_modulus() / a.plane_modulus(),
+        fmt::format("{} over {}, E / (1 - nu^2); above 1000 the stiffer may be rigid",
+                    (first ? a : b).body->name, (first ? b : a).body->name));
+  }
+  if (facts.radius > 0)
+    add(section, "radius", facts.radius, "1 / sum of the curvatures of both sides", "m");
+  add(section, "closing speed", motion.closing, "of the motions, along the normal", "m/s");
+  add(section, "opening speed", motion.opening, "of the motions, along the normal", "m/s");
+  add(section, "sliding speed", motion.sliding, "of the motions, along the surface", "m/s");
+  if (motion.depth > 0) {
+    add(section, "depth", motion.depth, "approach of the motions beyond the first touch", "m");
+    add(section, "strain", std::max(facts.strain[0], facts.strain[1]),
+        "expected, of the more strained body: by depth over thickness, or 0.4 E*/E sqrt(depth / R)");
+  }
+  if (facts.size > 0)
+    add(section, "closing per step / cell", motion.closing_step / facts.size,
+        "above 0.5 Newton has a hard time");
+  if (facts.pair->law.adhesion && facts.pair->law.adhesion->w > 0 && facts.pair->law.adhesion->C_n > 0)
+    add_adhesion(all, facts, section);
+  explanation.sections.push_back(std::move(section));
+}
+
+} // namespace
+
+void describe_numbers(Facts const& facts, Explanation& explanation) {
+  for (auto const& body : facts.bodies)
+    add_body(facts, body, explanation);
+  for (auto const& pair : facts.pairs)
+    add_pair(facts, pair, explanation);
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,339 @@
+// What is likely to go wrong or to cost too much, each with the change of the script that mends it.
+#include <fmt/format.h>
+
+#include "scene/facts.hpp"
+#include "scene/human.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+constexpr double rigid_contrast = 1000;                   // of E / (1 - nu^2)
+constexpr double cohesive_cells = 3;                      // over the cohesive length (REFERENCES, JKR)
+constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
+constexpr double part_of_bond = 0.25;                     // beta in a step
+constexpr double part_of_cell = 0.5;                      // approach in a step
+constexpr double locking = 0.45;                          // Poisson's ratio
+constexpr double small_strain = 0.05, saint_venant_strain = 0.2;
+constexpr double slow = 1e-3, fast = 0.1; // over the shear wave speed
+constexpr double many_transits = 100;
+
+using Warnings = std::vector<Warning>;
+
+/// "{0 m, 10 mm}"
+std::string place(Vec3 const& at, int dim) {
+  std::vector<std::string> words;
+  for (int c = 0; c < dim; ++c)
+    words.push_back(human(at[c], "m"));
+  return fmt::format("{{{}}}", fmt::join(words, ", "));
+}
+
+std::string rigid_shape(ShapeFit const& fit, Facts const& all, std::string const& set) {
+  int const dim = all.scene->part.dim();
+  bool const axisymmetric = all.scene->part.kinematics == solid::Kinematics::axisymmetric;
+  if (fit.kind == ShapeFit::none)
+    return fmt::format("rigid.{} of its surface {}", dim == 3 ? "surface" : "polyline", set);
+  double const least = 1e-9 * std::max(fit.radius, 1e-3);
+  auto const misses = fit.error < least ? fmt::format(", which runs through the nodes of {}", set)
+                                        : fmt::format(", which misses no node of {} by more than {}", set,
+                                                      human(fit.error, "m"));
+  if (fit.kind == ShapeFit::flat)
+    return fmt::format("rigid.plane through {}{}", place(fit.centre, dim), misses);
+  bool const sphere = dim == 3 || (axisymmetric && std::abs(fit.centre.x()) < 1e-2 * fit.radius);
+  Vec3 centre = fit.centre;
+  if (axisymmetric && sphere)
+    centre.x() = 0;
+  for (int c = 0; c < dim; ++c)
+    if (std::abs(centre[c]) < 1e-9 * fit.radius)
+      centre[c] = 0;
+  return fmt::format("rigid.{}{{centre = {}, radius = {}}}{}", sphere ? "sphere" : "circle",
+                     place(centre, dim), human(fit.radius, "m"), misses);
+}
+
+/// The force at given depth goes with E*, of which the stiff body is only so small a part.
+void stiff_body(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (!pair.primary || *pair.primary == pair.secondary)
+    return;
+  auto const &own = all.bodies[pair.secondary], &other = all.bodies[*pair.primary];
+  bool const first = own.plane_modulus() > other.plane_modulus();
+  auto const &stiff = first ? own : other, &soft = first ? other : own;
+  double const contrast = stiff.plane_modulus() / soft.plane_modulus();
+  if (contrast < rigid_contrast)
+    return;
+  auto const& set = first ? pair.part->secondary : pair.part->primary;
+  bool const held = stiff.held[0] || stiff.held[1] || stiff.held[2];
+  auto const carried = !stiff.driven_set.empty() ? "carried along the path of " + stiff.driven_set
+                       : held                    ? std::string("standing still")
+                                                 : fmt::format("with mass = {:.3g} kg", stiff.mass);
+  warnings.push_back(
+      {fmt::format("body {} is {} times stiffer than body {}", stiff.body->name, human(contrast, "1"),
+                   soft.body->name),
+       fmt::format(
+           "make it an obstacle, {}, {}{}: the force at the same depth changes by about {}, and {} of {} "
+           "unknowns are saved",
+           rigid_shape(first ? pair.secondary_fit : pair.primary_fit, all, set), carried,
+           first ? fmt::format(", and let {} be the secondary", pair.part->primary) : "",
+           percent(1 / contrast), stiff.free, own.free + other.free)});
+}
+
+/// "schedule.stage 2 with 300 steps"
+std::string more_steps(Facts const& all, std::size_t stage, double factor) {
+  auto const& part = all.scene->part.schedule.stages[stage];
+  return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor),
+                     part.steps, human(part.until, "s"));
+}
+
+void cohesive_length(PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  double const length = pair.modulus / law.C_n, cell = std::max(pair.size, 0.0);
+  if (length >= cohesive_cells * cell)
+    return;
+  warnings.push_back(
+      {fmt::format("pair {}: cohesive length {}, mesh {}: the pull-off will depend on the mesh",
+                   pair.pair->name, human(length, "m"), human(cell, "m")),
+       fmt::format(
+           "cells of {} or less at {}, or C_n of {:.2g} N/m^3 or less, which lowers the peak traction to {}",
+           human(length / cohesive_cells, "m"), pair.part->secondary, pair.modulus / (cohesive_cells * cell),
+           human(std::sqrt(law.w * pair.modulus / (cohesive_cells * cell)), "Pa"))});
+}
+
+/// Steps that jump over the opening at which the traction peaks.
+void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  auto const& motion = pair.motion;
+  auto const check = [&](char const* what, double step, double stiffness, std::size_t stage) {
+    double const part = step / std::sqrt(law.w / stiffness);
+    if (std::isfinite(part) && stiffness > 0 && part > part_of_opening)
+      warnings.push_back(
+          {fmt::format("pair {}: the motions {} by {:.2g} u0 in a step: the peak of the adhesion is cut off",
+                       pair.pair->name, what, part),
+           more_steps(all, stage, part / good_part)});
+  };
+  check("open it", motion.opening_step, law.C_n, motion.opening_stage);
+  check("slide", motion.sliding_step, law.C_t, motion.sliding_stage);
+}
+
+void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  if (!(law.b > 0) || law.bonding == interface::Bonding::never)
+    return;
+  double const bonding = law.b / law.w, part = all.longest_step / bonding;
+  if (part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time || pair.motion.closed_time == 0)
+    return; // quick bonds are full whatever the step
+  warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
+                                  pair.pair->name, human(bonding, "s"), 1 / part),
+                      fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
+}
+
+void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  if (!(law.w > 0) || !(law.C_n > 0))
+    return;
+  cohesive_length(pair, warnings);
+  opening_steps(all, pair, warnings);
+  bonding_steps(all, pair, warnings);
+  if (!all.dynamic() && law.b == 0 && pair.column < 3 * law.C_n)
+    warnings.push_back({fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness "
+                                    "= {:.2g} N/m^3 < 3 C_n) and b = "
+                                    "0: the pull-off snaps, and a quasi-static run may not get past it",
+                                    pair.pair->name, pair.column),
+                        "a small viscosity b > 0, or scheme.theta_xi{}"});
+}
+
+void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  double const part = pair.motion.closing_step / pair.size;
+  if (std::isfinite(part) && part > part_of_cell)
+    warnings.push_back(
+        {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps will be halved",
+                     pair.pair->name, part),
+         more_steps(all, pair.motion.closing_stage, part / good_part)});
+}
+
+void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const check = [&](BodyFacts const& facts, double strain) {
+    auto const& body = *facts.body;
+    bool const linear = std::holds_alternative<material::LinearElastic>(body.material);
+    bool const saint_venant = std::holds_alternative<material::StVenantKirchhoff>(body.material);
+    auto const& moduli = facts.moduli;
+    auto const law = fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}",
+                                 human(moduli.young, "Pa"), moduli.poisson);
+    if (linear && strain > small_strain)
+      warnings.push_back(
+          {fmt::format("body {} will be strained by about {}, and linear_elastic knows small strains and "
+                       "rotations only",
+                       body.name, percent(strain)),
+           law});
+    double const stretch = 1 - strain,
+                 kept = std::max(0.0, (3 * stretch * stretch - 1) / 2); // of (35) along x
+    if (saint_venant && strain > saint_venant_strain)
+      warnings.push_back(
+          {fmt::format("body {} will be compressed by about {}, where st_venant_kirchhoff keeps {} of its "
+                       "stiffness; it has none at 42 %",
+                       body.name, percent(strain), percent(kept)),
+           law});
+  };
+  check(all.bodies[pair.secondary], pair.strain[0]);
+  if (pair.primary && *pair.primary != pair.secondary)
+    check(all.bodies[*pair.primary], pair.strain[1]);
+}
+
+void locking_cells(BodyFacts const& facts, Warnings& warnings) {
+  auto const& body = *facts.body;
+  if (facts.moduli.poisson < locking || body.interpolation != solid::Interpolation::plain)
+    return;
+  static std::map<mesh::CellKind, char const*> const remedies{
+      {mesh::CellKind::quad4, "interpolation = \"mean_dilatation\", or quad8 cells"},
+      {mesh::CellKind::hex8, "interpolation = \"mean_dilatation\", or hex20 cells"},
+      {mesh::CellKind::tri3, "tri6 or quad4 cells with interpolation = \"mean_dilatation\""},
+      {mesh::CellKind::tet4, "tet10 cells with interpolation = \"mean_dilatation\", or hex8 cells with it"}};
+  for (auto const& block : body.mesh.blocks)
+    if (auto const remedy = remedies.find(block.kind); remedy != remedies.end() && !block.nodes.empty()) {
+      warnings.push_back({fmt::format("body {}: plain {} cells lock at nu = {:.3g} (K/G = {:.3g}): too stiff",
+                                      body.name, mesh::info(block.kind).name, facts.moduli.poisson,
+                                      facts.moduli.bulk() / facts.moduli.shear()),
+                          fmt::format("in stiction.body of {}: {}", body.name, remedy->second)});
+      return;
+    }
+}
+
+/// The axis along which all nodes share one coordinate; -1 if there is none.
+int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
+  double const extent = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
+  for (int c = 0; c < mesh.dim; ++c) {
+    bool flat = true;
+    for (Index const node : nodes)
+      flat = flat && std::abs(mesh.nodes(node, c) - mesh.nodes(nodes.front(), c)) < 1e-9 * extent;
+    if (flat)
+      return c;
+  }
+  return -1;
+}
+
+bool all_held(dynamics::Model const& model, std::size_t body, Indices const& nodes, int component) {
+  std::vector<bool> held(ix(model.node_count()), false);
+  for (auto const& motion : model.motions)
+    if (motion.component == component)
+      for (Index const node : motion.nodes)
+        held[ix(node)] = true;
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](Index node) { return held[ix(model.first_node[body] + node)]; });
+}
+
+/// motion.fix of one component
+std::string fix_words(std::string const& set, int component, int dim) {
+  std::string words = fmt::format("stiction.motion.fix {{ set = \"{}\"", set);
+  for (int c = 0; c < dim; ++c)
+    if (c != component)
+      words += fmt::format(", {} = false", "xyz"[c]);
+  return words + " }";
+}
+
+void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  auto const& body = *all.bodies[b].body;
+  bool const axisymmetric = model.kinematics == solid::Kinematics::axisymmetric;
+  Indices axis;
+  for (Index node = 0; axisymmetric && node < body.mesh.node_count(); ++node)
+    if (body.mesh.nodes(node, 0) < 1e-9 * all.bodies[b].extent())
+      axis.push_back(node);
+  bool on_axis = axis.empty() || all_held(model, b, axis, 0);
+  for (auto const& [name, set] : body.mesh.sets) {
+    bool const is_axis = !on_axis && set.nodes == axis;
+    int const normal = is_axis ? 0 : name.starts_with("symmetry") ? flat_axis(body.mesh, set.nodes) : -1;
+    if (normal < 0 || all_held(model, b, set.nodes, normal))
+      continue;
+    on_axis = on_axis || is_axis;
+    warnings.push_back({fmt::format("body {}: {} is a {} and free to leave it along {}", body.name, name,
+                                    is_axis ? "part of the axis" : "plane of symmetry", "xyz"[normal]),
+                        "add to motions: " + fix_words(body.name + "." + name, normal, model.dim())});
+  }
+  if (!on_axis)
+    warnings.push_back({fmt::format("body {}: nodes on the axis x = 0 are free to leave it", body.name),
+                        "hold x of the set that lies on the axis with stiction.motion.fix"});
+}
+
+/// A quasi-static run needs every body held until it touches.
+void held(Facts const& all, BodyFacts const& facts, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  if (all.dynamic())
+    return;
+  int const first = model.kinematics == solid::Kinematics::axisymmetric ? 1 : 0;
+  for (int c = first; c < model.dim(); ++c)
+    if (!facts.held[ix(c)])
+      return warnings.push_back(
+          {fmt::format("body {} is held in {} by contact at most: a quasi-static run is singular "
+                       "while it is not",
+                       facts.body->name, "xyz"[c]),
+           "hold or drive a set of it with stiction.motion, or use scheme.theta_xi{}"});
+}
+
+bool plain_inertia(Facts const& all) {
+  auto const& model = *all.scene->model;
+  bool plain = all.dynamic() && model.gravity.isZero() && all.speed > 0;
+  for (auto const& rigid : model.rigids)
+    plain = plain && !rigid.free();
+  for (auto const& body : all.bodies) {
+    plain = plain && !body.body->damping;
+    int const first = model.kinematics == solid::Kinematics::axisymmetric ? 1 : 0;
+    for (int c = first; c < model.dim(); ++c)
+      plain = plain && body.held[ix(c)];
+  }
+  return plain;
+}
+
+void inertia(Facts const& all, Warnings& warnings) {
+  double slowest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (auto const& body : all.bodies) {
+    slowest = std::min(slowest, body.shear_speed());
+    longest = std::max(longest, body.extent() / body.shear_speed());
+  }
+  double const mach = all.speed / slowest;
+  if (plain_inertia(all) && mach < slow && all.end > many_transits * longest)
+    warnings.push_back(
+        {fmt::format(
+             "nothing is fast: {} is {:.2g} of the shear wave speed {}, and the run takes {} times as "
+             "long as a wave through the largest body",
+             human(all.speed, "m/s"), mach, human(slowest, "m/s"), human(all.end / longest, "1")),
+         "scheme.quasi_static{} gives the same as long as no bond snaps, and takes larger steps"});
+  if (!all.dynamic() && mach > fast)
+    warnings.push_back(
+        {fmt::format("the motions are fast: {} is {:.2g} of the shear wave speed {}, and a quasi-static run "
+                     "has no waves",
+                     human(all.speed, "m/s"), mach, human(slowest, "m/s")),
+         "scheme.theta_xi{}"});
+}
+
+/// In lasting contact the plain scheme turns the normal velocity about by -(1 - theta) / theta each step
+/// (PHYSICS 5).
+void ringing(Facts const& all, Warnings& warnings) {
+  auto const* scheme = std::get_if<dynamics::ThetaXi>(&all.scene->model->scheme);
+  if (scheme == nullptr || all.pairs.empty() || scheme->theta > 0.5 || scheme->contact_weight < 1 ||
+      scheme->contact_inertia != dynamics::ContactInertia::full)
+    return;
+  warnings.push_back({"theta = 1/2 with the inertia of contact nodes: the contact pressure changes between "
+                      "extremes at every "
+                      "step",
+                      "scheme.theta_xi{contact_inertia = \"implicit\"}, the default"});
+}
+
+} // namespace
+
+void add_warnings(Facts const& all, Explanation& explanation) {
+  auto& warnings = explanation.warnings;
+  for (std::size_t b = 0; b < all.bodies.size(); ++b) {
+    locking_cells(all.bodies[b], warnings);
+    symmetry(all, b, warnings);
+    held(all, all.bodies[b], warnings);
+  }
+  for (auto const& pair : all.pairs) {
+    stiff_body(all, pair, warnings);
+    closing_steps(all, pair, warnings);
+    strain(all, pair, warnings);
+    if (pair.pair->law.adhesion)
+      adhesion(all, pair, warnings);
+  }
+  inertia(all, warnings);
+  ringing(all, warnings);
+}
+
+} // namespace stiction::scene
