@@ -150,6 +150,7 @@ public:
     result_.counters = {
         {"force_passes", static_cast<double>(cost.force_passes)},
         {"stiffness_passes", static_cast<double>(cost.stiffness_passes)},
+        {"shifted_factorizations", static_cast<double>(cost.shifted_factorizations)},
         {"solves", static_cast<double>(cost.solves)},
         {"contact_iterations", static_cast<double>(cost.contact_iterations)},
         {"contact_problems", static_cast<double>(cost.contact_problems)},
