@@ -88,8 +88,8 @@ std::vector<std::string> Builder::loose_motions(std::size_t body) const {
       Vec3 X = -middle;
       for (int c = 0; c < model.dim(); ++c)
         X[c] += model.reference(node, c);
-      auto const row = rigid_motions(model.kinematics, X / extent.norm()).row(motion.component);
-      held += row.transpose() * row;
+      Vector const row = rigid_motions(model.kinematics, X / extent.norm()).row(motion.component);
+      held += row * row.transpose();
     }
   Eigen::JacobiSVD<Dense> const svd(held, Eigen::ComputeFullV);
   std::vector<std::string> loose;
