@@ -22,10 +22,10 @@ using Warnings = std::vector<Warning>;
 
 /// "{0 m, 10 mm}"
 std::string place(Vec3 const& at, int dim) {
-  std::vector<std::string> words;
+  std::string words;
   for (int c = 0; c < dim; ++c)
-    words.push_back(human(at[c], "m"));
-  return fmt::format("{{{}}}", fmt::join(words, ", "));
+    words += (c > 0 ? ", " : "") + human(at[c], "m");
+  return "{" + words + "}";
 }
 
 std::string rigid_shape(ShapeFit const& fit, Facts const& all, std::string const& set) {
