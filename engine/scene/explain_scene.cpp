@@ -76,11 +76,10 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
   auto const& body = *facts.body;
   int const dim = all.scene->part.dim();
   Section section{"Body " + body.name, {}};
-  std::vector<std::string> sides;
+  std::string sides;
   for (int c = 0; c < dim; ++c)
-    sides.push_back(human(facts.sides[c], "m"));
-  add(section, "size",
-      fmt::format("{}, shortest edge {}", fmt::join(sides, " x "), human(facts.smallest_edge, "m")));
+    sides += (c > 0 ? " x " : "") + human(facts.sides[c], "m");
+  add(section, "size", fmt::format("{}, shortest edge {}", sides, human(facts.smallest_edge, "m")));
   add(section, "cells",
       fmt::format("{} with {} interpolation", cell_words(body),
                   body.interpolation == solid::Interpolation::plain ? "plain" : "mean_dilatation"),

@@ -22,10 +22,10 @@ using Warnings = std::vector<Warning>;
 
 /// "{0 m, 10 mm}"
 std::string place(Vec3 const& at, int dim) {
-  std::vector<std::string> words;
+  std::string words;
   for (int c = 0; c < dim; ++c)
-    words.push_back(human(at[c], "m"));
-  return fmt::format("{{{}}}", fmt::join(words, ", "));
+    words += (c > 0 ? ", " : "") + human(at[c], "m");
+  return "{" + words + "}";
 }
 
 std::string rigid_shape(ShapeFit const& fit, Facts const& all, std::string const& set) {
@@ -228,43 +228,18 @@ std::string fix_words(std::string const& set, int component, int dim) {
   return words + " }";
 }
 
+/// The axis of revolution is held by the scene itself; planes of symmetry are known by their names only.
 void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
   auto const& model = *all.scene->model;
   auto const& body = *all.bodies[b].body;
-  bool const axisymmetric = model.kinematics == solid::Kinematics::axisymmetric;
-  Indices axis;
-  for (Index node = 0; axisymmetric && node < body.mesh.node_count(); ++node)
-    if (body.mesh.nodes(node, 0) < 1e-9 * all.bodies[b].extent())
-      axis.push_back(node);
-  bool on_axis = axis.empty() || all_held(model, b, axis, 0);
   for (auto const& [name, set] : body.mesh.sets) {
-    bool const is_axis = !on_axis && set.nodes == axis;
-    int const normal = is_axis ? 0 : name.starts_with("symmetry") ? flat_axis(body.mesh, set.nodes) : -1;
+    int const normal = name.starts_with("symmetry") ? flat_axis(body.mesh, set.nodes) : -1;
     if (normal < 0 || all_held(model, b, set.nodes, normal))
       continue;
-    on_axis = on_axis || is_axis;
-    warnings.push_back({fmt::format("body {}: {} is a {} and free to leave it along {}", body.name, name,
-                                    is_axis ? "part of the axis" : "plane of symmetry", "xyz"[normal]),
+    warnings.push_back({fmt::format("body {}: {} is a plane of symmetry and free to leave it along {}",
+                                    body.name, name, "xyz"[normal]),
                         "add to motions: " + fix_words(body.name + "." + name, normal, model.dim())});
   }
-  if (!on_axis)
-    warnings.push_back({fmt::format("body {}: nodes on the axis x = 0 are free to leave it", body.name),
-                        "hold x of the set that lies on the axis with stiction.motion.fix"});
-}
-
-/// A quasi-static run needs every body held until it touches.
-void held(Facts const& all, BodyFacts const& facts, Warnings& warnings) {
-  auto const& model = *all.scene->model;
-  if (all.dynamic())
-    return;
-  int const first = model.kinematics == solid::Kinematics::axisymmetric ? 1 : 0;
-  for (int c = first; c < model.dim(); ++c)
-    if (!facts.held[ix(c)])
-      return warnings.push_back(
-          {fmt::format("body {} is held in {} by contact at most: a quasi-static run is singular "
-                       "while it is not",
-                       facts.body->name, "xyz"[c]),
-           "hold or drive a set of it with stiction.motion, or use scheme.theta_xi{}"});
 }
 
 bool plain_inertia(Facts const& all) {
@@ -323,7 +298,6 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   for (std::size_t b = 0; b < all.bodies.size(); ++b) {
     locking_cells(all.bodies[b], warnings);
     symmetry(all, b, warnings);
-    held(all, all.bodies[b], warnings);
   }
   for (auto const& pair : all.pairs) {
     stiff_body(all, pair, warnings);

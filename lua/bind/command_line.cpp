@@ -83,7 +83,8 @@ void Commands::add_others() {
   study(figures)->required();
   study_options(figures);
   out(figures);
-  auto& explain = command("explain", "Show what a study asks, models and costs, and what to change, without running it");
+  auto& explain =
+      command("explain", "Show what a study asks, models and costs, and what to change, without running it");
   study(explain)->required();
   study_options(explain);
   one_case(explain);

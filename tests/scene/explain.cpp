@@ -183,17 +183,6 @@ TEST_CASE("nearly incompressible plain cells lock") {
   CHECK_FALSE(warns(input, "lock"));
 }
 
-TEST_CASE("an axis that is free to open is named with the motion that holds it") {
-  auto input = foot_on_floor();
-  at(input, "kinematics") = text("axisymmetric");
-  at(input, "motions") = list({drive("foot.top", {0, 2}, {}, {0, -0.01})});
-  auto const found = warnings(input, "body foot: left is a part of the axis");
-  REQUIRE(found.size() == 1);
-  CHECK(contains(found[0].change, "stiction.motion.fix { set = \"foot.left\", y = false }"));
-  at(input, "motions") = list({drive("foot.top", {0, 2}, {}, {0, -0.01}), fix("foot.left", true, false)});
-  CHECK_FALSE(warns(input, "axis"));
-}
-
 TEST_CASE("a plane of symmetry that is free to open is named with the motion that holds it") {
   auto input = make("scene");
   at(input, "kinematics") = text("three_dimensional");
@@ -254,14 +243,6 @@ TEST_CASE("the plain scheme rings in contact") {
   CHECK(warns(input, "changes between extremes"));
   at(input, "scheme") = make("scheme.theta_xi");
   CHECK_FALSE(warns(input, "changes between extremes"));
-}
-
-TEST_CASE("bodies that only contact holds are named in quasi-static runs") {
-  auto input = foot_on_floor();
-  at(input, "motions") = list({drive("foot.top", {0, 2}, {}, {0, -0.01})});
-  CHECK(warns(input, "body foot is held in x by contact at most"));
-  at(input, "scheme") = make("scheme.theta_xi");
-  CHECK_FALSE(warns(input, "is held in x"));
 }
 
 TEST_CASE("motions that close a pair by most of a cell in a step ask for more steps") {
