@@ -398,7 +398,7 @@ return stiction.study {
         mirror = { "x" }, width = "double", range = { 0, 1 },
         sphere = { centre = { 0*mm, 0*mm, space.p.sphere_radius }, radius = space.p.sphere_radius,
           path = { times = { 0*s, down, over }, z = { 0*mm, -space.p.depth, space.p.above } } },
-        window_unit = "mm", crop = { zmax = 3*mm },
+        window = { -11*mm, 11*mm, -13*mm, 5*mm }, window_unit = "mm", crop = { zmax = 2*mm },
       }
     end
     list[#list + 1] = figure.field {
