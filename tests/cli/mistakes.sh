@@ -11,8 +11,8 @@ changed both 's/density = p.density/density = -p.density, colour = 3/; s/poisson
 expect 2 "density: is -1000 kg/m^3|colour: |poisson: is 0.7" "$stiction" run both
 changed set 's/block.bottom/block.botom/'
 expect 2 "botom" "$stiction" run set
-changed same 's/primary = "floor"/primary = "block.bottom"/'
-expect 2 "block.bottom" "$stiction" run same
+changed nowhere 's/primary = "floor"/primary = "flor"/'
+expect 2 "flor" "$stiction" run nowhere
 changed kind 's/neo_hookean/neo_hokean/'
 expect 2 "block.lua:7: there is no material.neo_hokean; did you mean 'neo_hookean'?" "$stiction" run kind
 changed sum 's/cells = { p.cells, p.cells }/cells = p.cells + p.side/'

@@ -1,4 +1,4 @@
--- stiction bench: one case of a study timed phase by phase.
+-- stiction bench: cases timed phase by phase: one of a study, or those that the workbench is judged by.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
@@ -8,7 +8,13 @@ local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
-local default_study = "studies/paper/plate_on_cylinder"
+-- Sliding in the plane, indentation in a section, and a quarter in space with 50 000 unknowns, a few steps of it.
+local standard = {
+  { study = "studies/paper/plate_on_cylinder" },
+  { study = "studies/paper/sphere_indentation", case = "A_rigid" },
+  { study = "studies/paper/sphere_indentation", case = "A_space",
+    set = { "mesh_size_3d=0.25 mm", "fine_depth=3 mm", "steps_down=3" } },
+}
 
 local function measure(options, case, folder)
   local found
@@ -53,8 +59,15 @@ local function show_counters(result)
   report.table(rows)
 end
 
-return function(options)
-  options.study = options.study or default_study
+--- What the contact costs beside the bulk's own work.
+local function show_ratio(result)
+  local bulk = result.phases.assembly + result.phases.factorization + result.phases.solve
+  report.line()
+  report.line("%.3g s per Newton iteration, %.2f times assembly, factorization and solves; peak memory %.0f MB",
+    result.seconds / result.iterations, result.seconds / bulk, result.counters.peak_memory / 1e6)
+end
+
+local function bench(options)
   local study = study_module.load(options.study, options.trust)
   local cases = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
@@ -62,15 +75,31 @@ return function(options)
   output.prepare(folder)
   local result = measure(options, case, folder)
   if options.json then
-    engine.write(engine.encode_json({
+    return {
       study = study.name, case = case.id, seconds = result.seconds, steps = result.steps,
       iterations = result.iterations, factorizations = result.factorizations, cuts = result.cuts,
       phases = result.phases, counters = result.counters,
-    }, 2) .. "\n")
+    }
+  end
+  report.line("%s, case %s", study.title, case.id)
+  show_phases(result)
+  show_counters(result)
+  show_ratio(result)
+end
+
+return function(options)
+  local found = {}
+  if options.study then
+    found = bench(options)
   else
-    report.line("%s, case %s", study.title, case.id)
-    show_phases(result)
-    show_counters(result)
+    for i, entry in ipairs(standard) do
+      if i > 1 and not options.json then report.line() end
+      found[i] = bench { study = entry.study, case = entry.case, set = entry.set or {}, quick = options.quick,
+        trust = options.trust, json = options.json }
+    end
+  end
+  if options.json then
+    engine.write(engine.encode_json(found, 2) .. "\n")
   end
   return 0
 end

@@ -357,6 +357,7 @@ return stiction.study {
     local curves = {}
     local named = { rigid = "rigid sphere, section", deformable = "deformable sphere, section",
       space = "rigid sphere, quarter in space", st_venant_kirchhoff = "St Venant-Kirchhoff" }
+    local styles = { rigid = "solid", deformable = "dash", space = "dot", st_venant_kirchhoff = "solid" }
     for i, name in ipairs { "rigid", "deformable", "space", "st_venant_kirchhoff" } do
       local c = case["A_" .. name]
       if c then
@@ -367,7 +368,7 @@ return stiction.study {
           height[k] = t < down and -c.p.speed * t or -c.p.depth + c.p.speed * (t - down)
           f[k] = value * N
         end
-        curves[#curves + 1] = { label = named[name], x = height, y = f, colour = i }
+        curves[#curves + 1] = { label = named[name], x = height, y = f, colour = i, style = styles[name] }
       end
     end
     list[#list + 1] = figure.lines { name = "force", title = "set A", x = { label = "height of the sphere's pole", unit = "mm" },
@@ -398,7 +399,7 @@ return stiction.study {
         mirror = { "x" }, width = "double", range = { 0, 1 },
         sphere = { centre = { 0*mm, 0*mm, space.p.sphere_radius }, radius = space.p.sphere_radius,
           path = { times = { 0*s, down, over }, z = { 0*mm, -space.p.depth, space.p.above } } },
-        window = { -11*mm, 11*mm, -13*mm, 5*mm }, window_unit = "mm", crop = { zmax = 2*mm },
+        window = { -11*mm, 11*mm, -11.5*mm, 6*mm }, window_unit = "mm", crop = { zmax = 2*mm },
       }
     end
     list[#list + 1] = figure.field {
