@@ -57,8 +57,8 @@ void Builder::hold_axis() {
 /// Without inertia every rigid motion needs something that holds it; contact is not counted on.
 void Builder::check_supports() {
   auto const& model = *scene_.model;
-  if (dynamics::weights(model.scheme).inertia)
-    return;
+  if (dynamics::weights(model.scheme).inertia || !complaints_.empty())
+    return; // a set that was not understood may be what holds the body
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (auto const loose = loose_motions(b); !loose.empty())
       complain(

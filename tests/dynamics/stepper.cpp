@@ -130,7 +130,9 @@ TEST_CASE("a contact solver that gives up is a verdict") {
 TEST_CASE("a body that nothing holds ends in a verdict with a reason") {
   auto table = floating();
   test::at(table, "gravity") = test::values({0, -10}, "m/s^2");
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
   auto const scene = scene::build(table);
+  scene.model->scheme = dynamics::QuasiStatic{}; // a script's scene would be refused
   dynamics::Stepper stepper(*scene.model);
   auto const outcome = stepper.step(stepper.initial(), 1);
   CHECK_FALSE(outcome.converged());
