@@ -109,6 +109,7 @@ TEST_CASE("names that the series keeps for itself") {
 
 TEST_CASE("a node driven two ways") {
   auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi"); // which need not hold the foot
   auto motions =
       core::List{test::drive("foot.top", {0, 2}, {}, {0, -0.01}), test::fix("foot.left", false, true)};
   test::at(table, "motions") = test::list(motions);
