@@ -16,6 +16,14 @@ using contact::Foot;
 using contact::Local;
 using contact::PointKinematics;
 
+/// Rotation by the length of a vector about its direction.
+Eigen::Matrix3d rotation(Vec3 const& turn) {
+  double const angle = turn.norm();
+  if (angle == 0)
+    return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+}
+
 /// Components C of forces in D dimensions: C = D, or 1 where nothing acts along the surface.
 template<int D, int C> class Stage : public ContactStage {
 public:
@@ -52,6 +60,7 @@ private:
   void add_search(Pair const& pair);
   void place_nodes(Vector const& u);
   void place_rigid_bodies(Vector const& u);
+  [[nodiscard]] Eigen::Matrix3d turn_of_free(std::size_t r, Vector const& u) const;
   void choose_active(Point& point) const;
   void gather();
   void take_shift_away(double weight);
@@ -131,27 +140,25 @@ template<int D, int C> void Stage<D, C>::place_rigid_bodies(Vector const& u) {
     auto const& rigid = model_->rigids[r];
     auto& pose = poses_[r];
     pose.pivot = rigid.pivot.head<D>();
-    Vec3 turn = rigid.angle.value(t1_) * rigid.axis;
-    Eigen::Matrix3d before = Eigen::Matrix3d::Identity();
     if (rigid.free()) {
       pose.translation = rigid.node;
       pose.turn = rigid.node + 1;
-      pose.place = pose.pivot + u.segment<D>(D * rigid.node);
-      auto const unknowns = u.segment<D>(D * pose.turn);
-      if constexpr (D == 2) {
-        turn = unknowns[0] * Vec3::UnitZ();
-      } else {
-        turn = unknowns - old_->u.segment<D>(D * pose.turn);
-        before = old_->turned[r];
-      }
+      pose.place = pose.pivot + u.segment<D>(D * pose.translation);
+      pose.rotation = turn_of_free(r, u).template topLeftCorner<D, D>();
     } else {
       pose.place = pose.pivot + rigid.offset(t1_).template head<D>();
+      pose.rotation = rotation(rigid.angle.value(t1_) * rigid.axis).template topLeftCorner<D, D>();
     }
-    double const angle = turn.norm();
-    if (angle > 0)
-      before = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * before;
-    pose.rotation = before.template topLeftCorner<D, D>();
   }
+}
+
+/// In space the unknowns are the sum of the steps' turns, so only what this step adds may be taken for one.
+template<int D, int C> Eigen::Matrix3d Stage<D, C>::turn_of_free(std::size_t r, Vector const& u) const {
+  Index const first = D * (model_->rigids[r].node + 1);
+  if constexpr (D == 2)
+    return rotation(u[first] * Vec3::UnitZ());
+  else
+    return rotation(u.segment<3>(first) - old_->u.segment<3>(first)) * old_->turned[r];
 }
 
 template<int D, int C> contact::PosedObstacle<D> Stage<D, C>::posed(RigidSide const& side) const {

@@ -43,6 +43,7 @@ std::vector<double> flatten(std::vector<interface::Rcc> const& laws) {
 
 std::vector<double> across(std::vector<interface::Rcc> const& laws) {
   std::vector<double> values;
+  values.reserve(laws.size());
   for (auto const& law : laws)
     values.push_back(law.C_t2);
   return values;

@@ -257,16 +257,20 @@ void Builder::check_overlap() {
   auto const state = stepper.initial();
   for (std::size_t p = 0; p < scene_.model->pairs.size(); ++p) {
     auto const& pair = scene_.model->pairs[p];
-    for (std::size_t i = 0; i < state.contacts[p].size(); ++i) {
-      auto const& point = state.contacts[p][i];
-      if (!point.foot.found() || point.gap > -0.2 * pair.reach)
-        continue;
-      complain(
-          {"pairs", pair.name},
-          fmt::format("the surfaces overlap by {:.3g} m at {} before the run starts; move one of them apart",
-                      -point.gap, place(scene_.model->reference, pair.secondary[i])));
-      break;
-    }
+    std::size_t deepest = 0;
+    double gap = -0.2 * pair.reach;
+    for (std::size_t i = 0; i < state.contacts[p].size(); ++i)
+      if (auto const& point = state.contacts[p][i]; point.foot.found() && point.gap <= gap) {
+        deepest = i;
+        gap = point.gap;
+      }
+    if (gap == -0.2 * pair.reach)
+      continue;
+    auto const& part = scene_.part.pairs.at(pair.name);
+    complain({"pairs", pair.name},
+             fmt::format("{} and {} overlap by {:.3g} m at {} before the run starts; move one of them apart",
+                         part.secondary, part.primary, -gap,
+                         place(scene_.model->reference, pair.secondary[deepest])));
   }
 }
 

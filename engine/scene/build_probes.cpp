@@ -16,6 +16,7 @@ void Builder::check_probes() {
 namespace {
 template<class Map> std::vector<std::string> names(Map const& map) {
   std::vector<std::string> all;
+  all.reserve(map.size());
   for (auto const& [name, part] : map)
     all.push_back(name);
   return all;

@@ -88,8 +88,7 @@ std::vector<std::string> Builder::loose_motions(std::size_t body) const {
       Vec3 X = -middle;
       for (int c = 0; c < model.dim(); ++c)
         X[c] += model.reference(node, c);
-      Eigen::RowVectorXd const row =
-          rigid_motions(model.kinematics, X / extent.norm()).row(motion.component);
+      Eigen::RowVectorXd const row = rigid_motions(model.kinematics, X / extent.norm()).row(motion.component);
       held += row.transpose() * row;
     }
   Eigen::JacobiSVD<Dense> const svd(held, Eigen::ComputeFullV);

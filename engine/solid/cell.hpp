@@ -173,6 +173,12 @@ private:
     }
   }
 
+  /// f += weight B^T S at a point.
+  void add_pulled(int q, double weight, Voigt const& S, Nodal& f) const {
+    for (int i = 0; i < dim; ++i)
+      f.col(i) += gradients(q).lazyProduct((weight * G::pull(points_[at(q)].F, i, S)).eval());
+  }
+
   /// Adds the terms of grad tau, and replaces the responses by those that B^T D B + G S G^T wants.
   void add_mean_terms(double factor, Stiffness& K) {
     double const conjugate = tau_stress(), pressure = conjugate / mean_volume_;
@@ -184,11 +190,8 @@ private:
       auto const second = dilatation.second(response.stress, response.tangent);
       Voigt const volume_gradient = dilatation.volume_gradient();
       by_tau += weight(q) * second.by_tau;
-      for (int i = 0; i < dim; ++i) {
-        auto const pulled = [&](Voigt const& S) { return G::pull(points_[at(q)].F, i, S); };
-        slope.col(i) += gradients(q).lazyProduct((weight(q) / mean_volume_ * pulled(volume_gradient)).eval());
-        mixed.col(i) += gradients(q).lazyProduct((weight(q) * pulled(second.mixed)).eval());
-      }
+      add_pulled(q, weight(q) / mean_volume_, volume_gradient, slope);
+      add_pulled(q, weight(q), second.mixed, mixed);
       response.stress = (dilatation.by_strain(response.stress) + pressure * volume_gradient).eval();
       response.tangent = second.by_strain + pressure * dilatation.volume_hessian();
     }

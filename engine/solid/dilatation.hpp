@@ -71,13 +71,13 @@ template<int N> struct Dilatation {
   /// Second derivatives of the energy with stress S and tangent D at Ebar.
   [[nodiscard]] Second second(Voigt const& S, VoigtMatrix const& D) const {
     Voigt const DC = D * C;
-    double const CDC = C.dot(DC), b = 2 * a / 3;
+    double const curvature = C.dot(DC), b = 2 * a / 3;
     VoigtMatrix const square = inverse * inverse.transpose();
     Second result;
     result.by_strain =
-        a * a * (D - (inverse * DC.transpose() + DC * inverse.transpose() - CDC / 3 * square) / 3);
-    result.mixed = a * a / 3 * (DC - CDC / 3 * inverse);
-    result.by_tau = a * a / 9 * CDC;
+        a * a * (D - (inverse * DC.transpose() + DC * inverse.transpose() - curvature / 3 * square) / 3);
+    result.mixed = a * a / 3 * (DC - curvature / 3 * inverse);
+    result.by_tau = a * a / 9 * curvature;
     if (finite) {
       double const pressure = S.dot(C);
       Voigt const dev = deviator(S);

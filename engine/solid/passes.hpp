@@ -50,18 +50,21 @@ public:
       if (!cell.deform(c, at.u))
         continue;
       cell.template respond<material::Wanted::stress>();
-      for (int q = 0; q < cell.points(); ++q) {
-        auto const cauchy = material::stress_vector<Element::voigt>(cell.cauchy(q));
-        for (int a = 0; a < Nodes; ++a) {
-          Index const node = cell.connectivity()[a];
-          sums.cauchy.row(node) += cell.weight(q) * cauchy.transpose();
-          sums.volume[node] += cell.weight(q);
-        }
-      }
+      for (int q = 0; q < cell.points(); ++q)
+        add_stress_of(cell, q, sums);
     }
   }
 
 private:
+  static void add_stress_of(Element const& cell, int q, StressSums& sums) {
+    auto const cauchy = material::stress_vector<Element::voigt>(cell.cauchy(q));
+    for (int a = 0; a < Nodes; ++a) {
+      Index const node = cell.connectivity()[a];
+      sums.cauchy.row(node) += cell.weight(q) * cauchy.transpose();
+      sums.volume[node] += cell.weight(q);
+    }
+  }
+
   static void scatter(Element const& cell, typename Element::Nodal const& f, std::span<double> force) {
     for (int a = 0; a < Nodes; ++a)
       for (int i = 0; i < dim; ++i)

@@ -98,7 +98,8 @@ TEST_SUITE("interface") {
     };
     CHECK(traction(read_with("w", quantity(2, "J/m^2"))) == from_members([](Rcc& l) { l.w = 2; }));
     CHECK(traction(read_with("C_n", quantity(4e3, "N/m^3"))) == from_members([](Rcc& l) { l.C_n = 4e3; }));
-    CHECK(traction(read_with("C_t", quantity(4e3, "N/m^3"))) == from_members([](Rcc& l) { l.C_t = l.C_t2 = 4e3; }));
+    CHECK(traction(read_with("C_t", quantity(4e3, "N/m^3"))) ==
+          from_members([](Rcc& l) { l.C_t = l.C_t2 = 4e3; }));
     CHECK(traction(read_with("b", quantity(0.2, "N s/m"))) == from_members([](Rcc& l) { l.b = 0.2; }));
     CHECK(read_with("beta0", quantity(0.6, "1")).beta0 == 0.6);
     CHECK(read(sample_table()).bonding == Bonding::contact);

@@ -113,11 +113,10 @@ template<class Choice> void check_choice() {
 } // namespace
 
 TEST_CASE("each parameter of each kind of the catalog is read into its own member") {
-  using Others =
-      std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
-                   interface::Coulomb, interface::Rcc, scene::SchedulePart, scene::StagePart,
-                   dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline, mesh::Refinement,
-                   material::KelvinVoigt>;
+  using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
+                              interface::Coulomb, interface::Rcc, scene::SchedulePart, scene::StagePart,
+                              dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline,
+                              mesh::Refinement, material::KelvinVoigt>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();

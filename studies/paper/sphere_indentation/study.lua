@@ -79,7 +79,7 @@ local function scene(p)
   local down, over = times(p)
   local path = { 0*m, -p.depth, p.above }
   local axes = model.space and { "x", "y", "z" } or { "x", "y" }
-  local vertical, zero = axes[#axes], {}
+  local vertical = axes[#axes]
   local function point(d) return model.space and { d, 0*mm, 0*mm } or { d, 0*mm } end
   local centre = model.space and { 0*mm, 0*mm, p.sphere_radius } or { 0*mm, p.sphere_radius }
   local fix, drive = stiction.motion.fix, stiction.motion.drive
@@ -361,7 +361,7 @@ return stiction.study {
     for i, name in ipairs { "rigid", "deformable", "space", "st_venant_kirchhoff" } do
       local c = case["A_" .. name]
       if c then
-        local down, over = times(c.p)
+        local down = times(c.p)
         local height, f = {}, {}
         for k, value in ipairs(force(c, c.p)) do
           local t = c.time[k] * (1*s)
