@@ -64,6 +64,7 @@ private:
   void choose_active(Point& point) const;
   void gather();
   void take_shift_away(double weight);
+  void tell_apart(Index first, Local<C> const& force);
 
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
@@ -289,6 +290,17 @@ template<int D, int C> void Stage<D, C>::gather() {
   }
 }
 
+/// Two nodes of a curve that touches itself may each be the other's counterpart; they then ask the same twice
+/// and W is singular. A small compliance about the last force tells them apart and vanishes as the force
+/// settles.
+template<int D, int C> void Stage<D, C>::tell_apart(Index first, Local<C> const& force) {
+  for (Index row = first; row < first + C; ++row) {
+    double const compliance = 1e-6 * problem_.W(row, row);
+    problem_.W(row, row) += compliance;
+    problem_.free[row] -= compliance * force[row - first];
+  }
+}
+
 template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
   c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
@@ -306,6 +318,8 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
     problem_.free.segment<C>(first) += point.x();
     problem_.points.push_back(point.law);
     guess.segment<C>(first) = point.force;
+    if (model_->pairs[ix(point.pair)].self)
+      tell_apart(first, point.force);
   }
   auto solution = solver_->solve(problem_, guess);
   ++cost.contact_problems;
