@@ -27,55 +27,69 @@ void Reduced::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> con
         K_.push_back({unknowns[i], unknowns[j], value});
 }
 
+/// The unknowns that H or K touch, and the block of V between them.
+void Reduced::gather(Dense const& V) {
+  place_.assign(static_cast<std::size_t>(V.rows()), -1);
+  used_.clear();
+  auto use = [&](Index u) {
+    if (place_[ix(u)] >= 0)
+      return;
+    place_[ix(u)] = static_cast<Index>(used_.size());
+    used_.push_back(u);
+  };
+  for (auto const& k : K_) { // those of K first: the support
+    use(k.row);
+    use(k.column);
+  }
+  support_ = static_cast<Index>(used_.size());
+  for (auto const& h : H_)
+    use(h.column);
+  auto const n = static_cast<Index>(used_.size());
+  V_.resize(n, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      V_(i, j) = V(used_[ix(i)], used_[ix(j)]);
+}
+
 void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free) {
-  Index const n = static_cast<Index>(V.rows()), m = rows_;
+  gather(V);
+  Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
   right_.setZero(n, m + 1);
   for (auto const& h : H_)
-    right_.col(h.row) += (weight * h.value) * V.col(h.column);
-  right_.col(m) = y;
+    right_.col(h.row) += (weight * h.value) * V_.col(place_[ix(h.column)]);
+  for (Index i = 0; i < n; ++i)
+    right_(i, m) = y[used_[ix(i)]];
   W.setZero(m, m);
   free.setZero(m);
-  for (auto const& h : H_) {
-    W.row(h.row) += h.value * right_.row(h.column).head(m);
-    free[h.row] += h.value * right_(h.column, m);
+  for (auto const& h : H_) { // V is symmetric, so this W is its own transpose
+    Index const place = place_[ix(h.column)];
+    W.col(h.row) += h.value * right_.row(place).head(m).transpose();
+    free[h.row] += h.value * right_(place, m);
   }
 
-  place_.assign(ix(n), -1);
-  support_.clear();
-  for (auto const& k : K_)
-    for (Index const u : {k.row, k.column})
-      if (place_[ix(u)] < 0) {
-        place_[ix(u)] = static_cast<Index>(support_.size());
-        support_.push_back(u);
-      }
-  auto const s = static_cast<Index>(support_.size());
   motion_.resize(s, m + 1);
   if (s == 0)
     return;
   small_.setIdentity(s, s);
   for (auto const& k : K_)
-    for (Index i = 0; i < s; ++i)
-      small_(i, place_[ix(k.column)]) -= weight * V(support_[ix(i)], k.row) * k.value;
-  for (Index i = 0; i < s; ++i)
-    motion_.row(i) = right_.row(support_[ix(i)]);
-  Dense const without = motion_.leftCols(m); // weight V H^T on the support
-  motion_ = small_.partialPivLu().solve(motion_);
+    small_.col(place_[ix(k.column)]) -= (weight * k.value) * V_.col(place_[ix(k.row)]).head(s);
+  motion_ = small_.partialPivLu().solve(right_.topRows(s));
   pushed_.setZero(s, m + 1);
   for (auto const& k : K_)
     pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
-  // H V = (weight V H^T)^T / weight, V symmetric
-  W.noalias() += (1 / weight) * (without.transpose() * pushed_.leftCols(m));
-  free.noalias() += (1 / weight) * (without.transpose() * pushed_.col(m));
+  // H V = (weight V H^T)^T / weight
+  W.noalias() += (1 / weight) * (right_.topLeftCorner(s, m).transpose() * pushed_.leftCols(m));
+  free.noalias() += (1 / weight) * (right_.topLeftCorner(s, m).transpose() * pushed_.col(m));
 }
 
 void Reduced::push(Vector const& force, double weight, Vector& c) const {
   for (auto const& h : H_)
     c[h.column] += weight * h.value * force[h.row];
-  if (support_.empty())
+  if (support_ == 0)
     return;
   Vector const extra = pushed_.leftCols(rows_) * force + pushed_.col(rows_);
-  for (std::size_t i = 0; i < support_.size(); ++i)
-    c[support_[i]] += extra[static_cast<Index>(i)];
+  for (Index i = 0; i < support_; ++i)
+    c[used_[ix(i)]] += extra[i];
 }
 
 } // namespace stiction::dynamics

@@ -26,11 +26,15 @@ private:
   };
   Index rows_ = 0;
   std::vector<Entry> H_, K_;
-  Indices support_, place_; ///< unknowns that K touches; their place in the support or -1
-  Dense right_;             ///< weight V H^T | y, [trailing, rows + 1]
-  Dense small_;             ///< I - weight V K on the support
-  Dense motion_;            ///< du on the support per force | without, [support, rows + 1]
-  Dense pushed_;            ///< weight K motion
+  void gather(Dense const& V);
+
+  Indices used_, place_; ///< unknowns that K and H touch, those of K first; their place there or -1
+  Index support_ = 0;    ///< how many of them K touches
+  Dense V_;              ///< between them
+  Dense right_;          ///< weight V H^T | y, [used, rows + 1]
+  Dense small_;          ///< I - weight V K on the support
+  Dense motion_;         ///< du on the support per force | without, [support, rows + 1]
+  Dense pushed_;         ///< weight K motion
 };
 
 } // namespace stiction::dynamics

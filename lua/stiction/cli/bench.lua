@@ -13,7 +13,7 @@ local standard = {
   { study = "studies/paper/plate_on_cylinder" },
   { study = "studies/paper/sphere_indentation", case = "A_rigid" },
   { study = "studies/paper/sphere_indentation", case = "A_space",
-    set = { "mesh_size_3d=0.25 mm", "fine_depth=3 mm", "steps_down=3" } },
+    set = { "mesh_size_3d=0.213 mm", "steps_down=3" } },
 }
 
 local function measure(options, case, folder)
