@@ -1,5 +1,6 @@
 -- The checks of a study: each a name, a value, what was expected, and whether it held.
 local fault = require "stiction.fault"
+local proof = require "stiction.proof"
 local units = require "stiction.units"
 
 local check = {}
@@ -13,13 +14,17 @@ end
 function check.recorder()
   local list, recorder, seen = {}, {}, {}
 
-  local function record(name, value, expected, tolerance, pass)
-    if type(name) ~= "string" or seen[name] then
-      fault.script("every check needs a name of its own; got '%s'", tostring(name))
+  local function keep(entry)
+    if type(entry.name) ~= "string" or seen[entry.name] then
+      fault.script("every check needs a name of its own; got '%s'", tostring(entry.name))
     end
-    seen[name] = true
-    list[#list + 1] = { name = name, value = value, expected = expected, tolerance = tolerance, pass = pass }
-    return pass
+    seen[entry.name] = true
+    list[#list + 1] = entry
+    return entry.pass
+  end
+
+  local function record(name, value, expected, tolerance, pass)
+    return keep { name = name, value = value, expected = expected, tolerance = tolerance, pass = pass }
   end
 
   --- |value - expected| <= tolerance; numbers in SI or quantities.
@@ -84,10 +89,15 @@ function check.recorder()
     return record(name, rise, 0, 0, rise > 0)
   end
 
+  --- A row of the report of proofs; see stiction.proof.
+  function recorder.proof(t)
+    return keep(proof.read(t))
+  end
+
   setmetatable(recorder, {
     __index = function(_, name)
       fault.script("there is no check.%s%s", tostring(name),
-        fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing" }))
+        fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing", "proof" }))
     end,
   })
   return recorder, list

@@ -5,6 +5,7 @@ local figure = require "stiction.figure"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
+local reference = require "stiction.reference"
 local study = require "stiction.study"
 local units = require "stiction.units"
 
@@ -15,6 +16,7 @@ local own = {
   study = study.define,
   figure = figure,
   numeric = numeric,
+  reference = reference,
 }
 
 local stiction = {}

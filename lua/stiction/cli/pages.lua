@@ -7,7 +7,7 @@ stiction help TOPIC       topics: commands, study, units, any part below or any 
 ]]
 
 pages.commands = [[
-run STUDY      run the cases of a study, check them, draw its figures
+run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report
 figures STUDY  draw the figures again from the output
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver
@@ -56,6 +56,10 @@ cases: a list; cases:find{mu = 0} (nil if absent), cases:where{...}, cases:value
       each case is a run with results by name.
 check: equal(name, value, expected, tolerance), close(name, value, expected, relative), within(name, value,
       low, high), holds(name, flag), non_decreasing(name, list, tolerance), non_increasing, increasing(name, list).
+       proof{case =, quantity =, unit =, kind = "exact" | "published" | "ours", source =, reference =,
+       values = {{resolution, value}, ... finest last}, resolution = "cell/m", tolerance = (relative to scale, default
+       |reference|), scale =, order = (least observed), run = case, note =}: a row of the report that running a
+       folder of studies writes. stiction.reference holds closed solutions.
 figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, legend, curves = {{label, case or
       file, x, y = "group/name" or list, x_shift, y_shift, y_sign, component, colour, style}}, marks = {{x, label}}},
       field{name, case, time, array, unit, label, deformed, range, window, window_unit, mesh, scale_bar},
