@@ -44,7 +44,8 @@ end
 local function levels_of(t, reference, scale)
   local levels = {}
   for i, pair in ipairs(need(t, "values", "table")) do
-    local h, value = units.si(pair[1]), units.si(pair[2])
+    local whole = type(pair) == "table"
+    local h, value = units.si(whole and pair[1] or nil), units.si(whole and pair[2] or nil)
     if type(h) ~= "number" or type(value) ~= "number" then
       fault.script("check.proof '%s: %s': values is a list of {resolution, value}", t.case, t.quantity)
     end
