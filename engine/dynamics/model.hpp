@@ -25,6 +25,12 @@ struct Motion {
   Path path; ///< m; rad for the turn of a rigid body
 };
 
+/// Dead nodal forces that follow a path.
+struct Load {
+  Vector force; ///< per unit of the path, [degrees of freedom], N
+  Path path;
+};
+
 /// A rigid obstacle, carried along its paths or free. In 2D third components are unused.
 struct RigidBody {
   std::string name;
@@ -81,6 +87,7 @@ struct Model {
   Matrix velocity;             ///< [nodes, dim], initial, m/s
   Vec3 gravity = Vec3::Zero(); ///< m/s^2
   std::vector<Motion> motions;
+  std::vector<Load> loads;
   std::vector<Pair> pairs;
   Scheme scheme;
   contact::SolverChoice solver;

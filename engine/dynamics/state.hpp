@@ -25,14 +25,15 @@ struct Ledger {
   double kinetic = 0, strain = 0, bond = 0,
          potential = 0;     ///< potential: of gravity and of constant forces on rigid bodies
   double motion_work = 0;   ///< done by driven nodes and moving obstacles
+  double load_work = 0;     ///< done by prescribed forces
   double damping_loss = 0;  ///< dissipated by the bodies' viscosity
   double friction_loss = 0; ///< dissipated by slip against rbar_t
   double bonding_loss = 0;  ///< int A b beta'^2 dt
   double start = 0;         ///< kinetic + strain + bond + potential at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
-    return start + motion_work - (kinetic + strain + bond + potential) - damping_loss - friction_loss -
-           bonding_loss;
+    return start + motion_work + load_work - (kinetic + strain + bond + potential) - damping_loss -
+           friction_loss - bonding_loss;
   }
 };
 

@@ -77,6 +77,13 @@ State Stepper::initial() {
   return state;
 }
 
+/// Weight and prescribed forces at a time, N.
+void Stepper::gather_external(double t, Vector& force) const {
+  force = structure_.mass().weight;
+  for (auto const& load : model_->loads)
+    force += load.path.value(t) * load.force;
+}
+
 /// First guess: on with the old rates, or at rest.
 void Stepper::predict(State const& old, double dt, bool extrapolate) {
   double const t1 = old.t + dt;
@@ -84,6 +91,8 @@ void Stepper::predict(State const& old, double dt, bool extrapolate) {
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->path.value(t1) - old.u[dof];
+  gather_external(old.t, external_old_);
+  gather_external(t1, external_);
   contact_->begin(old, t1, dt);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
 }
@@ -119,13 +128,12 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     structure_.damping_force(u_, old.v + rate_change_, damping_);
     internal_ += damping_;
   }
-  auto const& weight = structure_.mass().weight;
-  dry_ = inertia_ - (1 - weights_.xi) * (weight - old.internal) - weights_.xi * (weight - internal_) -
-         (1 - weights_.contact) * old.reaction;
+  dry_ = inertia_ - (1 - weights_.xi) * (external_old_ - old.internal) -
+         weights_.xi * (external_ - internal_) - (1 - weights_.contact) * old.reaction;
   if (weights_.surface_apart())
     for (Index dof = 0; dof < d_.size(); ++dof)
       if (apart(dof))
-        dry_[dof] = weights_.xi * (inertia_[dof] - (weight[dof] - internal_[dof]));
+        dry_[dof] = weights_.xi * (inertia_[dof] - (external_[dof] - internal_[dof]));
   Timer const timer(cost_.contact);
   contact_->locate(u_, outcome.iterations >= settle_after);
   contact_->reaction(reaction_);
@@ -224,7 +232,7 @@ Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
       return outcome;
     force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
                              inertia_.lpNorm<Eigen::Infinity>(), contact_->force_scale(),
-                             structure_.mass().weight.lpNorm<Eigen::Infinity>()});
+                             external_.lpNorm<Eigen::Infinity>()});
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
     previous_imbalance_ = now;
@@ -288,8 +296,8 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
   double const chi = weights_.contact;
-  Vector const mean_force = (1 - weights_.xi) * (structure_.mass().weight - old.internal) +
-                            weights_.xi * (structure_.mass().weight - internal_) + (1 - chi) * old.reaction +
+  Vector const mean_force = (1 - weights_.xi) * (external_old_ - old.internal) +
+                            weights_.xi * (external_ - internal_) + (1 - chi) * old.reaction +
                             chi * reaction_;
   next.drive.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
@@ -306,6 +314,9 @@ void Stepper::account(State const& old, State& next) const {
     }
     ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
   }
+  auto const& weight = structure_.mass().weight;
+  ledger.load_work +=
+      ((1 - weights_.xi) * (external_old_ - weight) + weights_.xi * (external_ - weight)).dot(d_);
   if (structure_.damped())
     ledger.damping_loss += ((1 - weights_.xi) * old.damping + weights_.xi * damping_).dot(d_);
   ledger.strain = strain_;

@@ -37,6 +37,7 @@ public:
 
 private:
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
+  void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apart(Index dof) const;
@@ -57,6 +58,7 @@ private:
   // workspace of one step
   Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
   Vector mass_rate_, damping_;
+  Vector external_old_, external_; ///< weight and loads at the step's ends, N
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
 };

@@ -54,6 +54,7 @@ Scene Builder::run() {
   settle();
   add_obstacles();
   add_motions();
+  add_loads();
   hold_axis();
   check_supports();
   add_pairs();
@@ -186,15 +187,19 @@ void Builder::add_motions() {
 
 void Builder::add_motion(std::size_t k) {
   Where const where{fmt::format("motions[{}]", k + 1), "set"};
-  auto add = [&](std::string const& set, int component, dynamics::Path motion) {
-    if (auto nodes = resolve(where, set))
+  auto add = [&](auto const& part, int component, dynamics::Path motion) {
+    auto nodes = resolve(where, part.set);
+    if (nodes && !part.near.empty())
+      *nodes = {scene_.nearest(*nodes, part.near)};
+    if (nodes)
       scene_.model->motions.push_back({*nodes, component, std::move(motion)});
   };
+  std::visit([&](auto const& part) { check_size({where[0], "near"}, part.near); }, scene_.part.motions[k]);
   if (auto const* fix = std::get_if<FixPart>(&scene_.part.motions[k])) {
     std::array<bool, 3> const held{fix->x, fix->y, fix->z};
     for (int c = 0; c < scene_.part.dim(); ++c)
       if (held[ix(c)])
-        add(fix->set, c, {});
+        add(*fix, c, {});
     return;
   }
   auto const& drive = std::get<DrivePart>(scene_.part.motions[k]);
@@ -202,7 +207,7 @@ void Builder::add_motion(std::size_t k) {
   int component = 0;
   for (auto const* values : {&drive.x, &drive.y, &drive.z}) {
     if (!values->empty() && component < scene_.part.dim())
-      add(drive.set, component, path(drive.times, *values));
+      add(drive, component, path(drive.times, *values));
     ++component;
   }
   check_path_end(where, drive.times);

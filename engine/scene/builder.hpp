@@ -37,6 +37,12 @@ private:
   void add_motion(std::size_t k);
   void check_driven_twice();
 
+  // build_loads.cpp
+  void add_loads();
+  void add_load(Where const& where, TractionPart const& part);
+  void add_load(Where const& where, PointForcePart const& part);
+  void add_components(Where const& where, LoadPath const& load, Vector const& shares);
+
   // support.cpp
   void hold_axis();
   void check_supports();

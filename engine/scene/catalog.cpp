@@ -33,6 +33,7 @@ std::vector<Category> const& catalog() {
       {"friction", "friction laws", {interface::Coulomb::schema()}},
       {"adhesion", "adhesion laws", {interface::Rcc::schema()}},
       {"motion", "prescribed displacements", schemas<MotionPart>()},
+      {"load", "prescribed forces", schemas<LoadPart>()},
       {"schedule", "stages of the run", {SchedulePart::schema()}},
       {"stage", "a stretch with equal steps", {StagePart::schema()}},
       {"scheme", "time schemes", schemas<dynamics::Scheme>()},

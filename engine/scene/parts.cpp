@@ -154,6 +154,7 @@ core::Schema const& DrivePart::schema() {
   static auto const made =
       Describe<DrivePart>{"drive", "displacements of a set, straight lines between given times", ""}
           .text("set", &DrivePart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("near", &DrivePart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
           .numbers("times", &DrivePart::times, "s", Need::required, "times of the path, ascending")
           .numbers("x", &DrivePart::x, "m", Need::optional,
                    "displacement in x at those times; without it x is free")
@@ -166,12 +167,42 @@ core::Schema const& DrivePart::schema() {
 }
 
 core::Schema const& FixPart::schema() {
-  static auto const made = Describe<FixPart>{"fix", "a set held where it is", ""}
-                               .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
-                               .flag("x", &FixPart::x, "hold x")
-                               .flag("y", &FixPart::y, "hold y")
-                               .flag("z", &FixPart::z, "hold z (3D)")
-                               .build();
+  static auto const made =
+      Describe<FixPart>{"fix", "a set held where it is", ""}
+          .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("near", &FixPart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
+          .flag("x", &FixPart::x, "hold x")
+          .flag("y", &FixPart::y, "hold y")
+          .flag("z", &FixPart::z, "hold z (3D)")
+          .build();
+  return made;
+}
+
+core::Schema const& TractionPart::schema() {
+  static auto const made =
+      Describe<TractionPart>{"traction", "dead traction per reference area of a surface", ""}
+          .text("set", &TractionPart::set, Need::required, "the surface, \"body.set\"")
+          .numbers("times", &TractionPart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &TractionPart::x, "Pa", Need::optional, "traction in x at those times")
+          .numbers("y", &TractionPart::y, "Pa", Need::optional, "traction in y at those times")
+          .numbers("z", &TractionPart::z, "Pa", Need::optional, "traction in z at those times (3D)")
+          .build();
+  return made;
+}
+
+core::Schema const& PointForcePart::schema() {
+  static auto const made =
+      Describe<PointForcePart>{"force",
+                               "dead force at one node: N in 3D and, around the whole circle, axisymmetric; "
+                               "N per metre of depth in plane strain",
+                               ""}
+          .text("set", &PointForcePart::set, Need::required, "where to look, \"body.set\"")
+          .numbers("near", &PointForcePart::near, "m", Need::required, "its node nearest to {x, y [, z]}")
+          .numbers("times", &PointForcePart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &PointForcePart::x, "N", Need::optional, "force in x at those times")
+          .numbers("y", &PointForcePart::y, "N", Need::optional, "force in y at those times")
+          .numbers("z", &PointForcePart::z, "N", Need::optional, "force in z at those times (3D)")
+          .build();
   return made;
 }
 
@@ -228,6 +259,7 @@ core::Schema const& ScenePart::schema() {
           .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
           .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
           .nested("motions", "motion", Need::optional, "list of motions")
+          .nested("loads", "load", Need::optional, "list of prescribed forces")
           .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")
           .nested("scheme", "scheme", Need::optional, "time scheme; default theta_xi{}")
           .nested("solver", "solver", Need::optional, "contact solver; default newton{}")
@@ -255,6 +287,13 @@ void ScenePart::read_nested(Reader& reader) {
       check_path(motion, drive->times, drive->y, "y");
       check_path(motion, drive->times, drive->z, "z");
     }
+  }
+  for (auto& load : reader.children("loads", Need::optional)) {
+    loads.push_back(load.alternative<LoadPart>());
+    auto const& given = std::visit([](auto const& part) -> LoadPath const& { return part; }, loads.back());
+    check_path(load, given.times, given.x, "x");
+    check_path(load, given.times, given.y, "y");
+    check_path(load, given.times, given.z, "z");
   }
   scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);
   solver = nested_choice<contact::SolverChoice>(reader, "solver", Need::optional);

@@ -53,16 +53,35 @@ struct PairPart {
 /// Displacements of a set along a path; a component without values stays free.
 struct DrivePart {
   std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
   Numbers times, x, y, z;
   static core::Schema const& schema();
 };
 /// A set held where it is.
 struct FixPart {
   std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
   bool x = true, y = true, z = true;
   static core::Schema const& schema();
 };
 using MotionPart = std::variant<DrivePart, FixPart>;
+
+/// Values of dead forces along times; a component without values is 0.
+struct LoadPath {
+  Numbers times, x, y, z;
+};
+/// A traction per reference area on a surface.
+struct TractionPart : LoadPath {
+  std::string set;
+  static core::Schema const& schema();
+};
+/// A force at one node.
+struct PointForcePart : LoadPath {
+  std::string set;
+  Numbers near; ///< m
+  static core::Schema const& schema();
+};
+using LoadPart = std::variant<TractionPart, PointForcePart>;
 
 /// A stretch of the run with equal steps.
 struct StagePart {
@@ -98,6 +117,7 @@ struct LineProbe {
 };
 struct ForceProbe {
   std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
   static core::Schema const& schema();
 };
 struct NodeProbe {
@@ -122,6 +142,7 @@ struct ScenePart {
   std::map<std::string, ObstaclePart> obstacles;
   std::map<std::string, PairPart> pairs;
   std::vector<MotionPart> motions;
+  std::vector<LoadPart> loads;
   std::map<std::string, ProbePart> probes;
   dynamics::Scheme scheme;
   contact::SolverChoice solver;

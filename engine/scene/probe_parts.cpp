@@ -34,6 +34,7 @@ core::Schema const& ForceProbe::schema() {
   static auto const made =
       Describe<ForceProbe>{"force", "force that a motion exerts on its nodes", ""}
           .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
+          .numbers("near", &ForceProbe::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
           .build();
   return made;
 }

@@ -166,7 +166,9 @@ Sampler add(ContactProbe const& probe, Context const& context) {
 }
 
 Sampler add(ForceProbe const& probe, Context const& context) {
-  auto const nodes = *context.scene.nodes_of(probe.set);
+  auto nodes = *context.scene.nodes_of(probe.set);
+  if (!probe.near.empty())
+    nodes = {context.scene.nearest(nodes, probe.near)};
   int const dim = context.dim();
   for (int c = 0; c < dim; ++c)
     context.column(component("force", c), context.force_unit(),
@@ -234,14 +236,15 @@ Sampler add(EnergyProbe const&, Context const& context) {
   context.column("bond", unit, "bond energy, (9)");
   context.column("potential", unit, "potential energy of gravity");
   context.column("motion_work", unit, "work done by motions and obstacles");
+  context.column("load_work", unit, "work done by prescribed forces");
   context.column("damping_loss", unit, "dissipated by the bodies' viscosity");
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
   context.column("scheme_loss", unit, "lost by the time scheme");
   return [](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
-    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.damping_loss,
-                           l.friction_loss, l.bonding_loss, l.scheme_loss()});
+    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work,
+                           l.damping_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
   };
 }
 
