@@ -45,17 +45,19 @@ Lines graded_lines(double length, double fine, Grading const& grading) {
 }
 
 void check_grading(core::Complaints& complaints, FineZone const& zone, Grading const& grading) {
-  constexpr double most_along = 2000;
+  constexpr double most_along = 2000, most_ratio = 1e6;
   double const least = *std::min_element(zone.extents.begin(), zone.extents.end());
   double const most = *std::max_element(zone.extents.begin(), zone.extents.end());
   if (!core::positive.contains(least))
     return; // complained about elsewhere
-  check_numbers(complaints,
-                {zone.name + ".fine_size", {grading.fine_size}, "m", {most / most_along, least}, 1});
+  double const widest = zone.fine.empty() ? most : *std::max_element(zone.fine.begin(), zone.fine.end());
+  double const finest = std::max(std::clamp(widest, 0.0, most) / most_along, most / most_ratio);
+  double const coarsest = std::max(grading.fine_size, most / most_along);
+  check_numbers(complaints, {zone.name + ".fine_size", {grading.fine_size}, "m", {finest, least}, 1});
   check_numbers(complaints, {zone.name + ".coarse_size",
                              {grading.coarse_size},
                              "m",
-                             {grading.fine_size, std::numeric_limits<double>::infinity()},
+                             {coarsest, std::numeric_limits<double>::infinity()},
                              1});
   check_numbers(complaints, {zone.name + ".growth", {grading.growth}, "1", {1.05, 2}, 1});
   check_numbers(complaints, {zone.name + ".fine", zone.fine, "m", core::non_negative});

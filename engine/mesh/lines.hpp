@@ -31,7 +31,8 @@ struct FineZone {
   core::Numbers const& fine;
   core::Numbers extents;
 };
-/// Complains about sizes and zones that make no mesh, or one of more than 2000 cells along an extent.
+/// Complains about sizes and zones that make no mesh, or one of more than 2000 cells along the fine zone or,
+/// at the coarse size, along an extent.
 void check_grading(core::Complaints& complaints, FineZone const& zone, Grading const& grading);
 
 /// Throws InputError when a generator would make more than `most` cells.

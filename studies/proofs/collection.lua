@@ -1,5 +1,7 @@
--- The order of the report: schemes, then the cases of the paper.
+-- The order of the report: statics, adhesion, dynamics, then the cases of the paper.
 return {
+  "greco_block",
+  "hertz_2d",
   "bar_impact",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",

@@ -238,6 +238,13 @@ TEST_SUITE("mesh") {
                      (void)graded_block({.size = {1, 1}, .fine = {1, 1}, .fine_size = 2, .coarse_size = 0.2});
                    }),
                    "graded_block.coarse_size"));
+    auto const fine = [](double size, double coarse) {
+      return GradedBlockOptions{
+          .size = {10, 10}, .fine = {0.5, 0.1}, .fine_size = size, .coarse_size = coarse};
+    };
+    CHECK(graded_block(fine(1e-3, 1)).nodes.rows() > 500); // ten thousand along the block, 500 in the zone
+    CHECK(mentions(refusal([&] { (void)graded_block(fine(1e-4, 1)); }), "graded_block.fine_size"));
+    CHECK(mentions(refusal([&] { (void)graded_block(fine(1e-3, 1e-3)); }), "graded_block.coarse_size"));
     CHECK(mentions(refusal([] {
                      (void)quarter_disc({.radius = 0, .fine = {1, 1}, .fine_size = 2, .coarse_size = 3});
                    }),
