@@ -35,11 +35,11 @@ Vector edge_integrals(Matrix const& places, bool revolved) {
 
 } // namespace
 
-Vector shape_integrals(Mesh const& mesh, Facet const& facet, bool revolved) {
-  Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), mesh.dim);
+Vector shape_integrals(Matrix const& nodes, Facet const& facet, bool revolved) {
+  Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), nodes.cols());
   for (std::size_t i = 0; i < facet.nodes.size(); ++i)
-    places.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(facet.nodes[i]);
-  if (mesh.dim == 2)
+    places.row(static_cast<Eigen::Index>(i)) = nodes.row(facet.nodes[i]);
+  if (nodes.cols() == 2)
     return edge_integrals(places, revolved);
   auto const& rule = mass_rule(facet_kind(facet));
   Vector sum = Vector::Zero(places.rows());

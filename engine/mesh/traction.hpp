@@ -4,8 +4,8 @@
 
 namespace stiction::mesh {
 
-/// Integral of every node's shape function over a facet of the reference mesh, in the order of facet.nodes:
-/// m^2 in 3D, m in 2D, m^2 with the factor 2 pi r where `revolved`.
-[[nodiscard]] Vector shape_integrals(Mesh const& mesh, Facet const& facet, bool revolved);
+/// Integral of every node's shape function over a facet; nodes: [nodes, 2 or 3], m. In the order of
+/// facet.nodes: m^2 in 3D, m in 2D, m^2 with the factor 2 pi r where `revolved`.
+[[nodiscard]] Vector shape_integrals(Matrix const& nodes, Facet const& facet, bool revolved);
 
 } // namespace stiction::mesh

@@ -1,9 +1,9 @@
 // Obstacles and contact pairs of a scene.
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "mesh/surface.hpp"
+#include "mesh/traction.hpp"
 #include "scene/builder.hpp"
 
 namespace stiction::scene {
@@ -172,6 +172,20 @@ dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& 
   return pair;
 }
 
+namespace {
+
+/// The share of every node of an edge in its area. The integral of a quadratic function that is 1 on the axis
+/// of revolution is 0; there the ends and the middle share as they do in the plane.
+Vector edge_shares(Matrix const& reference, mesh::Facet const& facet, bool revolved) {
+  Vector const plane = mesh::shape_integrals(reference, facet, false);
+  if (!revolved)
+    return plane;
+  Vector const whole = mesh::shape_integrals(reference, facet, true);
+  return facet.nodes.size() == 2 ? whole : Vector(plane * (whole.sum() / plane.sum()));
+}
+
+} // namespace
+
 /// Nodes in walking order, their areas, and half an edge as reach where none is given.
 void Builder::share_edges(mesh::Set const& set, dynamics::Pair& pair) const {
   auto const chains = contact::chains_of(set, pair.name);
@@ -182,28 +196,16 @@ void Builder::share_edges(mesh::Set const& set, dynamics::Pair& pair) const {
       if (number.emplace(node, pair.secondary.size()).second)
         pair.secondary.push_back(node);
   pair.areas.assign(pair.secondary.size(), 0.0);
+  bool const revolved = scene_.part.kinematics == solid::Kinematics::axisymmetric;
   double total = 0;
-  for (auto const& chain : chains) {
-    auto const n = chain.nodes.size();
-    for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
-      Index const a = chain.nodes[i], b = chain.nodes[(i + 1) % n];
-      auto const share = edge_areas(reference.row(a), reference.row(b));
-      pair.areas[number.at(a)] += share[0];
-      pair.areas[number.at(b)] += share[1];
-      total += (reference.row(b) - reference.row(a)).norm();
-    }
+  for (auto const& facet : set.facets) {
+    Vector const share = edge_shares(reference, facet, revolved);
+    for (std::size_t i = 0; i < facet.nodes.size(); ++i)
+      pair.areas[number.at(facet.nodes[i])] += share[static_cast<Eigen::Index>(i)];
+    total += mesh::shape_integrals(reference, facet, false).sum();
   }
   if (!(pair.reach > 0))
     pair.reach = 0.5 * total / static_cast<double>(pair.secondary.size());
-}
-
-/// Integrals of the two shape functions of an edge.
-std::array<double, 2> Builder::edge_areas(Vec2 const& a, Vec2 const& b) const {
-  double const length = (b - a).norm();
-  if (scene_.part.kinematics == solid::Kinematics::plane_strain)
-    return {length / 2, length / 2};
-  double const turn = 2 * std::numbers::pi * length / 6;
-  return {turn * (2 * a.x() + b.x()), turn * (a.x() + 2 * b.x())};
 }
 
 void Builder::share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const {

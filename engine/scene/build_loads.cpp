@@ -42,7 +42,7 @@ void Builder::add_load(Where const& where, TractionPart const& part) {
   bool const revolved = model.kinematics == solid::Kinematics::axisymmetric;
   Vector shares = Vector::Zero(model.node_count());
   for (auto const& facet : mesh.sets.find(part.set.substr(part.set.find('.') + 1))->second.facets) {
-    Vector const integrals = mesh::shape_integrals(mesh, facet, revolved);
+    Vector const integrals = mesh::shape_integrals(mesh.nodes, facet, revolved);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i)
       shares[first + facet.nodes[i]] += integrals[static_cast<Eigen::Index>(i)];
   }

@@ -61,7 +61,6 @@ private:
   void share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const;
   void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
-  [[nodiscard]] std::array<double, 2> edge_areas(contact::Vec2 const& a, contact::Vec2 const& b) const;
   void check_overlap();
 
   // build_probes.cpp

@@ -15,7 +15,7 @@ local function row(changes)
 end
 
 local function near(got, wanted)
-  if not (math.abs(got - wanted) <= 1e-12 * math.max(1, math.abs(wanted))) then
+  if got ~= got or math.abs(got - wanted) > 1e-12 * math.max(1, math.abs(wanted)) then
     error(("got %.17g, wanted %.17g"):format(got, wanted), 2)
   end
 end

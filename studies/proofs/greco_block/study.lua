@@ -60,10 +60,9 @@ end
 local function edge(inside)
   return function(run, p)
     local x = 0
-    local status = run:series("line", "status", 1)
     local count = p.cells * (p.kind == "quad8" and 2 or 1)
     for k = 1, count + 1 do
-      status = run:series("line", "status", k)
+      local status = run:series("line", "status", k)
       if inside(status[#status]) then
         x = (k - 1) / count * p.side:to("m")
       end

@@ -128,6 +128,11 @@ return stiction.study {
     row("half width a", "mm", "exact", "half_width", hertz.half_width(2 * p.force.si, p.radius.si, modulus),
       p.cell.si / 6.2146e-3)
     row("largest pressure p0", "MPa", "exact", "peak", hertz.peak_pressure(2 * p.force.si, p.radius.si, modulus), 0.03)
+    if not cases.quick then
+      local quad8 = cases:find { kind = "quad8", cell = 0.5*mm }
+      check.close("quadratic cells: largest pressure", quad8.results.peak, fine.results.peak, 0.003)
+      check.close("quadratic cells: half width", quad8.results.half_width, fine.results.half_width, 0.003)
+    end
     row("u_y at the block's top centre", "mm", "published", "sinking", -1.3069e-3, 0.01)
   end,
   figures = function(cases)
