@@ -15,7 +15,8 @@ struct ProblemPoint {
   double area = 1;          ///< tributary reference area A, m^2 (m in plane strain)
   double mu = 0;            ///< friction coefficient
   int law = -1;             ///< index into Problem::adhesions; -1: dry
-  interface::BondStep bond; ///< used only with a law
+  interface::BondStep bond; ///< bond used only with a law
+  int friction = -1;        ///< index into Problem::frictions; -1: the coefficient is mu
 };
 
 /// Find forces p with x = free + W p and pbar = p - A rtilde(x) such that pbar = Proj(pbar - rho (x_n + mu
@@ -25,7 +26,8 @@ struct Problem {
   Dense W;                          ///< Delassus operator, [dim n, dim n], m/N
   Vector free;                      ///< gap and slip at zero contact force, [dim n], m
   std::vector<ProblemPoint> points; ///< [n]
-  std::vector<interface::Rcc> adhesions;
+  std::vector<interface::AdhesionLaw> adhesions;
+  std::vector<interface::FrictionLaw> frictions; ///< those whose coefficient follows pressure or speed
   [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
 };
 
@@ -38,21 +40,30 @@ template<int D> struct PointState {
   interface::Status status = interface::Status::open;
 };
 
-/// Natural map (27), (28) and its derivatives for one point; rho in N/m.
+/// Natural map (27), (28) and its derivatives for one point; rho in N/m. A coefficient that follows the
+/// pressure is that of pbar itself, one that follows the speed that of x: both belong to the map.
 template<int D>
 [[nodiscard]] PointState<D> evaluate(Problem const& problem, ProblemPoint const& data, Local<D> const& p,
                                      Local<D> const& x, double rho) {
   PointState<D> state;
-  double mu = data.mu;
-  Local<D> mu_by_x = Local<D>::Zero();
+  interface::Coefficient<D> friction {
+    data.mu
+  };
+  double factor = 1;
+  Local<D> factor_by_x = Local<D>::Zero();
   state.dry = p;
   if (data.law >= 0) {
     auto const adhesion = interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x);
     state.dry -= data.area * adhesion.traction;
     state.adhesion_by_x = data.area * adhesion.traction_by_x;
-    mu *= adhesion.friction;
-    mu_by_x = data.mu * adhesion.friction_by_x;
+    factor = adhesion.friction;
+    factor_by_x = adhesion.friction_by_x;
   }
+  if (data.friction >= 0)
+    friction = interface::coefficient<D>(problem.frictions[ix(data.friction)],
+                                         {state.dry / data.area, x, data.bond.dt});
+  double const mu = friction.mu * factor;
+  Local<D> const mu_by_x = factor * friction.by_x + friction.mu * factor_by_x;
   double const slip = x.template tail<D - 1>().norm();
   Local<D> v = x;
   v[0] += mu * slip;
@@ -65,6 +76,9 @@ template<int D>
   state.residual = state.dry - projection.value;
   state.residual_by_dry = LocalMatrix<D>::Identity() - projection.by_z;
   state.residual_by_x = rho * projection.by_z * v_by_x - projection.by_mu * mu_by_x.transpose();
+  if (data.friction >= 0) // z and the cone follow pbar also through mu
+    state.residual_by_dry += (rho * slip * projection.by_z.col(0) - projection.by_mu) *
+                             (factor / data.area * friction.by_dry).transpose();
   return state;
 }
 

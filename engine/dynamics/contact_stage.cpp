@@ -93,16 +93,20 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     add_search(described);
-    int law = -1;
+    int law = -1, friction = -1;
     if (described.law.adhesion) {
       law = static_cast<int>(problem_.adhesions.size());
       problem_.adhesions.push_back(*described.law.adhesion);
+    }
+    if (described.law.mu_follows()) {
+      friction = static_cast<int>(problem_.frictions.size());
+      problem_.frictions.push_back(*described.law.friction);
     }
     for (Index i = 0; i < described.size(); ++i) {
       Point point;
       point.pair = static_cast<int>(pair);
       point.index = i;
-      point.law = {described.areas[ix(i)], described.law.mu(), law, {}};
+      point.law = {described.areas[ix(i)], described.law.mu(), law, {}, friction};
       points_.push_back(point);
     }
   }
@@ -132,6 +136,7 @@ template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, doub
     point.force = point.law.area * (state.dry + state.adhesion).template head<C>();
     point.rho = 0;
     point.law.bond = {state.bond, dt, state.status != interface::Status::open};
+    point.law.mu = model_->pairs[ix(point.pair)].law.mu(state.status);
     point.kinematics.foot = state.foot;
   }
 }
@@ -187,7 +192,8 @@ template<int D, int C> contact::Block<D> Stage<D, C>::stiffness(Point const& poi
 
 template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
   auto const& pair = model_->pairs[ix(point.pair)];
-  bool const held = point.law.bond.old.beta > 0 || !point.force.isZero(0);
+  bool const bonded = point.law.bond.old.beta > 0 && pair.law.lasts();
+  bool const held = bonded || !point.force.isZero(0);
   double const gap = point.kinematics.gap;
   bool const near = gap < pair.reach && gap > -6 * pair.reach;
   bool const was = point.active;
@@ -245,7 +251,7 @@ template<int D, int C> double Stage<D, C>::residual() const {
     auto const& point = points_[ix(k)];
     auto const x = point.x();
     if (point.rho == 0) { // no problem has seen this point
-      if (x[0] < 0 || point.law.bond.old.beta > 0)
+      if (x[0] < model_->pairs[ix(point.pair)].law.range() || point.law.bond.old.beta > 0)
         return std::numeric_limits<double>::infinity();
       continue;
     }
@@ -339,7 +345,7 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   return true;
 }
 
-template<int D, int C> void Stage<D, C>::finish(State const& old, double dt, State& next) const {
+template<int D, int C> void Stage<D, C>::finish(State const& old, double, State& next) const {
   if constexpr (D == 3)
     for (std::size_t r = 0; r < poses_.size(); ++r)
       next.turned[r] = poses_[r].rotation;
@@ -365,8 +371,7 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double dt, Sta
       after.adhesion.head<C>() = interface::adhere<C>(law, point.law.bond, x).traction;
       after.dry -= after.adhesion;
       after.bond = interface::advance<C>(law, point.law.bond, x);
-      double const growth = after.bond.beta - before.bond.beta;
-      next.ledger.bonding_loss += point.law.area * law.b * growth * growth / dt;
+      next.ledger.bonding_loss += point.law.area * interface::dissipation<C>(law, point.law.bond, x);
       next.ledger.bond += point.law.area * interface::bond_energy(law, after.bond, after.gap);
     }
     if (point.rho > 0)
@@ -375,7 +380,7 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double dt, Sta
 }
 
 bool acts_along_surface(Pair const& pair) {
-  return pair.law.mu() > 0 || (pair.law.adhesion && pair.law.adhesion->tangential());
+  return pair.law.tangential();
 }
 
 } // namespace

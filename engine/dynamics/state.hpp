@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/kinematics.hpp"
-#include "interface/rcc.hpp"
+#include "interface/bond.hpp"
 
 namespace stiction::dynamics {
 
@@ -28,7 +28,7 @@ struct Ledger {
   double load_work = 0;     ///< done by prescribed forces
   double damping_loss = 0;  ///< dissipated by the bodies' viscosity
   double friction_loss = 0; ///< dissipated by slip against rbar_t
-  double bonding_loss = 0;  ///< int A b beta'^2 dt
+  double bonding_loss = 0;  ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
   double start = 0;         ///< kinetic + strain + bond + potential at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {

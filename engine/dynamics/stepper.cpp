@@ -14,6 +14,7 @@ namespace stiction::dynamics {
 namespace {
 constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
+constexpr double unreached = 1e100;    // gap of a point without counterpart, m
 } // namespace
 
 core::Schema const& StepControl::schema() {
@@ -48,12 +49,8 @@ State Stepper::initial() {
     structure_.damping_force(state.u, state.v, state.damping);
     state.internal += state.damping;
   }
-  for (auto const& pair : model_->pairs) {
-    ContactState fresh;
-    if (pair.law.adhesion)
-      fresh.bond.beta = pair.law.adhesion->beta0;
-    state.contacts.emplace_back(ix(pair.size()), fresh);
-  }
+  for (auto const& pair : model_->pairs)
+    state.contacts.emplace_back(ix(pair.size()), ContactState{});
   if (model_->dim() == 3)
     state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
   contact_->begin(state, 0, 1);
@@ -65,9 +62,11 @@ State Stepper::initial() {
       auto& point = state.contacts[p][i];
       point.foot = located.contacts[p][i].foot;
       point.gap = located.contacts[p][i].gap;
-      if (model_->pairs[p].law.adhesion)
-        state.ledger.bond += model_->pairs[p].areas[i] *
-                             interface::bond_energy(*model_->pairs[p].law.adhesion, point.bond, point.gap);
+      if (auto const& adhesion = model_->pairs[p].law.adhesion; adhesion) {
+        point.bond = interface::initial_bond(*adhesion, point.foot.found() ? point.gap : unreached);
+        state.ledger.bond +=
+            model_->pairs[p].areas[i] * interface::bond_energy(*adhesion, point.bond, point.gap);
+      }
     }
   if (weights_.inertia) {
     structure_.mass().times(state.v, mass_rate_);

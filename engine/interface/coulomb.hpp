@@ -1,6 +1,7 @@
 // Coulomb friction with a constant coefficient.
 #pragma once
 #include "core/schema.hpp"
+#include "interface/friction.hpp"
 
 namespace stiction::interface {
 
@@ -14,6 +15,14 @@ struct Coulomb {
             .build();
     return made;
   }
+  /// Whether the coefficient follows pressure or speed within a step.
+  static constexpr bool follows = false;
+  /// The coefficient of a step that a point starts from this status.
+  [[nodiscard]] double mu_from(Status) const { return mu; }
 };
+
+template<int D> [[nodiscard]] Coefficient<D> coefficient(Coulomb const& law, Sliding<D> const&) {
+  return {law.mu};
+}
 
 } // namespace stiction::interface

@@ -1,16 +1,80 @@
-// The interface of one pair: friction and, where declared, adhesion.
+// The interface of one pair: friction and, where declared, adhesion. A new law is one header and one word
+// here.
 #pragma once
 #include <optional>
+#include <variant>
 
+#include "interface/bilinear.hpp"
 #include "interface/coulomb.hpp"
+#include "interface/dugdale.hpp"
+#include "interface/exponential.hpp"
+#include "interface/potential.hpp"
+#include "interface/pressure_friction.hpp"
 #include "interface/rcc.hpp"
+#include "interface/static_kinetic.hpp"
+#include "interface/tresca.hpp"
+#include "interface/velocity_friction.hpp"
 
 namespace stiction::interface {
 
+using FrictionLaw = std::variant<Coulomb, Tresca, PressureFriction, VelocityFriction, StaticKinetic>;
+using AdhesionLaw = std::variant<Rcc, Bilinear, Exponential, Dugdale, Potential>;
+
 struct Law {
-  std::optional<Coulomb> friction; ///< none: frictionless
-  std::optional<Rcc> adhesion;     ///< none: dry contact, no bond state
-  [[nodiscard]] double mu() const { return friction ? friction->mu : 0.0; }
+  std::optional<FrictionLaw> friction; ///< none: frictionless
+  std::optional<AdhesionLaw> adhesion; ///< none: dry contact, no bond state
+  /// The coefficient of a step that a point starts from this status; where it follows pressure or speed, that
+  /// at none of either.
+  [[nodiscard]] double mu(Status last = Status::open) const {
+    return friction ? std::visit([&](auto const& law) { return law.mu_from(last); }, *friction) : 0.0;
+  }
+  /// Does the coefficient follow pressure or speed within a step?
+  [[nodiscard]] bool mu_follows() const {
+    return friction && std::visit([](auto const& law) { return law.follows; }, *friction);
+  }
+  /// Does anything act along the surface?
+  [[nodiscard]] bool tangential() const {
+    return mu() > 0 || mu(Status::slip) > 0 || mu_follows() ||
+           (adhesion && std::visit([](auto const& law) { return law.tangential(); }, *adhesion));
+  }
+  /// How far an open point without bond feels the adhesion, m.
+  [[nodiscard]] double range() const {
+    return adhesion ? std::visit([](auto const& law) { return law.range(); }, *adhesion) : 0.0;
+  }
+  /// Does a bond hold its point in the contact problem at any distance?
+  [[nodiscard]] bool lasts() const {
+    return adhesion && std::visit([](auto const& law) { return law.lasts(); }, *adhesion);
+  }
 };
+
+// What each law defines for itself, dispatched.
+
+template<int D> [[nodiscard]] Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at) {
+  return std::visit([&](auto const& law) { return coefficient<D>(law, at); }, friction);
+}
+template<int D>
+[[nodiscard]] Adhesion<D> adhere(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
+  return std::visit([&](auto const& law) { return adhere<D>(law, step, x); }, adhesion);
+}
+template<int D>
+[[nodiscard]] Bond advance(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
+  return std::visit([&](auto const& law) { return advance<D>(law, step, x); }, adhesion);
+}
+/// What the step dissipates by bonding, viscosity and damage, J/m^2.
+template<int D>
+[[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
+  return std::visit([&](auto const& law) { return dissipation<D>(law, step, x); }, adhesion);
+}
+/// What the bond stores, zero when it is gone, J/m^2.
+[[nodiscard]] inline double bond_energy(AdhesionLaw const& adhesion, Bond const& bond, double x_n) {
+  return std::visit([&](auto const& law) { return bond_energy(law, bond, x_n); }, adhesion);
+}
+/// The bond at the start of a point with this gap.
+[[nodiscard]] inline Bond initial_bond(AdhesionLaw const& adhesion, double gap) {
+  return std::visit([&](auto const& law) { return law.initial(gap); }, adhesion);
+}
+[[nodiscard]] inline Scales scales(AdhesionLaw const& adhesion) {
+  return std::visit([](auto const& law) { return law.scales(); }, adhesion);
+}
 
 } // namespace stiction::interface

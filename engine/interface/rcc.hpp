@@ -1,23 +1,12 @@
 // The RCC law of Raous, Cangemi and Cocou: adhesion of intensity beta, its growth and its loss.
 #pragma once
-#include <algorithm>
-#include <cmath>
-
 #include "core/reader.hpp"
-#include "interface/cone.hpp"
+#include "interface/bond.hpp"
 
 namespace stiction::interface {
 
-/// The bond of one contact point: all that must survive a step.
-struct Bond {
-  double beta = 0;                                   ///< 0 none .. 1 full
-  Eigen::Vector2d stretch = Eigen::Vector2d::Zero(); ///< tangential displacement since it formed, m
-};
-
 /// When beta may grow.
 enum class Bonding { contact, proximity, never };
-/// Which friction the bond leaves: all of mu, or mu (1 - beta)^p.
-enum class BondFriction { full, damage };
 
 struct Rcc {
   double w = 0;    ///< decohesion energy, J/m^2
@@ -61,6 +50,14 @@ struct Rcc {
   }
   /// Does anything of the bond act along the surface?
   [[nodiscard]] bool tangential() const { return C_t > 0 || C_t2 > 0 || friction == BondFriction::damage; }
+  /// How far an open point without bond feels the law, m.
+  [[nodiscard]] static double range() { return 0; }
+  /// Does a bond hold its point in the contact problem at any distance?
+  [[nodiscard]] static bool lasts() { return true; }
+  [[nodiscard]] Bond initial(double) const { return {beta0, {0, 0}}; }
+  [[nodiscard]] Scales scales() const {
+    return {w, std::sqrt(w * C_n), std::sqrt(w / C_n), 3 * C_n, C_t > 0 ? std::sqrt(w / C_t) : 0};
+  }
 };
 
 /// Diagonal of the bond's stiffness in the contact frame, N/m^3.
@@ -72,32 +69,6 @@ template<int D> [[nodiscard]] Local<D> bond_stiffness(Rcc const& law) {
   if constexpr (D > 2)
     stiffness[2] = law.C_t2;
   return stiffness;
-}
-
-/// What holds for the bond during one step.
-struct BondStep {
-  Bond old;
-  double dt = 0;       ///< s; > 0
-  bool closed = false; ///< the point touches: beta may grow when bonding = "contact"
-};
-
-/// Answer of the law at the displacement x = (x_n, slip of the step) of the step's end.
-template<int D> struct Adhesion {
-  double beta = 0;
-  Local<D> beta_by_x = Local<D>::Zero();
-  Local<D> traction = Local<D>::Zero(); ///< rtilde, Pa
-  LocalMatrix<D> traction_by_x = LocalMatrix<D>::Zero();
-  double friction = 1; ///< factor on mu
-  Local<D> friction_by_x = Local<D>::Zero();
-};
-
-/// (C_n x_n^2, C_t x_t^2) gather in q; a bond that was not there at the step's start has no stretch yet.
-template<int D> [[nodiscard]] Local<D> opening(Local<D> const& x, Bond const& old) {
-  Local<D> d = Local<D>::Zero();
-  d[0] = std::max(x[0], 0.0);
-  if (old.beta > 0)
-    d.template tail<D - 1>() = old.stretch.head<D - 1>() + x.template tail<D - 1>();
-  return d;
 }
 
 /// Implicit Euler of (13): beta = clip((b beta_old + dt w) / (b + dt q)), unconditionally stable, b = 0
@@ -116,8 +87,7 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
   Local<D> const stiffness = bond_stiffness<D>(law);
   Local<D> const Cd = stiffness.cwiseProduct(d);
   double const q = Cd.dot(d);
-  Local<D> d_by_x = Local<D>::Constant(step.old.beta > 0 ? 1.0 : 0.0); // diagonal
-  d_by_x[0] = x[0] > 0 ? 1.0 : 0.0;
+  Local<D> const d_by_x = opening_by_x<D>(x, step.old);
 
   Adhesion<D> result;
   result.beta = next_beta(law, step, q);
@@ -131,21 +101,13 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
   result.traction = -beta2 * Cd;
   result.traction_by_x = -2 * result.beta * Cd * result.beta_by_x.transpose();
   result.traction_by_x.diagonal() -= beta2 * stiffness.cwiseProduct(d_by_x);
-  if (law.friction == BondFriction::damage) {
-    double const rest = 1 - result.beta;
-    result.friction = std::pow(rest, law.damage_power);
-    result.friction_by_x = (-law.damage_power * std::pow(rest, law.damage_power - 1)) * result.beta_by_x;
-  }
+  leave_friction(result, law.friction, law.damage_power);
   return result;
 }
 
 /// The bond after the step.
 template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
-  Bond next;
-  next.beta = adhere<D>(law, step, x).beta;
-  if (next.beta > 0)
-    next.stretch.head<D - 1>() = opening<D>(x, step.old).template tail<D - 1>();
-  return next;
+  return stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
 }
 
 /// psi of (9), J/m^2.
@@ -153,6 +115,12 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
   double const open = std::max(x_n, 0.0);
   double const along = law.C_t * std::pow(bond.stretch[0], 2) + law.C_t2 * std::pow(bond.stretch[1], 2);
   return 0.5 * bond.beta * bond.beta * (law.C_n * open * open + along) - law.w * bond.beta;
+}
+
+/// b beta'^2 over the step, J/m^2.
+template<int D> [[nodiscard]] double dissipation(Rcc const& law, BondStep const& step, Local<D> const& x) {
+  double const growth = adhere<D>(law, step, x).beta - step.old.beta;
+  return law.b * growth * growth / step.dt;
 }
 
 } // namespace stiction::interface

@@ -1,5 +1,5 @@
-// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /adhesions [laws, columns], /C_t2
-// [laws] (where there is none, C_t), /dim.
+// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /friction [n], /dim, and the laws
+// as text in an attribute. Older files hold RCC laws alone, in /adhesions [laws, columns] and /C_t2 [laws].
 #include "record/problem_file.hpp"
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "record/file.hpp"
 #include "record/hdf5.hpp"
+#include "record/law_text.hpp"
 
 namespace stiction::record {
 
@@ -33,19 +34,11 @@ std::vector<double> flatten(std::vector<contact::ProblemPoint> const& points) {
   return rows;
 }
 
-std::vector<double> flatten(std::vector<interface::Rcc> const& laws) {
-  std::vector<double> rows;
-  for (auto const& l : laws)
-    rows.insert(rows.end(), {l.w, l.C_n, l.C_t, l.b, l.beta0, static_cast<double>(l.bonding),
-                             static_cast<double>(l.friction), l.damage_power});
-  return rows;
-}
-
-std::vector<double> across(std::vector<interface::Rcc> const& laws) {
+std::vector<double> frictions_of(std::vector<contact::ProblemPoint> const& points) {
   std::vector<double> values;
-  values.reserve(laws.size());
-  for (auto const& law : laws)
-    values.push_back(law.C_t2);
+  values.reserve(points.size());
+  for (auto const& point : points)
+    values.push_back(point.friction);
   return values;
 }
 
@@ -75,6 +68,8 @@ public:
         refuse(fmt::format("dataset \"{}\" holds a number that is not finite", name));
     return values;
   }
+  /// The root's attribute, "" where there is none.
+  [[nodiscard]] std::string attribute(char const* name) const { return hdf5::read_attribute(file_, name); }
   [[noreturn]] void refuse(std::string const& why) const {
     throw core::InputError({{path_.string(), "", why + "; give a file saved by output{problems_every = n}"}});
   }
@@ -115,6 +110,39 @@ interface::Rcc law_of(double const* row, ProblemReader const& reader) {
   return law;
 }
 
+void load_laws(ProblemReader const& reader, contact::Problem& problem) {
+  if (auto const text = reader.attribute("laws"); !text.empty()) {
+    if (auto const why = read_laws(text, problem); !why.empty())
+      reader.refuse(why);
+    return;
+  }
+  auto const adhesions = reader.read("adhesions");
+  reader.require(adhesions.size() % adhesion_columns == 0, "size of adhesions");
+  auto const across = reader.has("C_t2") ? reader.read("C_t2") : std::vector<double>{};
+  reader.require(across.empty() || across.size() == adhesions.size() / adhesion_columns,
+                 "sizes of C_t2 and adhesions");
+  for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns) {
+    auto law = law_of(&adhesions[k], reader);
+    if (!across.empty())
+      law.C_t2 = across[k / adhesion_columns];
+    problem.adhesions.emplace_back(law);
+  }
+}
+
+void load_frictions(ProblemReader const& reader, contact::Problem& problem) {
+  if (!reader.has("friction"))
+    return;
+  auto const values = reader.read("friction");
+  reader.require(values.size() == problem.points.size(), "sizes of friction and points");
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    problem.points[k].friction = static_cast<int>(values[k]);
+    reader.require(values[k] >= -1 &&
+                       problem.points[k].friction < static_cast<int>(problem.frictions.size()) &&
+                       (values[k] < 0 || problem.points[k].bond.dt > 0),
+                   "a point's friction law is out of range");
+  }
+}
+
 /// The layout of friction problem collections: symmetric W packed row by row, q, mu; three components.
 contact::Problem load_packed(ProblemReader const& reader) {
   contact::Problem problem;
@@ -148,12 +176,12 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
     auto const n = static_cast<hsize_t>(problem.free.size());
     std::vector<double> const W(problem.W.data(), problem.W.data() + problem.W.size()); // column by column
     std::vector<double> const free(problem.free.data(), problem.free.data() + problem.free.size());
-    written =
-        file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&
-        write(file, "points", {problem.points.size(), point_columns}, flatten(problem.points)) &&
-        write(file, "adhesions", {problem.adhesions.size(), adhesion_columns}, flatten(problem.adhesions)) &&
-        write(file, "C_t2", {problem.adhesions.size()}, across(problem.adhesions)) &&
-        write(file, "dim", {1}, {static_cast<double>(problem.dim)}) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+    written = file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&
+              write(file, "points", {problem.points.size(), point_columns}, flatten(problem.points)) &&
+              write(file, "friction", {problem.points.size()}, frictions_of(problem.points)) &&
+              hdf5::write_attribute(file, "laws", text_of_laws(problem)) &&
+              write(file, "dim", {1}, {static_cast<double>(problem.dim)}) &&
+              H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
   }
   if (!written)
     throw unwritable(path, hdf5::last_reason());
@@ -166,27 +194,20 @@ contact::Problem load_problem(std::filesystem::path const& path) {
     return load_packed(reader);
   contact::Problem problem;
   auto const dim = reader.read("dim"), W = reader.read("W"), free = reader.read("free");
-  auto const points = reader.read("points"), adhesions = reader.read("adhesions");
+  auto const points = reader.read("points");
   auto const n = free.size();
   reader.require(dim.size() == 1 && (dim[0] == 1 || dim[0] == 2 || dim[0] == 3), "dim is 1, 2 or 3");
   problem.dim = static_cast<int>(dim[0]);
   reader.require(W.size() == n * n && points.size() % point_columns == 0 &&
-                     adhesions.size() % adhesion_columns == 0 &&
                      n == static_cast<std::size_t>(problem.dim) * (points.size() / point_columns),
-                 "sizes of W, free, points and adhesions");
+                 "sizes of W, free and points");
   auto const size = static_cast<Eigen::Index>(n);
   problem.W = Eigen::Map<Dense const>(W.data(), size, size);
   problem.free = Eigen::Map<Vector const>(free.data(), size);
-  for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns)
-    problem.adhesions.push_back(law_of(&adhesions[k], reader));
-  if (reader.has("C_t2")) {
-    auto const values = reader.read("C_t2");
-    reader.require(values.size() == problem.adhesions.size(), "sizes of C_t2 and adhesions");
-    for (std::size_t k = 0; k < values.size(); ++k)
-      problem.adhesions[k].C_t2 = values[k];
-  }
+  load_laws(reader, problem);
   for (std::size_t k = 0; k < points.size(); k += point_columns)
     problem.points.push_back(point_of(&points[k], reader, problem.adhesions.size()));
+  load_frictions(reader, problem);
   return problem;
 }
 

@@ -159,6 +159,7 @@ void Builder::add_pair(std::string const& name, PairPart const& part) {
   } else {
     add_primary(part, *primary, pair);
   }
+  pair.reach = std::max(pair.reach, part.law.range());
   scene_.model->pairs.push_back(std::move(pair));
   scene_.pairs.push_back(name);
 }

@@ -134,10 +134,8 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
   add(section, "components", component_words(all), all.components);
   section.lines.push_back({"state", human(sizeof(dynamics::ContactState), "B") + " per point",
                            sizeof(dynamics::ContactState), "B", ""});
-  add(section, "friction",
-      pair.law.friction ? settings("friction", &*pair.law.friction, interface::Coulomb::schema()) : "none");
-  add(section, "adhesion",
-      pair.law.adhesion ? settings("adhesion", &*pair.law.adhesion, interface::Rcc::schema()) : "none");
+  add(section, "friction", pair.law.friction ? chosen("friction", *pair.law.friction) : "none");
+  add(section, "adhesion", pair.law.adhesion ? chosen("adhesion", *pair.law.adhesion) : "none");
   if (facts.gap >= 0)
     section.lines.push_back({"gap at the start", human(facts.gap, "m"), facts.gap, "m", ""});
   section.lines.push_back({"reach", human(pair.reach, "m"), pair.reach, "m", ""});

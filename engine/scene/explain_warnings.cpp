@@ -84,40 +84,44 @@ std::string more_steps(Facts const& all, std::size_t stage, double factor) {
 }
 
 void cohesive_length(PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
-  double const length = pair.modulus / law.C_n, cell = std::max(pair.size, 0.0);
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
+  double const length = pair.modulus * scales.work / (scales.strength * scales.strength);
+  double const cell = std::max(pair.size, 0.0);
   if (length >= cohesive_cells * cell)
     return;
+  auto const strength = human(std::sqrt(scales.work * pair.modulus / (cohesive_cells * cell)), "Pa");
+  auto const softer = std::holds_alternative<interface::Rcc>(*pair.pair->law.adhesion)
+                          ? fmt::format("C_n of {:.2g} N/m^3 or less, which lowers the peak traction to {}",
+                                        pair.modulus / (cohesive_cells * cell), strength)
+                          : fmt::format("a strength of {} or less at the same work of separation", strength);
   warnings.push_back(
       {fmt::format("pair {}: cohesive length {}, mesh {}: the pull-off will depend on the mesh",
                    pair.pair->name, human(length, "m"), human(cell, "m")),
-       fmt::format(
-           "cells of {} or less at {}, or C_n of {:.2g} N/m^3 or less, which lowers the peak traction to {}",
-           human(length / cohesive_cells, "m"), pair.part->secondary, pair.modulus / (cohesive_cells * cell),
-           human(std::sqrt(law.w * pair.modulus / (cohesive_cells * cell)), "Pa"))});
+       fmt::format("cells of {} or less at {}, or {}", human(length / cohesive_cells, "m"),
+                   pair.part->secondary, softer)});
 }
 
 /// Steps that jump over the opening at which the traction peaks.
 void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
   auto const& motion = pair.motion;
-  auto const check = [&](char const* what, double step, double stiffness, std::size_t stage) {
-    double const part = step / std::sqrt(law.w / stiffness);
-    if (std::isfinite(part) && stiffness > 0 && part > part_of_opening)
+  auto const check = [&](char const* what, double step, double opening, std::size_t stage) {
+    double const part = step / opening;
+    if (std::isfinite(part) && part > part_of_opening)
       warnings.push_back(
           {fmt::format("pair {}: the motions {} by {:.2g} u0 in a step: the peak of the adhesion is cut off",
                        pair.pair->name, what, part),
            more_steps(all, stage, part / good_part)});
   };
-  check("open it", motion.opening_step, law.C_n, motion.opening_stage);
-  check("slide", motion.sliding_step, law.C_t, motion.sliding_stage);
+  check("open it", motion.opening_step, scales.opening, motion.opening_stage);
+  check("slide", motion.sliding_step, scales.along, motion.sliding_stage);
 }
 
 void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
-  if (!(law.b > 0) || law.bonding == interface::Bonding::never)
+  auto const* law = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
+  if (law == nullptr || !(law->b > 0) || law->bonding == interface::Bonding::never)
     return;
-  double const bonding = law.b / law.w, part = all.longest_step / bonding;
+  double const bonding = law->b / law->w, part = all.longest_step / bonding;
   if (part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time || pair.motion.closed_time == 0)
     return; // quick bonds are full whatever the step
   warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
@@ -125,19 +129,27 @@ void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
                       fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
 }
 
+/// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
+void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const* rcc = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
+  double const softening = interface::scales(*pair.pair->law.adhesion).softening;
+  if (all.dynamic() || (rcc != nullptr && rcc->b > 0) || pair.column >= softening)
+    return;
+  warnings.push_back(
+      {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
+                   "{}): the pull-off snaps, and a quasi-static run may not get past it",
+                   pair.pair->name, pair.column,
+                   rcc != nullptr ? "3 C_n) and b = 0" : fmt::format("{:.2g} N/m^3)", softening)),
+       rcc != nullptr ? "a small viscosity b > 0, or scheme.theta_xi{}" : "scheme.theta_xi{}"});
+}
+
 void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
-  if (!(law.w > 0) || !(law.C_n > 0))
+  if (!pair.adheres())
     return;
   cohesive_length(pair, warnings);
   opening_steps(all, pair, warnings);
   bonding_steps(all, pair, warnings);
-  if (!all.dynamic() && law.b == 0 && pair.column < 3 * law.C_n)
-    warnings.push_back({fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness "
-                                    "= {:.2g} N/m^3 < 3 C_n) and b = "
-                                    "0: the pull-off snaps, and a quasi-static run may not get past it",
-                                    pair.pair->name, pair.column),
-                        "a small viscosity b > 0, or scheme.theta_xi{}"});
+  snapping(all, pair, warnings);
 }
 
 void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {

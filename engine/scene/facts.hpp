@@ -55,6 +55,11 @@ struct PairFacts {
   ShapeFit secondary_fit, primary_fit; ///< of deformable sides
   std::array<double, 2> strain{};      ///< expected in the secondary and the primary body, 1
   RelativeMotion motion;
+  /// Does any adhesion act along the normal?
+  [[nodiscard]] bool adheres() const {
+    return pair->law.adhesion && interface::scales(*pair->law.adhesion).work > 0 &&
+           interface::scales(*pair->law.adhesion).strength > 0;
+  }
 };
 
 struct Facts {

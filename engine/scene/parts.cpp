@@ -132,7 +132,8 @@ core::Schema const& PairPart::schema() {
           .choice("smoothing", &PairPart::smoothing, {"spline", "polyline"}, Need::optional,
                   "how the primary surface runs between its nodes")
           .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
-                  "points farther apart stay out of the contact problem; 0: half a facet")
+                  "points farther apart stay out of the contact problem; 0: half a facet, or the range of a "
+                  "reversible adhesion if that is more")
           .numbers("direction", &PairPart::direction, "1", Need::optional,
                    "3D: the first tangential direction is its part along the primary surface {x, y, z}")
           .build();
@@ -141,13 +142,15 @@ core::Schema const& PairPart::schema() {
 
 void PairPart::read_nested(Reader& reader) {
   if (reader.has("friction"))
-    law.friction = std::get<interface::Coulomb>(
-        nested_choice<std::variant<interface::Coulomb>>(reader, "friction", Need::optional));
+    law.friction = nested_choice<interface::FrictionLaw>(reader, "friction", Need::optional);
   if (reader.has("adhesion"))
-    law.adhesion = std::get<interface::Rcc>(
-        nested_choice<std::variant<interface::Rcc>>(reader, "adhesion", Need::optional));
+    law.adhesion = nested_choice<interface::AdhesionLaw>(reader, "adhesion", Need::optional);
   for (char const* key : {"friction", "adhesion"})
     static_cast<void>(reader.at(key, Need::optional));
+  if (reach > 0 && reach < law.range())
+    reader.complain_at("reach", fmt::format("is {:g} m, but the adhesion is felt up to {:g} m; give at least "
+                                            "that, or leave it out",
+                                            reach, law.range()));
 }
 
 core::Schema const& DrivePart::schema() {

@@ -101,9 +101,9 @@ nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOpti
     auto& laws = settings["pairs"][name];
     laws["pair"] = record::describe(&pair, PairPart::schema());
     if (pair.law.friction)
-      laws["coulomb"] = record::describe(&*pair.law.friction, interface::Coulomb::schema());
+      laws.update(describe(*pair.law.friction));
     if (pair.law.adhesion)
-      laws["rcc"] = record::describe(&*pair.law.adhesion, interface::Rcc::schema());
+      laws.update(describe(*pair.law.adhesion));
   }
   for (auto const& body : scene.model->bodies)
     settings["meshes"][body->name] = quality_of(body->mesh);

@@ -41,7 +41,7 @@ TEST_SUITE("contact") {
     CHECK(saved("mu08_slide").points[0].mu == 0.8);
     CHECK(saved("mu04_slide").dim == 2);
     CHECK(saved("flat_3d").dim == 3);
-    CHECK(saved("mu04_slide").adhesions.at(0).w == 20);
+    CHECK(std::get<interface::Rcc>(saved("mu04_slide").adhesions.at(0)).w == 20);
     auto const sliding = saved("mu04_end");
     auto const answer = solve(BipotentialNewton{}, sliding);
     int slides = 0;

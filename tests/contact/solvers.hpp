@@ -73,8 +73,9 @@ inline void add_adhesion(Problem& problem, double softness, unsigned seed) {
   law.C_n = law.C_t = law.C_t2 = stiffness;
   law.w = stiffness * length * length;
   law.b = law.w * 1e-3;
-  problem.adhesions = {law, law};
-  problem.adhesions[1].friction = interface::BondFriction::damage;
+  auto damaged = law;
+  damaged.friction = interface::BondFriction::damage;
+  problem.adhesions = {law, damaged};
   for (std::size_t i = 0; i < problem.points.size(); i += 2) {
     auto& point = problem.points[i];
     point.law = static_cast<int>(i / 2 % 2);

@@ -114,7 +114,7 @@ template<class Choice> void check_choice() {
 
 TEST_CASE("each parameter of each kind of the catalog is read into its own member") {
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
-                              interface::Coulomb, interface::Rcc, scene::SchedulePart, scene::StagePart,
+                              scene::SchedulePart, scene::StagePart,
                               dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline,
                               mesh::Refinement, material::KelvinVoigt>;
   check_choice<Others>();
@@ -123,6 +123,8 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   check_choice<contact::Obstacle>();
   check_choice<dynamics::Scheme>();
   check_choice<contact::SolverChoice>();
+  check_choice<interface::FrictionLaw>();
+  check_choice<interface::AdhesionLaw>();
   check_choice<scene::MotionPart>();
   check_choice<scene::ProbePart>();
   for (auto const& category : scene::catalog())

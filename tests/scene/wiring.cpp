@@ -51,11 +51,11 @@ void add_pair(Snapshot& shot, dynamics::Model const& model, dynamics::Pair const
   shot[name + ".reach"] = pair.reach;
   for (double const area : pair.areas)
     shot[name + ".area"] += area;
-  shot[name + ".mu"] = pair.law.friction ? pair.law.friction->mu : -1;
+  shot[name + ".mu"] = pair.law.friction ? pair.law.mu() : -1;
   add_primary(shot, model, pair);
   if (!pair.law.adhesion)
     return;
-  auto const& law = *pair.law.adhesion;
+  auto const& law = std::get<interface::Rcc>(*pair.law.adhesion);
   shot[name + ".w"] = law.w;
   shot[name + ".C_n"] = law.C_n;
   shot[name + ".C_t"] = law.C_t;
