@@ -27,7 +27,7 @@ struct Problem {
   Vector free;                      ///< gap and slip at zero contact force, [dim n], m
   std::vector<ProblemPoint> points; ///< [n]
   std::vector<interface::AdhesionLaw> adhesions;
-  std::vector<interface::FrictionLaw> frictions; ///< those whose coefficient follows pressure or speed
+  std::vector<interface::FrictionLaw> frictions{}; ///< those whose coefficient follows pressure or speed
   [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
 };
 

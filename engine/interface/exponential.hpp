@@ -49,8 +49,8 @@ struct Exponential {
   [[nodiscard]] double range() const { return lasts() ? 0 : 30 * delta_n(); }
   [[nodiscard]] bool lasts() const { return memory == Memory::irreversible; }
   [[nodiscard]] Bond initial(double gap) const {
-    double const u = std::min(std::max(gap, 0.0) / delta_n(), 700.0);
-    return {lasts() ? std::min(beta0, std::exp(-u)) : (1 + u) * std::exp(-u), {0, 0}};
+    double const u = std::min(std::max(gap, 0.0) / delta_n(), 700.0), left = std::exp(-u);
+    return {lasts() ? (left < least_beta ? 0 : std::min(beta0, left)) : (1 + u) * left, {0, 0}};
   }
   [[nodiscard]] Scales scales() const {
     double const steepest = phi_n / (delta_n() * delta_n()) * std::exp(-2.0); // of u exp(-u), at u = 2

@@ -1,0 +1,137 @@
+// Samples of every adhesion and friction law, and what the tests of all of them share.
+#pragma once
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "interface/law.hpp"
+
+namespace stiction::test {
+
+using namespace interface;
+
+struct NamedAdhesion {
+  std::string name;
+  AdhesionLaw law;
+};
+struct NamedFriction {
+  std::string name;
+  FrictionLaw law;
+};
+
+inline Rcc rcc_sample(double b) {
+  Rcc law;
+  law.w = 3;
+  law.C_n = 5e3;
+  law.C_t = law.C_t2 = 7e3;
+  law.b = b;
+  law.beta0 = 1;
+  return law;
+}
+inline Bilinear bilinear_sample(ModeMix mix = ModeMix::benzeggagh_kenane) {
+  Bilinear law{5e4, 120, 160, 3, 7};
+  law.mix = mix;
+  law.exponent = 2.2;
+  return law;
+}
+inline Exponential exponential_sample(Memory memory, double q, double r = 0) {
+  Exponential law{3, 45, 0.04, q, r};
+  law.memory = memory;
+  return law;
+}
+inline Dugdale dugdale_sample(Memory memory) {
+  Dugdale law{60, 0.05, 0.2};
+  law.memory = memory;
+  return law;
+}
+
+/// Works of separation of 3 J/m^2 and openings of some 0.01 m; each alternative at least once.
+inline std::vector<NamedAdhesion> adhesions() {
+  auto bilinear_damage = bilinear_sample();
+  bilinear_damage.friction = BondFriction::damage;
+  auto exponential_damage = exponential_sample(Memory::irreversible, 0.6);
+  exponential_damage.friction = BondFriction::damage;
+  return {{"rcc", rcc_sample(0.11)},
+          {"rcc without viscosity", rcc_sample(0)},
+          {"bilinear", bilinear_sample()},
+          {"bilinear, linear mix", bilinear_sample(ModeMix::linear)},
+          {"bilinear, damaged friction", bilinear_damage},
+          {"exponential", exponential_sample(Memory::irreversible, 1.4)},
+          {"exponential, damaged friction", exponential_damage},
+          {"exponential, reversible", exponential_sample(Memory::reversible, 1)},
+          {"exponential, reversible, coupled", exponential_sample(Memory::reversible, 0.6, 0.3)},
+          {"dugdale", dugdale_sample(Memory::reversible)},
+          {"dugdale, irreversible", dugdale_sample(Memory::irreversible)},
+          {"potential", Potential{3, 0.02}}};
+}
+
+inline std::vector<NamedFriction> frictions() {
+  PressureFriction thirion{0.9, 0.1, 40};
+  thirion.decay = PressureDecay::thirion;
+  return {{"coulomb", Coulomb{0.5}},
+          {"tresca", Tresca{0.5, 30}},
+          {"pressure", PressureFriction{0.9, 0.2, 80}},
+          {"pressure, rising", PressureFriction{0.3, 0.7, 80}},
+          {"pressure, thirion", thirion},
+          {"velocity", VelocityFriction{0.4, 0.7, 0.2}},
+          {"velocity, falling", VelocityFriction{0.7, 0.5, 0.2}},
+          {"static_kinetic", StaticKinetic{0.6, 0.4}}};
+}
+
+/// Is the damage of a law what its beta counts down from?
+inline bool irreversible(AdhesionLaw const& law) {
+  return !std::holds_alternative<Rcc>(law) && std::visit([](auto const& l) { return l.lasts(); }, law);
+}
+inline bool reversible(AdhesionLaw const& law) {
+  return !std::visit([](auto const& l) { return l.lasts(); }, law);
+}
+
+/// One walk of a bond: places x(t) in space, t in [0, 1], in equal steps.
+template<class Place> struct Walk {
+  AdhesionLaw law;
+  Place place;         ///< Eigen::Vector3d(double t), m
+  double duration = 1; ///< s
+};
+
+struct Account {
+  double work = 0;                  ///< of the traction, trapezoidal, J/m^2
+  double stored = 0;                ///< change of the bond's energy
+  double dissipated = 0, least = 0; ///< all, and the least of a step
+  double largest = 0;               ///< traction, Pa
+  Bond bond;                        ///< at the end
+  Local<3> traction = Local<3>::Zero();
+};
+
+template<class Place> Account account(Walk<Place> const& walk, int steps) {
+  auto const place = [&](int k) -> Eigen::Vector3d { return walk.place(static_cast<double>(k) / steps); };
+  Account result;
+  result.bond = initial_bond(walk.law, place(0)[0]);
+  double const start = bond_energy(walk.law, result.bond, place(0)[0]);
+  for (int k = 1; k <= steps; ++k) {
+    Eigen::Vector3d const move = place(k) - place(k - 1);
+    BondStep const step{result.bond, walk.duration / steps, false};
+    Local<3> const x(place(k)[0], move[1], move[2]);
+    Local<3> const pull = -adhere<3>(walk.law, step, x).traction;
+    double const taken = dissipation<3>(walk.law, step, x);
+    result.work += 0.5 * (result.traction + pull).dot(move);
+    result.dissipated += taken;
+    result.least = std::min(result.least, taken);
+    result.largest = std::max(result.largest, pull.norm());
+    result.traction = pull;
+    result.bond = advance<3>(walk.law, step, x);
+  }
+  result.stored = bond_energy(walk.law, result.bond, place(steps)[0]) - start;
+  return result;
+}
+template<class Place> Account account(AdhesionLaw const& law, Place const& place, int steps) {
+  return account(Walk<Place>{law, place}, steps);
+}
+
+/// Along a straight line from contact.
+inline Account straight(AdhesionLaw const& law, Eigen::Vector3d const& end, int steps) {
+  return account(
+      law, [&](double t) -> Eigen::Vector3d { return t * end; }, steps);
+}
+
+} // namespace stiction::test
