@@ -75,9 +75,8 @@ PointKinematics<2> kinematics_at(Curve const& curve, Index node, Foot start, Foo
   point.frame << f.n, -f.walk;
   point.slip[0] = start.found() ? -curve.path_length(start, point.foot, x) : 0.0;
   point.count = 1 + segment.count;
-  point.nodes[0] = node;
-  for (int k = 0; k < segment.count; ++k)
-    point.nodes[ix(k + 1)] = segment.nodes[ix(k)];
+  point.nodes.assign(segment.nodes.begin(), segment.nodes.begin() + segment.count);
+  point.nodes.insert(point.nodes.begin(), node);
   Row const normal = f.D.transpose() * f.n;
   point.H.resize(2, point.unknowns());
   point.H.row(0) = normal.head(point.unknowns()).transpose();

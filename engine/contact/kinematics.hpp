@@ -1,7 +1,5 @@
 // Node-to-segment kinematics of one contact point: gap, slip, their rows of H and the geometric stiffness.
 #pragma once
-#include <array>
-
 #include "contact/curve.hpp"
 #include "contact/obstacle.hpp"
 #include "contact/search.hpp"
@@ -12,13 +10,13 @@ namespace stiction::contact {
 
 using interface::Local;
 
-/// Most nodes that the force and the stiffness of one point may reach: the secondary node, then those of the
-/// primary.
+/// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node, then
+/// those of the primary.
 template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
 
 /// H of one point, row by row (n, t1 [, t2]) over (x, y [, z]) of its nodes: d(gap, slip) = H . du. [D, D
 /// count]
-template<int D> using Rows = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, D * max_nodes<D>>;
+template<int D> using Rows = Eigen::Matrix<double, D, Eigen::Dynamic>;
 /// Most rows of a Block held without allocation; in 3D they would not fit the stack.
 template<int D> inline constexpr int block_rows = D == 2 ? D* max_nodes<D> : Eigen::Dynamic;
 /// A matrix over the unknowns of one point. [D count, D count]
@@ -34,7 +32,7 @@ template<int D> struct PointKinematics {
   Local<D - 1> slip = Local<D - 1>::Zero(); ///< s over the step, m: path of P2 along the surface, (t1 [, t2])
   Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit normal of the primary at P2, tangents; (t1,
                                  ///< n) or (t1, t2, n) right-handed
-  std::array<Index, max_nodes<D>> nodes{}; ///< model nodes behind the columns of H, [count]
+  Indices nodes; ///< model nodes behind the columns of H, [count]
   int count = 0;
   Rows<D> H;
   [[nodiscard]] int unknowns() const { return D * count; }

@@ -49,10 +49,8 @@ PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot
   point.gap = seen.gap;
   point.slip = seen.slip;
   point.frame = pose.rotation * seen.frame;
-  point.nodes[0] = node;
-  point.nodes[1] = pose.translation;
-  point.nodes[2] = pose.turn;
-  point.count = pose.free() ? 3 : 1;
+  point.nodes = pose.free() ? Indices{node, pose.translation, pose.turn} : Indices{node};
+  point.count = static_cast<int>(point.nodes.size());
   point.H = (seen.by_x * pose.rotation.transpose()).eval() * relative(pose, Vec<D>(p1 - pose.place));
   return point;
 }

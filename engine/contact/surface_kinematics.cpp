@@ -195,8 +195,8 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
     point.slip = point.frame.rightCols<2>().transpose() * (surface.place(foot, x) - surface.place(start, x));
   auto const stencil = surface.stencil(foot.segment);
   point.count = 1 + static_cast<int>(stencil.size());
-  point.nodes[0] = node;
-  std::copy(stencil.begin(), stencil.end(), point.nodes.begin() + 1);
+  point.nodes.assign(1, node);
+  point.nodes.insert(point.nodes.end(), stencil.begin(), stencil.end());
   point.H.setZero(3, point.unknowns());
   for (int row = 0; row < 3; ++row) {
     auto const forces = nodal_forces(pairing, facet.count, Vec3::Unit(row));

@@ -58,6 +58,11 @@ private:
   [[nodiscard]] contact::Block<D> stiffness(Point const& point) const;
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
   void add_search(Pair const& pair);
+  void add_mortar(Pair const& pair);
+  template<class Act> void each_mortar(Act const& act);
+  void add_mortar_stiffness(int pair);
+  [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);
+  [[nodiscard]] double search_radius(std::size_t pair) const;
   void place_nodes(Vector const& u);
   void place_rigid_bodies(Vector const& u);
   [[nodiscard]] Eigen::Matrix3d turn_of_free(std::size_t r, Vector const& u) const;
@@ -78,6 +83,7 @@ private:
   Vector positions_;
   std::vector<contact::Pose<D>> poses_;                     ///< [rigids]
   std::vector<std::optional<contact::Search<D>>> searches_; ///< [pairs]; none against rigid bodies
+  std::vector<std::optional<contact::Mortar<D>>> mortars_;  ///< [pairs]; none for node to segment
   State const* old_ = nullptr;
   double t1_ = 0;
   bool bonding_changed_ = false;
@@ -93,6 +99,7 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     add_search(described);
+    add_mortar(described);
     int law = -1, friction = -1;
     if (described.law.adhesion) {
       law = static_cast<int>(problem_.adhesions.size());
@@ -123,16 +130,40 @@ template<int D, int C> void Stage<D, C>::add_search(Pair const& pair) {
       search->allow_self({model_->reference.data(), ix(model_->dofs())});
 }
 
+template<int D, int C> void Stage<D, C>::add_mortar(Pair const& pair) {
+  auto& mortar = mortars_.emplace_back();
+  bool const around = model_->kinematics == solid::Kinematics::axisymmetric;
+  if (pair.mortar)
+    mortar.emplace(*pair.mortar, std::get_if<contact::CellSurface>(&pair.primary),
+                   contact::MortarSettings{pair.secondary, pair.reach, around});
+}
+
+/// Calls act(mortar, obstacle) for every mortar pair; obstacle: where it is, null if the primary is a body.
+template<int D, int C> template<class Act> void Stage<D, C>::each_mortar(Act const& act) {
+  for (std::size_t p = 0; p < mortars_.size(); ++p) {
+    if (!mortars_[p])
+      continue;
+    auto const* side = std::get_if<RigidSide>(&model_->pairs[p].primary);
+    auto const obstacle = side != nullptr ? posed(*side) : contact::PosedObstacle<D>{};
+    act(*mortars_[p], side != nullptr ? &obstacle : nullptr);
+  }
+}
+
 template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, double dt) {
   old_ = &old;
-  t1_ = t1;
+  t1_ = old.t;
   bonding_changed_ = false;
   place_nodes(old.u);
+  place_rigid_bodies(old.u);
+  t1_ = t1;
+  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.begin(positions(), obstacle); });
   for (auto& search : searches_)
     if (search)
       search->update(positions());
   for (auto& point : points_) {
     ContactState const& state = old.contacts[ix(point.pair)][ix(point.index)];
+    if (auto const& mortar = mortars_[ix(point.pair)])
+      point.law.area = mortar->area(point.index);
     point.force = point.law.area * (state.dry + state.adhesion).template head<C>();
     point.rho = 0;
     point.law.bond = {state.bond, dt, state.status != interface::Status::open};
@@ -172,6 +203,8 @@ template<int D, int C> contact::PosedObstacle<D> Stage<D, C>::posed(RigidSide co
 }
 
 template<int D, int C> PointKinematics<D> Stage<D, C>::look(Point const& point, Foot start) const {
+  if (auto const& mortar = mortars_[ix(point.pair)])
+    return mortar->point(point.index);
   auto const& pair = model_->pairs[ix(point.pair)];
   Index const node = pair.secondary[ix(point.index)];
   Foot const guess = point.kinematics.foot;
@@ -211,6 +244,7 @@ template<int D, int C> void Stage<D, C>::place_nodes(Vector const& u) {
 template<int D, int C> void Stage<D, C>::locate(Vector const& u, bool settle) {
   place_nodes(u);
   place_rigid_bodies(u);
+  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.locate(positions(), obstacle); });
   active_.clear();
   bonding_changed_ = false;
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -281,19 +315,35 @@ template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
 /// Hands rows and stiffness of the active points to the reduction.
 template<int D, int C> void Stage<D, C>::gather() {
   reduced_.clear();
-  Index const first = structure_->first_contact_unknown();
   for (Index const k : active_) {
     auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
-    auto& unknowns = unknowns_;
-    unknowns.assign(ix(kinematics.unknowns()), -1);
-    for (int a = 0; a < kinematics.unknowns(); ++a)
-      if (Index const u = structure_->unknown_of(D * kinematics.nodes[ix(a / D)] + a % D); u >= 0)
-        unknowns[ix(a)] = u - first;
+    auto const& unknowns = unknowns_of(kinematics.nodes);
     reduced_.add_point(unknowns, kinematics.H.template topRows<C>());
-    if (!point.force.isZero(0))
+    if (!mortars_[ix(point.pair)] && !point.force.isZero(0))
       reduced_.add_stiffness(unknowns, stiffness(point));
   }
+  for (std::size_t p = 0; p < mortars_.size(); ++p)
+    if (mortars_[p])
+      add_mortar_stiffness(static_cast<int>(p));
+}
+
+/// Of all points of the pair at once, since neighbours share their samples.
+template<int D, int C> void Stage<D, C>::add_mortar_stiffness(int pair) {
+  std::vector<Local<D>> forces(ix(model_->pairs[ix(pair)].size()), Local<D>::Zero());
+  for (Index const k : active_)
+    if (auto const& point = points_[ix(k)]; point.pair == pair)
+      forces[ix(point.index)].template head<C>() = point.force;
+  auto const [nodes, K] = mortars_[ix(pair)]->stiffness(forces, positions());
+  reduced_.add_stiffness(unknowns_of(nodes), K);
+}
+
+template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& nodes) {
+  unknowns_.assign(D * nodes.size(), -1);
+  for (std::size_t a = 0; a < unknowns_.size(); ++a)
+    if (Index const u = structure_->unknown_of(D * nodes[a / D] + static_cast<Index>(a % D)); u >= 0)
+      unknowns_[a] = u - structure_->first_contact_unknown();
+  return unknowns_;
 }
 
 /// Two nodes of a curve that touches itself may each be the other's counterpart; they then ask the same twice
@@ -353,8 +403,9 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
     ContactState const& before = old.contacts[ix(point.pair)][ix(point.index)];
     ContactState& after = next.contacts[ix(point.pair)][ix(point.index)];
     after = {};
+    after.area = point.law.area;
     if (!point.kinematics.found) {
-      after.gap = searches_[ix(point.pair)] ? searches_[ix(point.pair)]->radius() : 0;
+      after.gap = search_radius(ix(point.pair));
       continue;
     }
     after.foot = point.kinematics.foot;
@@ -377,6 +428,12 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
     if (point.rho > 0)
       after.status = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho).status;
   }
+}
+
+template<int D, int C> double Stage<D, C>::search_radius(std::size_t pair) const {
+  if (mortars_[pair])
+    return mortars_[pair]->radius();
+  return searches_[pair] ? searches_[pair]->radius() : 0;
 }
 
 bool acts_along_surface(Pair const& pair) {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "contact/kinematics.hpp"
+#include "contact/mortar.hpp"
 #include "contact/solver.hpp"
 #include "dynamics/path.hpp"
 #include "dynamics/scheme.hpp"
@@ -59,13 +59,17 @@ struct RigidSide {
 /// A secondary surface, its primary counterpart and the law between them.
 struct Pair {
   std::string name;
-  Indices secondary;         ///< model nodes, in walking order
+  Indices secondary;         ///< model nodes of the contact points, in walking order
   std::vector<double> areas; ///< tributary reference areas, m^2 (m in plane strain)
-  std::variant<contact::Curve, contact::Surface, RigidSide> primary;
+  /// Cell facets for mortar, else a curve or a surface.
+  std::variant<contact::Curve, contact::Surface, RigidSide, contact::CellSurface> primary;
   interface::Law law;
   double reach = 0;  ///< points farther than this are left out of the contact problem, m
   bool self = false; ///< secondary and primary are the same curve (2D)
+  std::optional<contact::CellSurface> mortar = {}; ///< the secondary of a mortar pair; none: node to segment
   [[nodiscard]] Index size() const { return static_cast<Index>(secondary.size()); }
+  /// All nodes that may bear a force of the pair on its secondary side.
+  [[nodiscard]] Indices const& nodes() const { return mortar ? mortar->nodes() : secondary; }
 };
 
 /// When a step counts as converged and how far it may go.

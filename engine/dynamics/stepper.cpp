@@ -62,10 +62,10 @@ State Stepper::initial() {
       auto& point = state.contacts[p][i];
       point.foot = located.contacts[p][i].foot;
       point.gap = located.contacts[p][i].gap;
+      point.area = located.contacts[p][i].area;
       if (auto const& adhesion = model_->pairs[p].law.adhesion; adhesion) {
         point.bond = interface::initial_bond(*adhesion, point.foot.found() ? point.gap : unreached);
-        state.ledger.bond +=
-            model_->pairs[p].areas[i] * interface::bond_energy(*adhesion, point.bond, point.gap);
+        state.ledger.bond += point.area * interface::bond_energy(*adhesion, point.bond, point.gap);
       }
     }
   if (weights_.inertia) {
@@ -278,7 +278,7 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
     return 0;
   int const dim = model_->dim();
   double work = 0;
-  for (Index const node : pair.secondary) {
+  for (Index const node : pair.nodes()) {
     Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
     for (int c = 0; c < dim; ++c) {
       Index const dof = dim * node + c;
@@ -305,11 +305,11 @@ void Stepper::account(State const& old, State& next) const {
       ledger.motion_work += next.drive[dof] * d_[dof];
     }
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
-    auto const& areas = model_->pairs[p].areas;
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
       auto const& before = old.contacts[p][i];
       auto const& after = next.contacts[p][i];
-      ledger.friction_loss -= areas[i] * (chi * after.dry + (1 - chi) * before.dry).tail<2>().dot(after.slip);
+      Vec3 const force = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
+      ledger.friction_loss -= force.tail<2>().dot(after.slip);
     }
     ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
   }

@@ -13,13 +13,16 @@ namespace {
 std::vector<bool> contact_nodes(Model const& model) {
   std::vector<bool> touched(ix(model.node_count()), false);
   for (auto const& pair : model.pairs) {
-    for (Index const node : pair.secondary)
+    for (Index const node : pair.nodes())
       touched[ix(node)] = true;
     if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
       for (auto const& segment : curve->segments())
         for (int k = 0; k < segment.count; ++k)
           touched[ix(segment.nodes[ix(k)])] = true;
     if (auto const* surface = std::get_if<contact::Surface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
+    if (auto const* surface = std::get_if<contact::CellSurface>(&pair.primary))
       for (Index const node : surface->nodes())
         touched[ix(node)] = true;
   }

@@ -144,6 +144,11 @@ void Builder::add_pair(std::string const& name, PairPart const& part) {
     return complain({"pairs", name, "primary"},
                     "is the secondary itself; contact of a surface with itself is "
                     "for plane scenes, in space split it into two sets");
+  if (part.discretisation == Discretisation::mortar && part.secondary == part.primary)
+    return complain(
+        {"pairs", name, "discretisation"},
+        "mortar is for two surfaces, and this one touches itself; use \"node_to_segment\", or split "
+        "the set into the two parts that meet");
   auto const secondary = surface({"pairs", name, "secondary"}, part.secondary);
   bool const rigid = scene_.part.obstacles.contains(part.primary);
   auto const primary = rigid ? std::nullopt : surface({"pairs", name, "primary"}, part.primary);
@@ -170,6 +175,8 @@ dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& 
     share_edges(set, pair);
   else
     share_facets(part.secondary, set, pair);
+  if (part.discretisation == Discretisation::mortar)
+    average_facets(part, set, pair);
   return pair;
 }
 
@@ -186,6 +193,18 @@ Vector edge_shares(Matrix const& reference, mesh::Facet const& facet, bool revol
 }
 
 } // namespace
+
+/// Points at the corner nodes alone, each with the area of its hat.
+void Builder::average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& model = *scene_.model;
+  pair.mortar.emplace(set.facets, model.reference, first_tangent(part, set));
+  auto const& corners = pair.mortar->corner_nodes();
+  std::erase_if(pair.secondary,
+                [&](Index node) { return !std::binary_search(corners.begin(), corners.end(), node); });
+  pair.areas = pair.mortar->hat_areas(pair.secondary, model.kinematics == solid::Kinematics::axisymmetric);
+  if (!(part.reach > 0))
+    pair.reach = 0.5 * pair.mortar->facet_size();
+}
 
 /// Nodes in walking order, their areas, and half an edge as reach where none is given.
 void Builder::share_edges(mesh::Set const& set, dynamics::Pair& pair) const {
@@ -225,6 +244,13 @@ void Builder::share_facets(std::string const& name, mesh::Set const& set, dynami
 void Builder::add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const {
   auto const& reference = scene_.model->reference;
   pair.self = part.secondary == part.primary;
+  if (pair.mortar) {
+    contact::CellSurface surface(set.facets, reference, first_tangent(part, set));
+    if (!(part.reach > 0))
+      pair.reach = 0.5 * surface.facet_size();
+    pair.primary = std::move(surface);
+    return;
+  }
   if (scene_.part.dim() == 3) {
     contact::Surface surface(set.facets, reference, first_tangent(part, set));
     if (!(part.reach > 0))

@@ -59,6 +59,7 @@ private:
                                               mesh::Set const& set);
   void share_edges(mesh::Set const& set, dynamics::Pair& pair) const;
   void share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const;
+  void average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
   void check_overlap();

@@ -257,6 +257,8 @@ void add_primary(Facts const& all, PairFacts& facts, Vec3 const& place, std::opt
   facts.facets = static_cast<int>(side.set->facets.size());
   if (auto const* curve = std::get_if<contact::Curve>(&facts.pair->primary))
     facts.primary_size = curve->segment_length();
+  else if (auto const* cells = std::get_if<contact::CellSurface>(&facts.pair->primary))
+    facts.primary_size = cells->facet_size();
   else
     facts.primary_size = std::get<contact::Surface>(facts.pair->primary).facet_size();
   facts.primary_fit = fit_of(*model.bodies[side.body], *side.set);

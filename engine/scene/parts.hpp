@@ -40,8 +40,12 @@ struct ObstaclePart {
   void read_nested(core::Reader& reader);
 };
 
+/// Where the gap is measured: at the secondary's nodes, or averaged around them over facets.
+enum class Discretisation { node_to_segment, mortar };
+
 struct PairPart {
   std::string secondary, primary; ///< "body.set", or the name of an obstacle
+  Discretisation discretisation = Discretisation::node_to_segment;
   contact::Smoothing smoothing = contact::Smoothing::spline;
   double reach = 0;  ///< m; 0: half a facet
   Numbers direction; ///< t1 is its part along the primary surface (3D); empty: the engine's choice

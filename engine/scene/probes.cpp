@@ -111,6 +111,11 @@ struct PairSummary {
   double beta_max = 0, beta_mean = 0, pressure_max = 0, adhesion_t_max = 0, adhesion_n_min = 0, gap_min = 0;
 };
 
+void add_force(Index node, Vector const& reaction, int dim, contact::Vec3& sum) {
+  for (int c = 0; c < dim; ++c)
+    sum[c] += reaction[dim * node + c];
+}
+
 PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> const& points,
                       Vector const& reaction, int dim) {
   PairSummary sum;
@@ -118,7 +123,6 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
   sum.gap_min = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto const& point = points[i];
-    Index const node = pair.secondary[i];
     if (point.foot.found())
       sum.gap_min = std::min(sum.gap_min, point.gap);
     sum.beta_max = std::max(sum.beta_max, point.bond.beta);
@@ -132,10 +136,13 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
     bool const touching = point.status != interface::Status::open;
     (point.status == interface::Status::stick ? sum.stick : touching ? sum.slip : sum.open) += 1;
     if (touching)
-      sum.closed_area += pair.areas[i];
-    for (int c = 0; c < dim; ++c)
-      sum.force[c] += reaction[dim * node + c];
+      sum.closed_area += point.area;
+    if (!pair.mortar)
+      add_force(pair.secondary[i], reaction, dim, sum.force);
   }
+  if (pair.mortar) // its forces reach nodes that are no points
+    for (Index const node : pair.nodes())
+      add_force(node, reaction, dim, sum.force);
   sum.beta_mean /= area;
   return sum;
 }
@@ -219,9 +226,11 @@ Sampler add(RigidProbe const& probe, Context const& context) {
     }
     for (auto const& pair : model.pairs) {
       auto const* side = std::get_if<dynamics::RigidSide>(&pair.primary);
-      for (std::size_t i = 0; side != nullptr && side->body == r && i < pair.secondary.size(); ++i)
+      if (side == nullptr || side->body != r)
+        continue;
+      for (Index const node : pair.nodes())
         for (int c = 0; c < dim; ++c)
-          force[c] -= state.reaction[dim * pair.secondary[i] + c];
+          force[c] -= state.reaction[dim * node + c];
     }
     row.insert(row.end(), shift.data(), shift.data() + dim);
     row.insert(row.end(), force.data(), force.data() + dim);

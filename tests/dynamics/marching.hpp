@@ -45,7 +45,7 @@ inline Vec2 force_on(scene::Scene const& scene, State const& state, std::string 
 /// Sum of the contact forces on the secondary surface of a pair, N.
 inline Vec2 contact_force(scene::Scene const& scene, State const& state, std::size_t pair = 0) {
   Vec2 sum = Vec2::Zero();
-  for (Index const node : scene.model->pairs[pair].secondary)
+  for (Index const node : scene.model->pairs[pair].nodes())
     sum += state.reaction.segment<2>(2 * node);
   return sum;
 }

@@ -73,7 +73,7 @@ inline Vec3 drive_on(scene::Scene const& scene, State const& state, std::string 
 }
 /// Force of the contact on the secondary surface of a pair, N.
 inline Vec3 contact_on(scene::Scene const& scene, State const& state, std::size_t pair = 0) {
-  return sum_over(scene, state.reaction, scene.model->pairs[pair].secondary);
+  return sum_over(scene, state.reaction, scene.model->pairs[pair].nodes());
 }
 /// Moment of nodal forces about the origin where the nodes are now, N m.
 inline Vec3 moment(scene::Scene const& scene, State const& state, Vector const& force) {
