@@ -2,6 +2,7 @@
 return {
   "greco_block",
   "hertz_2d",
+  "jkr_sphere",
   "bar_impact",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
