@@ -49,7 +49,7 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
     auto const state = evaluate<D>(problem, i, p, at, rho);
     verdict.residual = std::max(verdict.residual, state.residual.norm() / area);
     // a separated point far away must not set the yardstick: only pushing free gaps count
-    double const pressed = std::max(0.0, -problem.free[D * i]) * rho / area;
+    double const pressed = std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i]) * rho / area;
     verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
   }
   return verdict;

@@ -17,10 +17,11 @@ struct ProblemPoint {
   int law = -1;             ///< index into Problem::adhesions; -1: dry
   interface::BondStep bond; ///< bond used only with a law
   int friction = -1;        ///< index into Problem::frictions; -1: the coefficient is mu
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< (n, t1, t2), m: the cone sees x - shift, the bond x
 };
 
-/// Find forces p with x = free + W p and pbar = p - A rtilde(x) such that pbar = Proj(pbar - rho (x_n + mu
-/// |x_t|, x_t)). Components contact by contact, (n [, t1 [, t2]]).
+/// Find forces p with x = free + W p and pbar = p - A rtilde(x) such that pbar = Proj(pbar - rho (y_n + mu
+/// |y_t|, y_t)), y = x - shift. Components contact by contact, (n [, t1 [, t2]]).
 struct Problem {
   int dim = 2;                      ///< components per contact: 1 (nothing acts along the surface), 2 or 3
   Dense W;                          ///< Delassus operator, [dim n, dim n], m/N
@@ -59,17 +60,17 @@ template<int D>
     factor = adhesion.friction;
     factor_by_x = adhesion.friction_by_x;
   }
+  Local<D> v = x - data.shift.head<D>();
   if (data.friction >= 0)
     friction = interface::coefficient<D>(problem.frictions[ix(data.friction)],
-                                         {state.dry / data.area, x, data.bond.dt});
+                                         {state.dry / data.area, v, data.bond.dt});
   double const mu = friction.mu * factor;
   Local<D> const mu_by_x = factor * friction.by_x + friction.mu * factor_by_x;
-  double const slip = x.template tail<D - 1>().norm();
-  Local<D> v = x;
+  double const slip = v.template tail<D - 1>().norm();
   v[0] += mu * slip;
   LocalMatrix<D> v_by_x = LocalMatrix<D>::Identity();
   if (slip > 0)
-    v_by_x.row(0).template tail<D - 1>() = mu / slip * x.template tail<D - 1>().transpose();
+    v_by_x.row(0).template tail<D - 1>() = mu / slip * v.template tail<D - 1>().transpose();
   v_by_x.row(0) += slip * mu_by_x.transpose();
   auto const projection = interface::project<D>(state.dry - rho * v, mu);
   state.status = projection.status;

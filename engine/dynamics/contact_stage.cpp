@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dynamics/contact_level.hpp"
 #include "dynamics/reduced.hpp"
 #include "dynamics/timer.hpp"
 
@@ -47,6 +48,7 @@ private:
     double rho = 0;                    ///< of the last problem, N/m; 0 before
     contact::ProblemPoint law;         ///< area, mu, bond
     bool active = false;
+    bool waits = false; ///< at the velocity level: its gap will not close in this step
     [[nodiscard]] Local<C> x() const {
       Local<C> x;
       x[0] = kinematics.gap;
@@ -67,6 +69,7 @@ private:
   void place_rigid_bodies(Vector const& u);
   [[nodiscard]] Eigen::Matrix3d turn_of_free(std::size_t r, Vector const& u) const;
   void choose_active(Point& point) const;
+  void limit_rates(Point& point, ContactState const& old, double dt) const;
   void gather();
   void take_shift_away(double weight);
   void tell_apart(Index first, Local<C> const& force);
@@ -77,6 +80,7 @@ private:
 
   Model const* model_;
   Structure* structure_;
+  StepWeights weights_;
   std::unique_ptr<contact::Solver> solver_;
   std::vector<Point> points_;
   std::vector<Index> active_; ///< into points_
@@ -94,8 +98,8 @@ private:
 
 template<int D, int C>
 Stage<D, C>::Stage(Model const& model, Structure& structure)
-    : model_(&model), structure_(&structure), solver_(contact::make_solver(model.solver)),
-      poses_(model.rigids.size()) {
+    : model_(&model), structure_(&structure), weights_(weights(model.scheme)),
+      solver_(contact::make_solver(model.solver)), poses_(model.rigids.size()) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     add_search(described);
@@ -113,7 +117,7 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
       Point point;
       point.pair = static_cast<int>(pair);
       point.index = i;
-      point.law = {described.areas[ix(i)], described.law.mu(), law, {}, friction};
+      point.law = {described.areas[ix(i)], described.law.mu(), law, {}, friction, Vec3::Zero()};
       points_.push_back(point);
     }
   }
@@ -169,7 +173,22 @@ template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, doub
     point.law.bond = {state.bond, dt, state.status != interface::Status::open};
     point.law.mu = model_->pairs[ix(point.pair)].law.mu(state.status);
     point.kinematics.foot = state.foot;
+    if (weights_.velocity_level())
+      limit_rates(point, state, dt);
   }
+}
+
+/// A point whose gap does not close is left to its bond, if it has one.
+template<int D, int C> void Stage<D, C>::limit_rates(Point& point, ContactState const& old, double dt) const {
+  auto const condition = rate_condition(old, weights_, dt);
+  double const reach = model_->pairs[ix(point.pair)].reach;
+  point.waits = condition.arrest > 1e-6 * reach;
+  point.law.shift = condition.shift;
+  if (!point.waits)
+    return;
+  point.law.shift[0] = -1e6 * reach; // the cone never closes
+  if (!(old.bond.beta > 0))
+    point.force.setZero();
 }
 
 template<int D, int C> void Stage<D, C>::place_rigid_bodies(Vector const& u) {
@@ -228,7 +247,7 @@ template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
   bool const bonded = point.law.bond.old.beta > 0 && pair.law.lasts();
   bool const held = bonded || !point.force.isZero(0);
   double const gap = point.kinematics.gap;
-  bool const near = gap < pair.reach && gap > -6 * pair.reach;
+  bool const near = gap < pair.reach && gap > -6 * pair.reach && !point.waits;
   bool const was = point.active;
   point.active = point.kinematics.found && (held || near);
   if (!point.active)
@@ -285,7 +304,8 @@ template<int D, int C> double Stage<D, C>::residual() const {
     auto const& point = points_[ix(k)];
     auto const x = point.x();
     if (point.rho == 0) { // no problem has seen this point
-      if (x[0] < model_->pairs[ix(point.pair)].law.range() || point.law.bond.old.beta > 0)
+      if (x[0] < std::max(point.law.shift[0], model_->pairs[ix(point.pair)].law.range()) ||
+          point.law.bond.old.beta > 0)
         return std::numeric_limits<double>::infinity();
       continue;
     }
@@ -411,6 +431,8 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
     after.foot = point.kinematics.foot;
     after.gap = point.kinematics.gap;
     after.in_reach = point.active;
+    if (weights_.velocity_level())
+      set_rates(model_->pairs[ix(point.pair)], *model_, point.kinematics, next, after);
     if (!point.active)
       continue;
     after.slip.head<D - 1>() = point.kinematics.slip;

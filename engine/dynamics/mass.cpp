@@ -78,6 +78,12 @@ void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_
 
 } // namespace
 
+Vector lumped(Dense const& consistent) {
+  CellMass cell{consistent, std::vector<bool>(static_cast<std::size_t>(consistent.rows()), true)};
+  lump_surface(cell);
+  return cell.values.diagonal();
+}
+
 Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface, ContactInertia inertia) {
   std::vector<Indices> cliques;
   for (std::size_t body = 0; body < model.cells.size(); ++body)
@@ -115,6 +121,37 @@ void Mass::times(Vector const& x, Vector& y) const {
           y[dim * j + c] += m * x[dim * i + c];
       }
     }
+}
+
+Vector Mass::diagonal() const {
+  Vector all(weight.size());
+  for (Index j = 0; j < pattern.size(); ++j)
+    all.segment(dim * j, dim).setConstant(values[ix(pattern.columns[ix(j)])]);
+  return all;
+}
+
+Vector Mass::solve(Vector const& f, std::vector<bool> const& held) const {
+  Vector inverse = diagonal();
+  for (Index i = 0; i < inverse.size(); ++i)
+    inverse[i] = held[ix(i)] || !(inverse[i] > 0) ? 0 : 1 / inverse[i];
+  auto const project = [&](Vector& y) { y = (inverse.array() > 0).select(y, 0.0); };
+  Vector x = Vector::Zero(f.size()), r = f, y;
+  project(r);
+  Vector z = inverse.cwiseProduct(r), p = z;
+  double rz = r.dot(z);
+  double const target = 1e-32 * rz;
+  for (Index iteration = 0; iteration < 1000 && rz > target; ++iteration) {
+    times(p, y);
+    project(y);
+    double const length = rz / p.dot(y);
+    x += length * p;
+    r -= length * y;
+    z = inverse.cwiseProduct(r);
+    double const next = r.dot(z);
+    p = z + (next / rz) * p;
+    rz = next;
+  }
+  return x;
 }
 
 } // namespace stiction::dynamics

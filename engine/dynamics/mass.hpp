@@ -14,7 +14,15 @@ struct Mass {
 
   /// y = M x over all degrees of freedom.
   void times(Vector const& x, Vector& y) const;
+  /// The diagonal over all degrees of freedom, kg.
+  [[nodiscard]] Vector diagonal() const;
+  /// x with (M x)_i = f_i where held[i] is false and x_i = 0 where it is true or nothing has mass; by
+  /// conjugate gradients, to rounding.
+  [[nodiscard]] Vector solve(Vector const& f, std::vector<bool> const& held) const;
 };
+
+/// Masses of the nodes of a cell from its consistent mass [nodes, nodes]; positive, of the same sum.
+[[nodiscard]] Vector lumped(Dense const& consistent);
 
 /// on_surface[nodes] marks the contact nodes.
 /// none: their mass goes to the other nodes of the same cell; implicit: it is lumped onto their diagonal.

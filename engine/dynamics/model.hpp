@@ -48,6 +48,11 @@ struct RigidBody {
   [[nodiscard]] Vec3 offset(double t) const {
     return {shift[0].value(t), shift[1].value(t), shift[2].value(t)};
   }
+  /// Of its material point that is at x at time t, on the stretch of the paths that ends there, m/s.
+  [[nodiscard]] Vec3 velocity(Vec3 const& x, double t) const {
+    Vec3 const turn = angle.rate_before(t) * axis, arm = x - pivot - offset(t);
+    return Vec3(shift[0].rate_before(t), shift[1].rate_before(t), shift[2].rate_before(t)) + turn.cross(arm);
+  }
 };
 
 /// A primary that is one of the model's rigid bodies.

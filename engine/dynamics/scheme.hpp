@@ -1,25 +1,13 @@
-// Time schemes as coefficients: Jean's first-order scheme with its cures, and quasi-statics.
+// The time schemes: Jean's first-order scheme with its cures, Newmark's family, Moreau-Jean, central
+// differences and quasi-statics. A new one is a struct here and a line in `Scheme`.
 #pragma once
 #include <variant>
 
+#include "core/error.hpp"
 #include "core/schema.hpp"
+#include "dynamics/weights.hpp"
 
 namespace stiction::dynamics {
-
-/// What inertia the nodes of contact surfaces have. full: as all others. implicit: lumped mass integrated by
-/// backward Euler, so that a node that lands stops at once. none: massless, F + R = 0 at the step's end.
-enum class ContactInertia { full, implicit, none };
-
-/// Coefficients of one step (PHYSICS 5): M dv / dt = weighted F + weighted R.
-struct StepWeights {
-  double theta = 1;    ///< displacement, (46)
-  double xi = 1;       ///< forces F, (44)
-  double contact = 1;  ///< reaction R at the step's end; 1 is (45), xi averages R like F
-  bool inertia = true; ///< false: quasi-static
-  ContactInertia contact_inertia = ContactInertia::full;
-  /// Contact nodes have a balance of their own at the step's end instead of the weighted one.
-  [[nodiscard]] bool surface_apart() const { return inertia && contact_inertia != ContactInertia::full; }
-};
 
 /// Jean's theta-xi scheme. contact_weight and contact_inertia are the cures of PHYSICS 5; theta = xi = 1/2,
 /// contact_weight = 1 and contact_inertia = "full" is the paper's plain scheme.
@@ -28,22 +16,98 @@ struct ThetaXi {
   double xi = 0.5;
   double contact_weight = 1;
   ContactInertia contact_inertia = ContactInertia::implicit;
+  ContactLevel contact_level = ContactLevel::position;
   /// Where contact nodes balance at the step's end, their rows carry the factor xi to keep the matrix
   /// symmetric.
   [[nodiscard]] StepWeights weights() const {
-    bool const full = contact_inertia == ContactInertia::full;
-    return {theta, xi, full ? contact_weight : xi, true, contact_inertia};
+    auto weights = theta_weights(theta, xi);
+    weights.contact = weights.contact_work = contact_inertia == ContactInertia::full ? contact_weight : xi;
+    weights.contact_inertia = contact_inertia;
+    weights.level = contact_level;
+    return weights;
   }
   [[nodiscard]] static core::Schema const& schema();
 };
 
 /// Equilibrium at each step's end; no mass, no damping.
 struct QuasiStatic {
-  [[nodiscard]] StepWeights weights() const { return {1, 1, 1, false, ContactInertia::full}; }
+  [[nodiscard]] StepWeights weights() const {
+    StepWeights weights;
+    weights.inertia = false;
+    return weights;
+  }
   [[nodiscard]] static core::Schema const& schema();
 };
 
-using Scheme = std::variant<ThetaXi, QuasiStatic>;
+/// u1 = u0 + dt v0 + dt^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + dt ((1 - gamma) a0 + gamma a1), balance at
+/// the step's end (Newmark 1959). Second order for gamma = 1/2.
+struct Newmark {
+  double beta = 0.25, gamma = 0.5;
+  ContactInertia contact_inertia = ContactInertia::implicit;
+  ContactLevel contact_level = ContactLevel::position;
+  [[nodiscard]] StepWeights weights() const {
+    return NewmarkFamily{beta, gamma, 0, 0}.weights(contact_inertia, contact_level);
+  }
+  [[nodiscard]] core::Complaints check() const; ///< 2 beta >= gamma, below which it is not always stable
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+/// Second order with the spectral radius rho_inf left to endless frequencies (Chung, Hulbert 1993).
+struct GeneralisedAlpha {
+  double rho_inf = 0.8;
+  ContactInertia contact_inertia = ContactInertia::implicit;
+  ContactLevel contact_level = ContactLevel::position;
+  [[nodiscard]] NewmarkFamily family() const {
+    double const m = (2 * rho_inf - 1) / (rho_inf + 1), f = rho_inf / (rho_inf + 1);
+    return {0.25 * (1 - m + f) * (1 - m + f), 0.5 - m + f, m, f};
+  }
+  [[nodiscard]] StepWeights weights() const { return family().weights(contact_inertia, contact_level); }
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+/// M a1 = (1 + alpha) F1 - alpha F0 with beta = (1 - alpha)^2 / 4, gamma = 1/2 - alpha (Hilber, Hughes,
+/// Taylor 1977). Second order.
+struct Hht {
+  double alpha = -0.05;
+  ContactInertia contact_inertia = ContactInertia::implicit;
+  ContactLevel contact_level = ContactLevel::position;
+  [[nodiscard]] StepWeights weights() const {
+    return NewmarkFamily{0.25 * (1 - alpha) * (1 - alpha), 0.5 - alpha, 0, -alpha}.weights(contact_inertia,
+                                                                                           contact_level);
+  }
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+/// Time stepping of Moreau and Jean: F at theta of the step, impulses at contact such that
+/// 0 <= v_n1 + e v_n0  perp  impulse >= 0 (Jean, Comp. Meth. Appl. Mech. Engng 177, 1999).
+struct MoreauJean {
+  double theta = 0.5;
+  double restitution = 0;
+  [[nodiscard]] StepWeights weights() const {
+    auto weights = theta_weights(theta, theta);
+    weights.level = ContactLevel::velocity;
+    weights.restitution = restitution;
+    return weights;
+  }
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+/// Explicit central differences (velocity Verlet) with a lumped mass; contact impulses are exact and such
+/// that the gap at the step's end is admissible (Carpenter, Taylor, Katona 1991). With v0 free of the last
+/// impulse: M (d - dt v0) / dt^2 = F0 / 2 + R, v1 = d / dt + dt M^-1 F1 / 2.
+struct CentralDifference {
+  [[nodiscard]] StepWeights weights() const {
+    StepWeights weights;
+    weights.early = weights.work = 0.5;
+    weights.xi = 0;
+    weights.explicit_forces = true;
+    return weights;
+  }
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+using Scheme =
+    std::variant<ThetaXi, QuasiStatic, Newmark, GeneralisedAlpha, Hht, MoreauJean, CentralDifference>;
 [[nodiscard]] inline StepWeights weights(Scheme const& scheme) {
   return std::visit([](auto const& s) { return s.weights(); }, scheme);
 }

@@ -19,6 +19,9 @@ struct ContactState {
   interface::Bond bond;
   interface::Status status = interface::Status::open;
   bool in_reach = false; ///< took part in the last step's contact problem
+  /// Of gap and slip, (n, t1, t2), m/s, and with accelerations their own rate, m/s^2; kept where contact is
+  /// at the velocity level.
+  contact::Vec3 rate = contact::Vec3::Zero(), second = contact::Vec3::Zero();
 };
 
 /// Cumulative energy account, J (J/m in plane strain); kinetic, strain and bond are present values.
@@ -39,8 +42,12 @@ struct Ledger {
 };
 
 struct State {
-  double t = 0;    ///< s
-  Vector u, v;     ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
+  double t = 0; ///< s
+  Vector u, v;  ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
+  Vector a;     ///< accelerations, m/s^2; empty where the scheme keeps none
+  /// Of explicit schemes: half the last contact impulse over the mass, m/s. v holds it, and the next step
+  /// takes it out before it finds its own impulse; empty otherwise.
+  Vector push;
   Vector internal; ///< F_int(u) + A(u) v, N
   Vector damping;  ///< A(u) v, N; empty without viscosity
   Vector reaction; ///< H^T A r at the end of the step, N

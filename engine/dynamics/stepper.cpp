@@ -35,6 +35,8 @@ Stepper::Stepper(Model const& model)
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
+  if (weights_.explicit_forces)
+    inverse_mass_ = structure_.mass().diagonal().unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
 }
 
 State Stepper::initial() {
@@ -53,6 +55,7 @@ State Stepper::initial() {
     state.contacts.emplace_back(ix(pair.size()), ContactState{});
   if (model_->dim() == 3)
     state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
+  start_rates(state);
   contact_->begin(state, 0, 1);
   contact_->locate(state.u, true);
   State located = state;
@@ -62,6 +65,7 @@ State Stepper::initial() {
       auto& point = state.contacts[p][i];
       point.foot = located.contacts[p][i].foot;
       point.gap = located.contacts[p][i].gap;
+      point.rate = located.contacts[p][i].rate;
       point.area = located.contacts[p][i].area;
       if (auto const& adhesion = model_->pairs[p].law.adhesion; adhesion) {
         point.bond = interface::initial_bond(*adhesion, point.foot.found() ? point.gap : unreached);
@@ -83,6 +87,20 @@ void Stepper::gather_external(double t, Vector& force) const {
     force += load.path.value(t) * load.force;
 }
 
+/// What the scheme keeps beside velocities: M a = F at rest without contact, and no impulse yet.
+void Stepper::start_rates(State& state) {
+  gather_external(0, external_);
+  Vector const force = external_ - state.internal;
+  if (weights_.explicit_forces)
+    state.push.setZero(model_->dofs());
+  if (!weights_.accelerations())
+    return;
+  std::vector<bool> held(ix(model_->dofs()));
+  for (Index dof = 0; dof < model_->dofs(); ++dof)
+    held[ix(dof)] = driver_[ix(dof)] != nullptr || apart(dof);
+  state.a = structure_.mass().solve(force, held);
+}
+
 /// First guess: on with the old rates, or at rest.
 void Stepper::predict(State const& old, double dt, bool extrapolate) {
   double const t1 = old.t + dt;
@@ -96,39 +114,62 @@ void Stepper::predict(State const& old, double dt, bool extrapolate) {
   previous_imbalance_ = std::numeric_limits<double>::infinity();
 }
 
-/// dry_ = M dv/dt - weighted F - earlier R: what the present reaction has to balance, (48)-(51).
+/// F_int(u1) and its energy; false if a cell has turned inside out.
+bool Stepper::internal_forces(Outcome& outcome) {
+  Timer const timer(cost_.assembly);
+  auto const pass = structure_.internal_force(u_, internal_);
+  ++cost_.force_passes;
+  if (!pass.sound()) {
+    outcome.verdict = StepVerdict::inverted_cell;
+    outcome.reason = fmt::format("cell {} turned inside out", pass.inverted_cell + 1);
+    return false;
+  }
+  strain_ = pass.energy;
+  return true;
+}
+
+/// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
+void Stepper::accelerate(State const& old, double dt) {
+  bool const second = weights_.accelerations(), pushed = old.push.size() > 0;
+  double const t1 = old.t + dt, rate = weights_.rate * dt, mass = weights_.mass * dt;
+  rate_change_.resize(d_.size());
+  gained_.resize(d_.size());
+  for (Index dof = 0; dof < d_.size(); ++dof) {
+    if (driver_[ix(dof)] != nullptr) {
+      rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->path.rate_before(t1) - old.v[dof];
+      continue;
+    }
+    double const ahead = d_[dof] - dt * (pushed ? old.v[dof] - old.push[dof] : old.v[dof]);
+    bool const own = apart(dof);
+    rate_change_[dof] = ahead / (own ? dt : rate);
+    gained_[dof] = ahead / (own ? dt : mass);
+    if (second && !own) {
+      rate_change_[dof] += weights_.rate_a * dt * old.a[dof];
+      gained_[dof] += weights_.mass_a * dt * old.a[dof];
+    }
+  }
+  structure_.mass().times(gained_, inertia_);
+  inertia_ /= dt;
+}
+
+/// dry_ = inertia - weighted F - earlier R: what the present reaction has to balance, (48)-(51).
 bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   u_ = old.u + d_;
-  {
-    Timer const timer(cost_.assembly);
-    auto const pass = structure_.internal_force(u_, internal_);
-    ++cost_.force_passes;
-    if (!pass.sound()) {
-      outcome.verdict = StepVerdict::inverted_cell;
-      outcome.reason = fmt::format("cell {} turned inside out", pass.inverted_cell + 1);
-      return false;
-    }
-    strain_ = pass.energy;
-  }
-  rate_change_.resize(d_.size());
-  if (weights_.inertia) {
-    double const t1 = old.t + dt;
-    for (Index dof = 0; dof < d_.size(); ++dof)
-      rate_change_[dof] = driver_[ix(dof)] != nullptr
-                              ? driver_[ix(dof)]->path.rate_before(t1) - old.v[dof]
-                              : (d_[dof] - dt * old.v[dof]) / (apart(dof) ? dt : weights_.theta * dt);
-    structure_.mass().times(rate_change_, inertia_);
-    inertia_ /= dt;
-  } else {
+  if (weights_.explicit_forces)
+    internal_ = old.internal;
+  else if (!internal_forces(outcome))
+    return false;
+  if (weights_.inertia)
+    accelerate(old, dt);
+  else
     inertia_.setZero(d_.size());
-  }
   if (structure_.damped()) {
     Timer const timer(cost_.assembly);
     structure_.damping_force(u_, old.v + rate_change_, damping_);
     internal_ += damping_;
   }
-  dry_ = inertia_ - (1 - weights_.xi) * (external_old_ - old.internal) -
-         weights_.xi * (external_ - internal_) - (1 - weights_.contact) * old.reaction;
+  dry_ = inertia_ - weights_.early * (external_old_ - old.internal) - weights_.xi * (external_ - internal_) -
+         (1 - weights_.contact) * old.reaction;
   if (weights_.surface_apart())
     for (Index dof = 0; dof < d_.size(); ++dof)
       if (apart(dof))
@@ -215,6 +256,9 @@ bool Stepper::apply_factor() {
 
 /// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
 Outcome Stepper::step(State const& old, double dt) {
+  if (weights_.explicit_forces)
+    if (auto refused = too_long(old, dt))
+      return *std::move(refused);
   Outcome outcome = attempt(old, dt, true);
   if (outcome.converged() || old.v.isZero(0))
     return outcome;
@@ -245,7 +289,8 @@ Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
     if (!correct(dt, outcome))
       return outcome;
   }
-  finish(old, dt, outcome);
+  if (!weights_.explicit_forces || internal_forces(outcome))
+    finish(old, dt, outcome);
   return outcome;
 }
 
@@ -260,71 +305,22 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.turned = old.turned;
   next.ledger = old.ledger;
   next.ledger.bond = 0;
-  next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
+  if (weights_.explicit_forces)
+    set_explicit_rates(old, dt, next);
+  else
+    next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
+  if (weights_.accelerations())
+    next.a = ((next.v - old.v) / dt - (1 - weights_.gamma) * old.a) / weights_.gamma;
+  for (Index dof = 0; dof < next.a.size(); ++dof)
+    if (driver_[ix(dof)] != nullptr || apart(dof))
+      next.a[dof] = (next.v[dof] - old.v[dof]) / dt;
   contact_->finish(old, dt, next);
+  if (weights_.accelerations() || weights_.explicit_forces) { // the mean acceleration does the work
+    structure_.mass().times(next.v - old.v, inertia_);
+    inertia_ /= dt;
+  }
   account(old, next);
   outcome.verdict = StepVerdict::converged;
-}
-
-/// Work of an obstacle that follows a path: what it gives the body it gives where the node is, J.
-double Stepper::obstacle_work(Pair const& pair, State const& old, State const& next) const {
-  auto const* side = std::get_if<RigidSide>(&pair.primary);
-  if (side == nullptr || model_->rigids[side->body].free())
-    return 0;
-  auto const& rigid = model_->rigids[side->body];
-  Vec3 const carried = rigid.offset(next.t) - rigid.offset(old.t);
-  Vec3 const turned = (rigid.angle.value(next.t) - rigid.angle.value(old.t)) * rigid.axis;
-  if (carried.isZero(0) && turned.isZero(0))
-    return 0;
-  int const dim = model_->dim();
-  double work = 0;
-  for (Index const node : pair.nodes()) {
-    Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
-    for (int c = 0; c < dim; ++c) {
-      Index const dof = dim * node + c;
-      force[c] = weights_.contact * next.reaction[dof] + (1 - weights_.contact) * old.reaction[dof];
-      arm[c] = model_->reference(node, c) + next.u[dof];
-    }
-    arm -= rigid.pivot + rigid.offset(next.t);
-    work += force.dot(carried + turned.cross(arm));
-  }
-  return work;
-}
-
-/// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
-void Stepper::account(State const& old, State& next) const {
-  auto& ledger = next.ledger;
-  double const chi = weights_.contact;
-  Vector const mean_force = (1 - weights_.xi) * (external_old_ - old.internal) +
-                            weights_.xi * (external_ - internal_) + (1 - chi) * old.reaction +
-                            chi * reaction_;
-  next.drive.setZero(d_.size());
-  for (Index dof = 0; dof < d_.size(); ++dof)
-    if (driver_[ix(dof)] != nullptr) {
-      next.drive[dof] = inertia_[dof] - mean_force[dof];
-      ledger.motion_work += next.drive[dof] * d_[dof];
-    }
-  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
-    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
-      auto const& before = old.contacts[p][i];
-      auto const& after = next.contacts[p][i];
-      Vec3 const force = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
-      ledger.friction_loss -= force.tail<2>().dot(after.slip);
-    }
-    ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
-  }
-  auto const& weight = structure_.mass().weight;
-  ledger.load_work +=
-      ((1 - weights_.xi) * (external_old_ - weight) + weights_.xi * (external_ - weight)).dot(d_);
-  if (structure_.damped())
-    ledger.damping_loss += ((1 - weights_.xi) * old.damping + weights_.xi * damping_).dot(d_);
-  ledger.strain = strain_;
-  ledger.potential = -structure_.mass().weight.dot(next.u);
-  if (!weights_.inertia)
-    return;
-  Vector momentum;
-  structure_.mass().times(next.v, momentum);
-  ledger.kinetic = 0.5 * next.v.dot(momentum);
 }
 
 } // namespace stiction::dynamics

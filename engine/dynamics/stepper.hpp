@@ -9,7 +9,8 @@
 
 namespace stiction::dynamics {
 
-enum class StepVerdict { converged, not_converged, inverted_cell, contact_failed, indefinite };
+/// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing.
+enum class StepVerdict { converged, not_converged, inverted_cell, contact_failed, indefinite, unstable };
 
 /// A step's answer: the state it reached if converged, and how it went.
 struct Outcome {
@@ -40,6 +41,11 @@ private:
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] bool internal_forces(Outcome& outcome);
+  void accelerate(State const& old, double dt);
+  void start_rates(State& state);
+  void set_explicit_rates(State const& old, double dt, State& next) const;
+  [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);
   [[nodiscard]] bool apart(Index dof) const;
   [[nodiscard]] double imbalance() const;
   [[nodiscard]] bool converged(Outcome& outcome) const;
@@ -56,9 +62,12 @@ private:
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
-  Vector d_, u_, rate_change_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
+  Vector d_, u_, rate_change_, gained_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
   Vector mass_rate_, damping_;
   Vector external_old_, external_; ///< weight and loads at the step's ends, N
+  Vector inverse_mass_; ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
+  double critical_step_ = 0;
+  int critical_age_ = 0; ///< steps since the critical step was found; 0: not known
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
 };

@@ -32,6 +32,11 @@ std::vector<bool> contact_nodes(Model const& model) {
   return touched;
 }
 
+/// Lumps the mass of all nodes as that of contact nodes.
+std::vector<bool> everywhere(Model const& model) {
+  return std::vector<bool>(ix(model.node_count()), true);
+}
+
 /// Calls visit(body, degrees of freedom of a cell) in assembly order.
 template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
   Indices dofs;
@@ -48,19 +53,23 @@ template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
 
 } // namespace
 
-Structure::Structure(Model const& model, StepWeights const& weights) : model_(&model), dim_(model.dim()) {
+Structure::Structure(Model const& model, StepWeights const& weights)
+    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces) {
   on_surface_ = contact_nodes(model);
   number_unknowns(model);
-  build_maps(model);
+  if (!diagonal_)
+    build_maps(model);
   mass_.weight.setZero(model.dofs());
   bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
                                                              [](auto const& rigid) { return rigid.free(); });
   if (weights.inertia || loaded)
-    mass_ = assemble_mass(model, on_surface_, weights.contact_inertia);
+    mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
+                                    : assemble_mass(model, on_surface_, weights.contact_inertia);
   if (weights.inertia)
     place_mass(weights);
-  for (auto const& body : model.bodies)
-    linear_ = linear_ && std::holds_alternative<material::LinearElastic>(body->material);
+  linear_ = diagonal_ || std::all_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) {
+              return std::holds_alternative<material::LinearElastic>(body->material);
+            });
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
 }
@@ -85,6 +94,8 @@ void Structure::number_unknowns(Model const& model) {
   }
   auto cliques = [&] {
     std::vector<Indices> all;
+    if (diagonal_)
+      return all;
     each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
       all.emplace_back();
       for (Index const dof : cell)
@@ -115,17 +126,17 @@ void Structure::build_maps(Model const& model) {
   });
 }
 
-/// Places M in the pattern of the effective stiffness, in the proportion to 1 / (theta dt^2) that (49) and
-/// the own balance of contact nodes ask for.
+/// Places M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
+/// and the own balance of contact nodes ask for.
 void Structure::place_mass(StepWeights const& weights) {
   auto const& pattern = factor_->pattern();
   mass_in_matrix_.assign(pattern.rows.size(), 0.0);
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
-    double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.theta : 1.0;
+    double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.mass : 1.0;
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
       for (int c = 0; c < dim_; ++c) {
         Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
-        if (row >= 0 && column >= 0)
+        if (row >= 0 && column >= 0 && (row == column || !diagonal_))
           mass_in_matrix_[ix(pattern.find(row, column))] = share * mass_.values[ix(k)];
       }
   }
@@ -162,12 +173,24 @@ void Structure::damping_force(Vector const& u, Vector const& v, Vector& force) c
 
 namespace {
 double mass_factor(StepWeights const& weights, double dt) {
-  return weights.inertia ? 1 / (weights.theta * dt * dt) : 0.0;
+  return weights.inertia ? 1 / (weights.mass * dt * dt) : 0.0;
 }
 } // namespace
 
 bool Structure::has_factor(StepWeights const& weights, double dt) const {
   return factored_ && factored_xi_ == weights.xi && factored_mass_ == mass_factor(weights, dt);
+}
+
+void Structure::add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
+    if (damped_ && model_->cells[body].damped())
+      model_->cells[body].add_damping_stiffness({u.data() + first, count}, weights.xi / (weights.rate * dt),
+                                                maps_[body], values_);
+  }
+  ++cost.stiffness_passes;
 }
 
 bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
@@ -179,21 +202,14 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
         values_[k] = inertia * mass_in_matrix_[k];
     else
       std::fill(values_.begin(), values_.end(), 0.0);
-    for (std::size_t body = 0; body < model_->cells.size(); ++body) {
-      auto const first = ix(dim_ * model_->first_node[body]),
-                 count = ix(dim_ * model_->first_node[body + 1]) - first;
-      model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
-      if (damped_ && model_->cells[body].damped())
-        model_->cells[body].add_damping_stiffness({u.data() + first, count},
-                                                  weights.xi / (weights.theta * dt), maps_[body], values_);
-    }
+    if (!diagonal_)
+      add_stiffness(u, weights, dt, cost);
     auto const& columns = factor_->pattern().columns;
     stiffness_scale_ = 0;
     for (Index j = 0; j < unknowns(); ++j)
       stiffness_scale_ = std::max(stiffness_scale_, values_[ix(columns[ix(j)])]);
     factored_xi_ = weights.xi;
     factored_mass_ = inertia;
-    ++cost.stiffness_passes;
   }
   Timer const timer(cost.factorization);
   ++cost.factorizations;

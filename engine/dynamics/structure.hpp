@@ -37,16 +37,16 @@ public:
   /// Mass and weight; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
-  /// Builds and factors xi K(u) + xi A(u) / (theta dt) + M / (theta dt^2), (49). Where that is not
-  /// positive definite by itself but would be with the contact surfaces held, as a law that softens under a
-  /// punch, `shift` is added on the contact unknowns; who solves with the factor takes it away again. False
-  /// if that does not help.
+  /// Builds and factors xi K(u) + xi A(u) / (rate dt) + M / (mass dt^2), (49); of explicit schemes the lumped
+  /// M alone, without any pass over the cells. Where that is not positive definite by itself but would be
+  /// with the contact surfaces held, as a law that softens under a punch, `shift` is added on the contact
+  /// unknowns; who solves with the factor takes it away again. False if that does not help.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
   /// What the last factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
   [[nodiscard]] double shift() const { return shift_; }
   /// True if a factor for these coefficients exists, of whatever u.
   [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
-  /// True if K does not depend on u, so that a factor for these coefficients is exact.
+  /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
   [[nodiscard]] linear::Cholesky& factor() { return *factor_; }
   /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
@@ -56,9 +56,11 @@ private:
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
+  void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
 
   Model const* model_;
   int dim_;
+  bool diagonal_; ///< explicit: the effective stiffness is the lumped mass
   Indices unknown_of_, dof_of_;
   Index trailing_ = 0;
   std::vector<bool> on_surface_;
@@ -67,7 +69,7 @@ private:
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;
   std::unique_ptr<linear::Cholesky> factor_;
-  bool factored_ = false, linear_ = true, damped_ = false;
+  bool factored_ = false, linear_ = false, damped_ = false;
   double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0;
 };
 

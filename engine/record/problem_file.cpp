@@ -1,5 +1,6 @@
-// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /friction [n], /dim, and the laws
-// as text in an attribute. Older files hold RCC laws alone, in /adhesions [laws, columns] and /C_t2 [laws].
+// HDF5 layout of a saved contact problem: /W, /free, /points [n, columns], /friction [n], /dim, /shift [n, 3]
+// (where there is none, 0), and the laws as text in an attribute. Older files hold RCC laws alone, in
+// /adhesions [laws, columns] and /C_t2 [laws].
 #include "record/problem_file.hpp"
 
 #include <cmath>
@@ -40,6 +41,17 @@ std::vector<double> frictions_of(std::vector<contact::ProblemPoint> const& point
   for (auto const& point : points)
     values.push_back(point.friction);
   return values;
+}
+
+/// Empty where no point has one.
+std::vector<double> shifts(std::vector<contact::ProblemPoint> const& points) {
+  std::vector<double> rows;
+  bool any = false;
+  for (auto const& p : points) {
+    rows.insert(rows.end(), {p.shift[0], p.shift[1], p.shift[2]});
+    any = any || !p.shift.isZero(0);
+  }
+  return any ? rows : std::vector<double>{};
 }
 
 /// Reads named datasets and checks their sizes and numbers.
@@ -176,10 +188,12 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
     auto const n = static_cast<hsize_t>(problem.free.size());
     std::vector<double> const W(problem.W.data(), problem.W.data() + problem.W.size()); // column by column
     std::vector<double> const free(problem.free.data(), problem.free.data() + problem.free.size());
+    auto const shift = shifts(problem.points);
     written = file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&
               write(file, "points", {problem.points.size(), point_columns}, flatten(problem.points)) &&
               write(file, "friction", {problem.points.size()}, frictions_of(problem.points)) &&
               hdf5::write_attribute(file, "laws", text_of_laws(problem)) &&
+              (shift.empty() || write(file, "shift", {problem.points.size(), 3}, shift)) &&
               write(file, "dim", {1}, {static_cast<double>(problem.dim)}) &&
               H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
   }
@@ -208,6 +222,12 @@ contact::Problem load_problem(std::filesystem::path const& path) {
   for (std::size_t k = 0; k < points.size(); k += point_columns)
     problem.points.push_back(point_of(&points[k], reader, problem.adhesions.size()));
   load_frictions(reader, problem);
+  if (reader.has("shift")) {
+    auto const values = reader.read("shift");
+    reader.require(values.size() == 3 * problem.points.size(), "sizes of shift and points");
+    for (std::size_t k = 0; k < problem.points.size(); ++k)
+      problem.points[k].shift = Eigen::Map<Eigen::Vector3d const>(&values[3 * k]);
+  }
   return problem;
 }
 

@@ -138,6 +138,11 @@ void Builder::add_bodies() {
     if (part.damping && !dynamics::weights(model.scheme).inertia)
       complain({"bodies", name, "damping"},
                "a quasi-static run has no rates; leave it out or use scheme.theta_xi");
+    if (part.damping && dynamics::weights(model.scheme).explicit_forces)
+      complain(
+          {"bodies", name, "damping"},
+          "would lower the stability limit of scheme.central_difference and lag by a step; leave it out or "
+          "use an implicit scheme");
     try {
       make_body(name, part);
     } catch (core::InputError const& error) {

@@ -149,6 +149,10 @@ void Builder::add_pair(std::string const& name, PairPart const& part) {
         {"pairs", name, "discretisation"},
         "mortar is for two surfaces, and this one touches itself; use \"node_to_segment\", or split "
         "the set into the two parts that meet");
+  if (part.law.adhesion && dynamics::weights(scene_.model->scheme).restitution > 0)
+    complain({"pairs", name, "adhesion"},
+             "does not go with restitution > 0, which throws a closed point off its bond at every pull; set "
+             "scheme.moreau_jean{restitution = 0} or leave the adhesion out");
   auto const secondary = surface({"pairs", name, "secondary"}, part.secondary);
   bool const rigid = scene_.part.obstacles.contains(part.primary);
   auto const primary = rigid ? std::nullopt : surface({"pairs", name, "primary"}, part.primary);

@@ -105,8 +105,8 @@ void describe_cost(Facts const& facts, dynamics::Structure& structure, Explanati
     explanation.sections.push_back(std::move(section));
     return;
   }
-  double const passed = structure.linear() ? 1 : iterations,
-               renewed = structure.linear() ? 0 : factorizations;
+  double const passed = structure.linear() ? 1 : iterations, // explicit schemes: the matrix is M alone
+      renewed = structure.linear() ? 0 : factorizations;
   double const step = passes.force + passed * (passes.force + passes.solve) +
                       renewed * (passes.assembly + passes.factorization + passes.inverse);
   add(section,

@@ -1,6 +1,7 @@
 // What is likely to go wrong or to cost too much, each with the change of the script that mends it.
 #include <fmt/format.h>
 
+#include "dynamics/critical_step.hpp"
 #include "scene/facts.hpp"
 #include "scene/human.hpp"
 
@@ -290,17 +291,28 @@ void inertia(Facts const& all, Warnings& warnings) {
          "scheme.theta_xi{}"});
 }
 
+/// Below the critical step of single cells (dynamics/critical_step.hpp).
+void critical_steps(Facts const& all, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  if (!dynamics::weights(model.scheme).explicit_forces)
+    return;
+  double const limit = dynamics::critical_step(model, Vector::Zero(model.dofs()));
+  if (all.longest_step > limit * (1 + dynamics::critical_margin))
+    warnings.push_back({dynamics::above_critical(all.longest_step, limit) + ": the run will refuse to start",
+                        fmt::format("steps of {} or less, or an implicit scheme", human(limit, "s"))});
+}
+
 /// In lasting contact the plain scheme turns the normal velocity about by -(1 - theta) / theta each step
 /// (PHYSICS 5).
 void ringing(Facts const& all, Warnings& warnings) {
-  auto const* scheme = std::get_if<dynamics::ThetaXi>(&all.scene->model->scheme);
-  if (scheme == nullptr || all.pairs.empty() || scheme->theta > 0.5 || scheme->contact_weight < 1 ||
-      scheme->contact_inertia != dynamics::ContactInertia::full)
+  auto const scheme = dynamics::weights(all.scene->model->scheme);
+  if (!all.dynamic() || all.pairs.empty() || scheme.rate > 0.5 || scheme.contact < 1 ||
+      scheme.surface_apart() || scheme.velocity_level())
     return;
-  warnings.push_back({"theta = 1/2 with the inertia of contact nodes: the contact pressure changes between "
-                      "extremes at every "
-                      "step",
-                      "scheme.theta_xi{contact_inertia = \"implicit\"}, the default"});
+  warnings.push_back(
+      {"a scheme that damps nothing (theta = 1/2) with the inertia of contact nodes: the contact "
+       "pressure changes between extremes at every step",
+       "contact_inertia = \"implicit\" in the scheme, the default"});
 }
 
 } // namespace
@@ -319,6 +331,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
       adhesion(all, pair, warnings);
   }
   inertia(all, warnings);
+  critical_steps(all, warnings);
   ringing(all, warnings);
 }
 

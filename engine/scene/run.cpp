@@ -2,9 +2,11 @@
 #include "scene/run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "dynamics/critical_step.hpp"
 #include "dynamics/timer.hpp"
 #include "linear/recycling.hpp"
 #include "mesh/quality.hpp"
@@ -122,6 +124,8 @@ public:
     recorder_.step(state_, 0, 0);
     if (scene_->part.output.frames > 0)
       recorder_.frame(state_);
+    if (too_long())
+      return finish();
     result_.verdict = "finished";
     double start = 0;
     for (auto const& stage : scene_->part.schedule.stages) {
@@ -171,6 +175,26 @@ private:
     explicit Timed(Run& run) : timer(run.output_) {}
     dynamics::Timer timer;
   };
+
+  /// An explicit scheme is not started with steps above its stability limit.
+  bool too_long() {
+    if (!dynamics::weights(scene_->model->scheme).explicit_forces)
+      return false;
+    double const limit = dynamics::critical_step(*scene_->model, state_.u);
+    double start = 0;
+    for (auto const& stage : scene_->part.schedule.stages) {
+      double const dt = (stage.until - start) / stage.steps;
+      if (dt > limit * (1 + dynamics::critical_margin)) {
+        result_.verdict = "unstable";
+        result_.reason = fmt::format(
+            "{}; give the stage to {:g} s at least {:.0f} steps, or take an implicit scheme",
+            dynamics::above_critical(dt, limit), stage.until, std::ceil((stage.until - start) / limit));
+        return true;
+      }
+      start = stage.until;
+    }
+    return false;
+  }
 
   bool run_stage(StagePart const& stage, double start) {
     double const nominal = (stage.until - start) / stage.steps;

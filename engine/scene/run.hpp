@@ -27,8 +27,9 @@ struct RunOptions {
 };
 
 struct RunResult {
-  std::string verdict; ///< "finished", "stopped", "not converged", "output failed"
-  std::string reason;  ///< one sentence, empty when finished
+  std::string
+      verdict; ///< "finished", "stopped", "not converged", "unstable" (not even begun), "output failed"
+  std::string reason; ///< one sentence, empty when finished
   long steps = 0, iterations = 0, factorizations = 0, cuts = 0;
   double seconds = 0;
   std::map<std::string, double>
