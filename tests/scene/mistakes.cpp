@@ -204,3 +204,29 @@ TEST_CASE("contradictions between parts are reported together") {
   test::at(table, "motions") = test::list({test::fix("foot.tip")});
   CHECK(complaints(table).size() >= 3);
 }
+
+TEST_CASE(
+    "an adhesion that is felt beyond the reach of its pair is said so; without a reach the pair takes it") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.potential", {{"w", test::value(1, "J/m^2")}, {"delta", test::value(10, "mm")}});
+  CHECK(complaints(table).empty());
+  CHECK(scene::build(table).model->pairs[0].reach == doctest::Approx(0.3));
+  test::at(table, "pairs.sole.reach") = test::value(200, "mm");
+  check_only(table, "pairs.sole.reach", {"0.2 m", "0.3 m"});
+  test::at(table, "pairs.sole.reach") = test::value(400, "mm");
+  CHECK(complaints(table).empty());
+}
+
+TEST_CASE("parameters of an adhesion law that do not fit together are named") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.bilinear", {{"K", test::value(1e3, "N/m^3")},
+                                       {"sigma_n", test::value(100, "Pa")},
+                                       {"sigma_t", test::value(50, "Pa")},
+                                       {"G_I", test::value(3, "J/m^2")},
+                                       {"G_II", test::value(3, "J/m^2")}});
+  check_only(table, "pairs.sole.adhesion.G_I", {"3 J/m^2", "5 J/m^2", "raise"});
+  test::at(table, "pairs.sole.adhesion") = test::make("adhesion.bilinea");
+  check_only(table, "pairs.sole.adhesion", {"bilinear", "potential"});
+}
