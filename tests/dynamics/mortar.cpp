@@ -32,8 +32,8 @@ test::Input stacked(Kinds kinds, double poisson, bool mortar) {
   auto const material = test::linear_elastic(1000, poisson);
   test::at(table, "bodies.lower") = test::block({{0, -1}, {1, 1}, {3, 2}}, material);
   test::at(table, "bodies.upper") = test::block({{0, 0}, {1, 1}, {4, 2}}, material);
-  test::at(table, "bodies.lower.mesh.cell") = test::text(kinds.first);
-  test::at(table, "bodies.upper.mesh.cell") = test::text(kinds.second);
+  test::at(table, "bodies.lower.mesh.kind") = test::text(kinds.first);
+  test::at(table, "bodies.upper.mesh.kind") = test::text(kinds.second);
   test::at(table, "pairs.joint") = test::pair("upper.bottom", "lower.top");
   if (mortar)
     test::at(table, "pairs.joint.discretisation") = test::text("mortar");
