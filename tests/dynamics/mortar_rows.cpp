@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <random>
 
+#include "core/error.hpp"
 #include "differences.hpp"
 #include "dynamics/space.hpp"
 
@@ -49,7 +50,7 @@ template<int D> struct Bent {
     Vector f = Vector::Zero(positions.size());
     for (Index i = 0; i < pair->size(); ++i) {
       auto const& point = moved.point(i);
-      REQUIRE(point.found);
+      core::expect(point.found, "every point of the small surface faces the larger one");
       for (int k = 0; k < point.count; ++k)
         f.segment<D>(D * point.nodes[ix(k)]) += point.H.template middleCols<D>(D * k).transpose() * p[ix(i)];
     }
