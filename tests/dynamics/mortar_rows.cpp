@@ -1,0 +1,181 @@
+// Mortar rows and stiffness on bent surfaces of all cell kinds: areas, balance, rigid motions, rates.
+#include <doctest/doctest.h>
+#include <random>
+
+#include "core/error.hpp"
+#include "differences.hpp"
+#include "dynamics/space.hpp"
+
+using namespace stiction;
+using contact::Local;
+using contact::Mat;
+using contact::Mortar;
+using contact::Vec;
+
+namespace {
+
+/// A mortar pair of two blocks one on the other, cells 3 and 4 across, bent and shaken by a little.
+template<int D> struct Bent {
+  scene::Scene scene;
+  dynamics::Pair const* pair;
+  Mortar<D> mortar;
+  std::vector<double> x;
+
+  explicit Bent(test::Input const& table)
+      : scene(scene::build(table)), pair(scene.model->pairs.data()),
+        mortar(*pair->mortar, &std::get<contact::CellSurface>(pair->primary), {pair->secondary, 1, false}) {
+    auto const& reference = scene.model->reference;
+    x.assign(reference.data(), reference.data() + reference.size());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-0.01, 0.01);
+    for (std::size_t i = 0; i < x.size(); i += D) {
+      double const r = D == 3 ? x[i + 1] : 0;
+      x[i + D - 1] += 0.08 * std::cos(3 * x[i]) + 0.06 * std::sin(2 * r + x[i]);
+      for (std::size_t c = 0; c < D; ++c)
+        x[i + c] += uniform(random);
+    }
+    mortar.begin(x, nullptr);
+    mortar.locate(x, nullptr);
+  }
+  [[nodiscard]] std::vector<Local<D>> forces() const {
+    std::vector<Local<D>> all;
+    for (Index i = 0; i < pair->size(); ++i)
+      all.emplace_back(Local<D>::Constant(0.3) + (1.0 + 0.1 * i) * Local<D>::Unit(i % D));
+    return all;
+  }
+  /// H^T forces over all unknowns, the samples held.
+  [[nodiscard]] Vector nodal(Vector const& positions, std::vector<Local<D>> const& p) const {
+    auto moved = mortar;
+    moved.locate({positions.data(), ix(static_cast<Index>(positions.size()))}, nullptr);
+    Vector f = Vector::Zero(positions.size());
+    for (Index i = 0; i < pair->size(); ++i) {
+      auto const& point = moved.point(i);
+      core::expect(point.found, "every point of the small surface faces the larger one");
+      for (int k = 0; k < point.count; ++k)
+        f.segment<D>(D * point.nodes[ix(k)]) += point.H.template middleCols<D>(D * k).transpose() * p[ix(i)];
+    }
+    return f;
+  }
+  [[nodiscard]] Vector positions() const { return Eigen::Map<Vector const>(x.data(), static_cast<Index>(x.size())); }
+};
+
+test::Input blocks(char const* lower, char const* upper) {
+  auto table = test::two_blocks();
+  auto const material = test::linear_elastic(1000, 0.3);
+  test::at(table, "bodies.lower") = test::block({{-0.5, -1}, {2, 1}, {5, 2}}, material);
+  test::at(table, "bodies.upper") = test::block({{0, 0.05}, {1, 1}, {3, 2}}, material);
+  test::at(table, "bodies.lower.mesh.kind") = test::text(lower);
+  test::at(table, "bodies.upper.mesh.kind") = test::text(upper);
+  test::at(table, "pairs.joint.discretisation") = test::text("mortar");
+  return table;
+}
+
+test::Input boxes(char const* lower, char const* upper) {
+  auto table = test::space();
+  auto const material = test::linear_elastic(1000, 0.3);
+  test::at(table, "bodies.lower") = test::box({{-0.3, -0.3, -1}, {1.6, 1.6, 1}, {3, 3, 1}}, material);
+  test::at(table, "bodies.upper") = test::box({{0, 0, 0.05}, {1, 1, 1}, {2, 2, 1}}, material);
+  test::at(table, "bodies.lower.mesh.kind") = test::text(lower);
+  test::at(table, "bodies.upper.mesh.kind") = test::text(upper);
+  test::at(table, "pairs.joint") = test::pair("upper.bottom", "lower.top");
+  test::at(table, "pairs.joint.discretisation") = test::text("mortar");
+  test::at(table, "motions") = test::list({test::fix_in("lower.bottom", "xyz"), test::fix_in("upper.top", "xyz")});
+  return table;
+}
+
+template<int D> Vec<D> place(std::vector<double> const& x, Index node) {
+  return Eigen::Map<Vec<D> const>(&x[ix(D * node)]);
+}
+
+template<int D> void check_areas(Bent<D> const& bent) {
+  double sum = 0, all = 0;
+  for (Index i = 0; i < bent.pair->size(); ++i) {
+    CHECK(bent.mortar.area(i) == doctest::Approx(bent.pair->areas[ix(i)]).epsilon(1e-9));
+    sum += bent.mortar.area(i);
+    all += bent.pair->areas[ix(i)];
+  }
+  CHECK(sum == doctest::Approx(1).epsilon(1e-12));
+  CHECK(all == doctest::Approx(1).epsilon(1e-12));
+}
+
+/// No row does work in a translation or a turn.
+template<int D> void check_balance(Bent<D> const& bent) {
+  for (Index i = 0; i < bent.pair->size(); ++i) {
+    auto const& point = bent.mortar.point(i);
+    REQUIRE(point.found);
+    CHECK(point.gap > 0.01); // moments need a lever
+    for (int row = 0; row < D; ++row) {
+      contact::Vec3 force = contact::Vec3::Zero(), moment = contact::Vec3::Zero();
+      for (int k = 0; k < point.count; ++k) {
+        contact::Vec3 f = contact::Vec3::Zero(), at = contact::Vec3::Zero();
+        f.head<D>() = point.H.template block<1, D>(row, D * k).transpose();
+        at.head<D>() = place<D>(bent.x, point.nodes[ix(k)]);
+        force += f;
+        moment += at.cross(f);
+      }
+      CHECK(force.norm() < 1e-12);
+      CHECK(moment.norm() < 1e-12);
+    }
+  }
+}
+
+template<int D> void check_rigid_motion(Bent<D> const& bent) {
+  Mat<D> turn = Mat<D>::Identity();
+  turn.template topLeftCorner<2, 2>() = Eigen::Rotation2Dd(0.9).toRotationMatrix();
+  std::vector<double> y = bent.x;
+  for (std::size_t i = 0; i < y.size(); i += D) {
+    Vec<D> const to = turn * place<D>(bent.x, static_cast<Index>(i / D)) + Vec<D>::Constant(2);
+    std::copy(to.data(), to.data() + D, &y[i]);
+  }
+  auto other = bent.mortar;
+  other.begin(y, nullptr);
+  other.locate(y, nullptr);
+  for (Index i = 0; i < bent.pair->size(); ++i) {
+    CHECK(other.point(i).gap == doctest::Approx(bent.mortar.point(i).gap).epsilon(1e-9));
+    CHECK(other.point(i).slip.norm() < 1e-12);
+    CHECK(other.area(i) == doctest::Approx(bent.mortar.area(i)).epsilon(1e-9));
+  }
+}
+
+template<int D> void check_stiffness(Bent<D> const& bent) {
+  auto const p = bent.forces();
+  auto const [nodes, K] = bent.mortar.stiffness(p, bent.x);
+  Vector const x = bent.positions();
+  // only the unknowns named take part
+  Dense full = Dense::Zero(x.size(), x.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      full.block<D, D>(D * nodes[i], D * nodes[j]) =
+          K.template block<D, D>(D * static_cast<Index>(i), D * static_cast<Index>(j));
+  auto const rate = test::rate([&](Vector const& y) { return bent.nodal(y, p); }, full, x, 1e-4, 3);
+  CHECK_MESSAGE(rate.second_order, rate.words());
+  CHECK(rate.errors[2] <= 1e-5 * rate.scale);
+}
+
+} // namespace
+
+TEST_CASE("mortar: areas add up and rows balance forces and moments on bent surfaces") {
+  for (auto const& [lower, upper] : std::vector<std::pair<char const*, char const*>>{
+           {"quad4", "quad4"}, {"quad8", "tri6"}, {"tri3", "quad8"}}) {
+    Bent<2> const bent(blocks(lower, upper));
+    check_areas(bent);
+    check_balance(bent);
+    check_rigid_motion(bent);
+  }
+  for (auto const& [lower, upper] : std::vector<std::pair<char const*, char const*>>{
+           {"hex8", "hex8"}, {"tet4", "hex20"}, {"hex20", "tet10"}, {"tet10", "tet4"}}) {
+    CAPTURE(std::string(lower));
+    CAPTURE(std::string(upper));
+    Bent<3> const bent(boxes(lower, upper));
+    check_areas(bent);
+    check_balance(bent);
+    check_rigid_motion(bent);
+  }
+}
+
+TEST_CASE("mortar: the stiffness is the derivative of the nodal forces") {
+  check_stiffness(Bent<2>(blocks("quad4", "quad4")));
+  check_stiffness(Bent<2>(blocks("quad8", "tri6")));
+  check_stiffness(Bent<3>(boxes("hex8", "tet4")));
+  check_stiffness(Bent<3>(boxes("tet10", "hex20")));
+}
