@@ -128,7 +128,7 @@ return stiction.study {
       end
       curves[i] = { label = string.format("C = %.2g N/m³", c.p.stiffness * full), x = x, y = y, colour = i }
     end
-    curves[#curves + 1] = { label = "JKR", x = d, y = force, style = "dash" }
+    curves[#curves + 1] = { label = "JKR", colour = 4, x = d, y = force, style = "dash" }
     return { stiction.figure.lines {
       name = "pull_off", title = "pulling a sphere off", x = { label = "approach", unit = "um" },
       y = { label = "force, pressing > 0", unit = "mN" }, curves = curves, legend = "below",
