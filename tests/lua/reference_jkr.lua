@@ -5,7 +5,7 @@ local jkr = require("stiction.reference").jkr
 local E, R, w = 6.497e6, 5e-3, 1
 
 local function near(got, wanted, tolerance)
-  if not (math.abs(got - wanted) <= (tolerance or 1e-12) * math.abs(wanted)) then
+  if got ~= got or math.abs(got - wanted) > (tolerance or 1e-12) * math.abs(wanted) then
     error(("got %.17g, wanted %.17g"):format(got, wanted), 2)
   end
 end

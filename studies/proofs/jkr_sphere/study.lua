@@ -72,10 +72,11 @@ return stiction.study {
   chosen = {
     depth = { 16*um, "contact radius 0.28 mm by Hertz" },
     above = { 7*um, "beyond the largest force" },
-    size = { 5*mm, "20 contact radii wide and deep; less at the finest cells" }, fine = { 0.3*mm, "a little more than the largest contact radius" }, 
-    growth = { 1.25, "of the cells outside the fine zone" }, 
+    size = { 5*mm, "20 contact radii wide and deep; less at the finest cells" },
+    fine = { 0.3*mm, "a little more than the largest contact radius" },
+    growth = { 1.25, "of the cells outside the fine zone" },
     coarsest = { 40*um, "so many cells lie at least in this length" },
-    steps_down = { 10, "no bond breaks on the way down" }, 
+    steps_down = { 10, "no bond breaks on the way down" },
     steps_up = { 150, "0.15 um a step; with 8 cells twice as many change 0.4 %" },
   },
   sweep = { { "stiffness", { 0.03, 0.1, 0.3 } }, { "cells", { 4, 8 } } },
@@ -128,7 +129,7 @@ return stiction.study {
       end
       curves[i] = { label = string.format("C = %.2g N/m³", c.p.stiffness * full), x = x, y = y, colour = i }
     end
-    curves[#curves + 1] = { label = "JKR", x = d, y = force, style = "dash" }
+    curves[#curves + 1] = { label = "JKR", colour = 4, x = d, y = force, style = "dash" }
     return { stiction.figure.lines {
       name = "pull_off", title = "pulling a sphere off", x = { label = "approach", unit = "um" },
       y = { label = "force, pressing > 0", unit = "mN" }, curves = curves, legend = "below",
