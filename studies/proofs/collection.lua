@@ -3,6 +3,7 @@ return {
   "greco_block",
   "hertz_2d",
   "jkr_sphere",
+  "materials",
   "bar_impact",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
