@@ -1,4 +1,5 @@
-// Facets as the cells behind them interpolate: shape functions to second derivatives, hats, reference domains.
+// Facets as the cells behind them interpolate: shape functions to second derivatives, hats, reference
+// domains.
 #pragma once
 #include <array>
 
@@ -38,8 +39,8 @@ struct FacetShape {
 /// Length or area of the reference domain.
 [[nodiscard]] double domain_size(FacetKind kind);
 
-/// Sides run from corner k to corner k + 1; those of a line are its ends. How far inside of side k: 0 on it, 1
-/// on the opposite side or corner, negative beyond.
+/// Sides run from corner k to corner k + 1; those of a line are its ends. How far inside of side k: 0 on it,
+/// 1 on the opposite side or corner, negative beyond.
 [[nodiscard]] double inside_of(FacetKind kind, int side, Vec2 const& at);
 /// A part of the way from the first to the last corner of side k; of a line the end itself.
 [[nodiscard]] Vec2 place_on_side(FacetKind kind, int side, double part);
@@ -50,8 +51,8 @@ struct FacetRule {
   std::vector<Vec2> places;
   std::vector<double> weights; ///< sum to domain_size
 };
-/// By the number of corners. Lines: Gauss with 2 points or, `fine`, 3; triangles: 3 points, exact to degree 2,
-/// or 6, to degree 4; squares: 2 x 2 or 3 x 3.
+/// By the number of corners. Lines: Gauss with 2 points or, `fine`, 3; triangles: 3 points, exact to degree
+/// 2, or 6, to degree 4; squares: 2 x 2 or 3 x 3.
 [[nodiscard]] FacetRule const& facet_rule(int corners, bool fine);
 
 } // namespace stiction::contact

@@ -107,7 +107,8 @@ void CellSurface::gather_fans() {
       if (other < 0)
         continue;
       Vec3 const here = reference_normal(f, place_on_side(facet(f).kind, k, 0.5)),
-                 there = reference_normal(other, place_on_side(facet(other).kind, facet(f).across[ix(k)], 0.5));
+                 there =
+                     reference_normal(other, place_on_side(facet(other).kind, facet(f).across[ix(k)], 0.5));
       if (here.dot(there) < flat)
         continue;
       for (int c = 0; c < facet(f).corners(); ++c)
@@ -135,7 +136,8 @@ void CellSurface::choose_directions(Vec3 const& direction) {
   direction.cwiseAbs().maxCoeff(&largest);
   for (int f = 0; f < size(); ++f) {
     double const along = reference_normal(f, middle_place(facet(f).kind)).dot(direction.normalized());
-    facets_[ix(f)].direction = std::abs(along) < nearly_parallel ? direction : Vec3(Vec3::Unit((largest + 1) % 3));
+    facets_[ix(f)].direction =
+        std::abs(along) < nearly_parallel ? direction : Vec3(Vec3::Unit((largest + 1) % 3));
   }
 }
 

@@ -13,9 +13,9 @@ struct CellFacet {
   std::array<Index, most_facet_nodes> nodes{};
   std::array<int, 4> neighbour{-1, -1, -1, -1}; ///< across side k; -1: border
   std::array<int, 4> across{};                  ///< which side of the neighbour that is
-  std::array<int, 4> fan{};         ///< which averaged normal each corner has on this side of edges
+  std::array<int, 4> fan{}; ///< which averaged normal each corner has on this side of edges
   FacetNodes<3> reference = FacetNodes<3>::Zero(); ///< m
-  Vec3 direction = Vec3::UnitX();   ///< of the first tangent, in the reference (3D)
+  Vec3 direction = Vec3::UnitX();                  ///< of the first tangent, in the reference (3D)
   [[nodiscard]] int count() const { return node_count(kind); }
   [[nodiscard]] int corners() const { return corner_count(kind); }
 };
@@ -85,7 +85,8 @@ template<int D> [[nodiscard]] Vec<D> across(Eigen::Matrix<double, D, D - 1> cons
 
 /// Tangents by (xi [, eta]).
 template<int D>
-[[nodiscard]] Eigen::Matrix<double, D, D - 1> tangents_of(FacetNodes<D> const& nodes, FacetShape const& shape) {
+[[nodiscard]] Eigen::Matrix<double, D, D - 1> tangents_of(FacetNodes<D> const& nodes,
+                                                          FacetShape const& shape) {
   Eigen::Matrix<double, D, D - 1> tangents;
   for (int a = 0; a < D - 1; ++a)
     tangents.col(a) = nodes * shape.by[ix(a)];

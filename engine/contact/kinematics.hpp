@@ -10,8 +10,8 @@ namespace stiction::contact {
 
 using interface::Local;
 
-/// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node, then
-/// those of the primary.
+/// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node,
+/// then those of the primary.
 template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
 
 /// H of one point, row by row (n, t1 [, t2]) over (x, y [, z]) of its nodes: d(gap, slip) = H . du. [D, D
@@ -32,7 +32,7 @@ template<int D> struct PointKinematics {
   Local<D - 1> slip = Local<D - 1>::Zero(); ///< s over the step, m: path of P2 along the surface, (t1 [, t2])
   Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit normal of the primary at P2, tangents; (t1,
                                  ///< n) or (t1, t2, n) right-handed
-  Indices nodes; ///< model nodes behind the columns of H, [count]
+  Indices nodes;                 ///< model nodes behind the columns of H, [count]
   int count = 0;
   Rows<D> H;
   [[nodiscard]] int unknowns() const { return D * count; }

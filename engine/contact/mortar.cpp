@@ -82,7 +82,8 @@ template<int D> void Mortar<D>::cut(Positions x) {
     for (auto const& place : cut_facet(sides, f, candidates(f, x), range_)) {
       auto sample = make_sample(*secondary_, f, place.at, place.weight, around_);
       Vec2 const middle = middle_place(primary_->facet(place.primary).kind);
-      sample.start = meet(*primary_, ray_of(sides, sample), {place.primary, middle.x(), middle.y()}, at_border, x);
+      sample.start =
+          meet(*primary_, ray_of(sides, sample), {place.primary, middle.x(), middle.y()}, at_border, x);
       if (sample.start.found())
         samples_.push_back(sample);
     }
@@ -97,8 +98,7 @@ template<int D> void Mortar<D>::cover() {
   }
 }
 
-template<int D>
-SamplePairing<D> Mortar<D>::pair(Sample const& sample, Foot guess, Positions x) const {
+template<int D> SamplePairing<D> Mortar<D>::pair(Sample const& sample, Foot guess, Positions x) const {
   if (!obstacle_)
     return pairing(faced(x), sample, guess);
   auto const seen = against_obstacle(sample, guess, x);
@@ -200,7 +200,8 @@ template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
         mean.nodes.push_back(nodes[j]);
         point.columns.emplace_back(Mat<D>::Zero());
       }
-      point.columns[static_cast<std::size_t>(place)] += c * H.template middleCols<D>(D * static_cast<Index>(j));
+      point.columns[static_cast<std::size_t>(place)] +=
+          c * H.template middleCols<D>(D * static_cast<Index>(j));
     }
   }
 }

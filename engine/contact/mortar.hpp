@@ -38,8 +38,8 @@ private:
   Indices nodes_;
 };
 
-/// x_A = sum_s c_As x_s with c_As = w_s Phi_A(s) / A_A; the force on sample s is sum_A c_As p_A. The samples are
-/// chosen at the start of a step and then are fixed material points of the secondary surface.
+/// x_A = sum_s c_As x_s with c_As = w_s Phi_A(s) / A_A; the force on sample s is sum_A c_As p_A. The samples
+/// are chosen at the start of a step and then are fixed material points of the secondary surface.
 template<int D> class Mortar {
 public:
   /// Surfaces must outlive this. primary: none if it is an obstacle.

@@ -101,8 +101,8 @@ template<int D> Part facing_part(Faced<D> const& faced, int number, Ground<D> co
   Part part{primary, {}, 0};
   for (int k = other.corners() - 1; k >= 0; --k) // facing surfaces run against each other
     part.polygon.push_back(ground.project(nodes.col(k)));
-  part.polygon = signed_area(part.polygon) > 0 ? clip_to_domain(ground.facet.kind, part.polygon)
-                                               : std::vector<Vec2>{};
+  part.polygon =
+      signed_area(part.polygon) > 0 ? clip_to_domain(ground.facet.kind, part.polygon) : std::vector<Vec2>{};
   if (part.polygon.empty())
     return part;
   auto const ray = ray_of(faced, make_sample(faced.secondary, number, middle(part.polygon), 1, false));
@@ -156,7 +156,8 @@ std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<in
   Ground<D> const ground(faced, facet);
   std::vector<Part> parts;
   for (int const primary : candidates)
-    if (auto part = facing_part(faced, facet, ground, primary); !part.polygon.empty() && range.holds(part.gap))
+    if (auto part = facing_part(faced, facet, ground, primary);
+        !part.polygon.empty() && range.holds(part.gap))
       parts.push_back(std::move(part));
   std::stable_sort(parts.begin(), parts.end(),
                    [](Part const& a, Part const& b) { return std::abs(a.gap) < std::abs(b.gap); });
@@ -164,7 +165,8 @@ std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<in
   for (std::size_t k = 0; k < parts.size(); ++k) {
     auto const before = parts.begin() + static_cast<std::ptrdiff_t>(k);
     Vec2 const centre = middle(parts[k].polygon);
-    if (std::any_of(parts.begin(), before, [&](Part const& part) { return contains(part.polygon, centre); })) {
+    if (std::any_of(parts.begin(), before,
+                    [&](Part const& part) { return contains(part.polygon, centre); })) {
       parts[k].polygon = {Vec2(0, 0), Vec2(0, 0)}; // hidden
       continue;
     }

@@ -20,8 +20,8 @@ struct GapRange {
 /// Quadrature places over the parts of secondary facet `facet` that face one of the `candidates` (primary
 /// facets) along the averaged normals. Where several lie one behind the other the nearest counts.
 template<int D>
-[[nodiscard]] std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<int> const& candidates,
-                                              GapRange range);
+[[nodiscard]] std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet,
+                                              std::vector<int> const& candidates, GapRange range);
 
 /// The part of a convex polygon, or of an interval given by its ends, that lies in the reference domain; its
 /// corners in order, none if that is empty.

@@ -13,8 +13,8 @@ constexpr double slide = 0.5;
 
 template<int D> using Tangents = Eigen::Matrix<double, D, D - 1>;
 
-/// What a sample's forces depend on, in this order: its place, the sum of its normals, its counterpart's place
-/// and tangents at fixed local coordinates, and the first tangent's direction (3D).
+/// What a sample's forces depend on, in this order: its place, the sum of its normals, its counterpart's
+/// place and tangents at fixed local coordinates, and the first tangent's direction (3D).
 template<int D> inline constexpr int inputs = D == 2 ? 8 : 18;
 template<int D> using By = Eigen::Matrix<double, D, inputs<D>>;
 template<int D> using ByLess = Eigen::Matrix<double, D - 1, inputs<D>>;
@@ -62,8 +62,8 @@ Matrix3 cross_matrix(Vec3 const& a) {
   return A;
 }
 
-/// The primary facet at the foot, and the forces along n that balance a tangential force: at node k, sum_b c_b
-/// N_k,b n with (t_a . x2_b) c_b = gap f_a.
+/// The primary facet at the foot, and the forces along n that balance a tangential force: at node k, sum_b
+/// c_b N_k,b n with (t_a . x2_b) c_b = gap f_a.
 template<int D> struct Opposite {
   CellFacet const& facet;
   FacetNodes<D> nodes;
@@ -85,7 +85,8 @@ template<int D> struct Turning {
   ByLess<D> place, levered; ///< of the foot's local coordinates and of c
 };
 
-template<int D> std::array<By<D>, D> turning_frame(Mat<D> const& frame, By<D> const& dn, Vec<D> const& direction) {
+template<int D>
+std::array<By<D>, D> turning_frame(Mat<D> const& frame, By<D> const& dn, Vec<D> const& direction) {
   if constexpr (D == 2) {
     static_cast<void>(frame), static_cast<void>(direction);
     Mat<2> right;
@@ -103,7 +104,8 @@ template<int D> std::array<By<D>, D> turning_frame(Mat<D> const& frame, By<D> co
 }
 
 template<int D>
-Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing, Local<D> const& f) {
+Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing,
+                   Local<D> const& f) {
   Opposite<D> const other(faced, pairing);
   Mat<D> const& frame = pairing.frame;
   Vec<D> const n = frame.col(0);
@@ -189,8 +191,8 @@ SampleRows<D> sample_rows(Faced<D> const& faced, Sample const& sample, SamplePai
 }
 
 template<int D>
-SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing,
-                                    Local<D> const& force) {
+SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
+                                    SamplePairing<D> const& pairing, Local<D> const& force) {
   auto const by = turning(faced, sample, pairing, force);
   Opposite<D> const other(faced, pairing);
   auto const& facet = faced.secondary.facet(sample.facet);
@@ -237,7 +239,9 @@ template SamplePairing<2> pairing(Faced<2> const&, Sample const&, Foot);
 template SamplePairing<3> pairing(Faced<3> const&, Sample const&, Foot);
 template SampleRows<2> sample_rows(Faced<2> const&, Sample const&, SamplePairing<2> const&);
 template SampleRows<3> sample_rows(Faced<3> const&, Sample const&, SamplePairing<3> const&);
-template SampleStiffness<2> sample_stiffness(Faced<2> const&, Sample const&, SamplePairing<2> const&, Local<2> const&);
-template SampleStiffness<3> sample_stiffness(Faced<3> const&, Sample const&, SamplePairing<3> const&, Local<3> const&);
+template SampleStiffness<2> sample_stiffness(Faced<2> const&, Sample const&, SamplePairing<2> const&,
+                                             Local<2> const&);
+template SampleStiffness<3> sample_stiffness(Faced<3> const&, Sample const&, SamplePairing<3> const&,
+                                             Local<3> const&);
 
 } // namespace stiction::contact

@@ -21,8 +21,7 @@ template<int D> Mat<D> area_by_node(FacetNodes<D> const& nodes, FacetShape const
 
 } // namespace
 
-template<int D>
-Local<D> Mortar<D>::force_on(std::size_t s, std::vector<Local<D>> const& forces) const {
+template<int D> Local<D> Mortar<D>::force_on(std::size_t s, std::vector<Local<D>> const& forces) const {
   Local<D> sum = Local<D>::Zero();
   int const facet = samples_[s].facet;
   if (!pairings_[s].found())
@@ -47,7 +46,8 @@ SampleStiffness<D> Mortar<D>::stiffness_of(std::size_t s, Local<D> const& force,
 }
 
 /// by_fans [D nodes, D fans] times the derivative of the averaged normals by the nodes of their facets.
-template<int D> void Mortar<D>::add_by_fans(Dense const& by_fans, Places& place, Dense& K, Positions x) const {
+template<int D>
+void Mortar<D>::add_by_fans(Dense const& by_fans, Places& place, Dense& K, Positions x) const {
   for (std::size_t f = 0; f < normals_.unit.size(); ++f) {
     auto const by_unit = by_fans.middleCols<D>(D * static_cast<Index>(f));
     if (by_unit.isZero(0))
@@ -66,8 +66,7 @@ template<int D> void Mortar<D>::add_by_fans(Dense const& by_fans, Places& place,
 }
 
 /// The nodes of samples that bear a force and of the facets around them.
-template<int D>
-Places Mortar<D>::touched(std::vector<std::size_t> const& samples, Positions x) const {
+template<int D> Places Mortar<D>::touched(std::vector<std::size_t> const& samples, Positions x) const {
   Places place(x.size() / D);
   for (std::size_t const s : samples) {
     for (Index const node : rows(s, x).nodes)
@@ -83,8 +82,7 @@ Places Mortar<D>::touched(std::vector<std::size_t> const& samples, Positions x) 
   return place;
 }
 
-template<int D>
-NodalStiffness Mortar<D>::stiffness(std::vector<Local<D>> const& forces, Positions x) const {
+template<int D> NodalStiffness Mortar<D>::stiffness(std::vector<Local<D>> const& forces, Positions x) const {
   std::vector<std::size_t> pressed;
   for (std::size_t s = 0; s < samples_.size(); ++s)
     if (!force_on(s, forces).isZero(0))

@@ -15,14 +15,16 @@ constexpr double facing = 0.1;
 /// Local coordinates at which a search has left a facet.
 constexpr double left = 5;
 
-template<int D> bool faces(CellSurface const& surface, int facet, Vec2 const& at, Ray<D> const& ray, Positions x) {
+template<int D>
+bool faces(CellSurface const& surface, int facet, Vec2 const& at, Ray<D> const& ray, Positions x) {
   Vec<D> const normal = surface.normal<D>(facet, at, x);
   return normal.dot(ray.along) > facing * normal.norm();
 }
 
-/// The side to leave by: the one farthest behind, if it leads to a facet that faces the ray; borders come last.
+/// The side to leave by: the one farthest behind, if it leads to a facet that faces the ray; borders come
+/// last.
 struct Leave {
-  int side = -1;   ///< -1: none, the place is on the facet
+  int side = -1; ///< -1: none, the place is on the facet
   bool border = false;
 };
 

@@ -9,9 +9,9 @@ namespace stiction::dynamics {
 
 /// One contact point at the end of a step.
 struct ContactState {
-  contact::Foot foot;                             ///< counterpart, the origin of the next step's slip
-  double gap = 0;                                 ///< x_n, m; without counterpart the radius of the search
-  double area = 0; ///< reference area that its tractions act on, m^2 (m in plane strain)
+  contact::Foot foot; ///< counterpart, the origin of the next step's slip
+  double gap = 0;     ///< x_n, m; without counterpart the radius of the search
+  double area = 0;    ///< reference area that its tractions act on, m^2 (m in plane strain)
   contact::Vec2 slip = contact::Vec2::Zero();     ///< increment of the last step, (t1, t2), m
   contact::Vec2 path = contact::Vec2::Zero();     ///< signed slip since the start, (t1, t2), m
   contact::Vec3 dry = contact::Vec3::Zero();      ///< rbar (n, t1, t2), Pa; t2 only in 3D

@@ -65,7 +65,7 @@ private:
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
   Vector mass_rate_, damping_;
   Vector external_old_, external_; ///< weight and loads at the step's ends, N
-  Vector inverse_mass_; ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
+  Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
   int critical_age_ = 0; ///< steps since the critical step was found; 0: not known
   double strain_ = 0, force_scale_ = 0;

@@ -131,7 +131,8 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
       facts.primary ? fmt::format("{} facets of {}, {} on average", facts.facets, facts.part->primary,
                                   human(facts.primary_size, "m"))
                     : "obstacle " + facts.part->primary);
-  add(section, "discretisation", pair.mortar ? "mortar: averages around the corner nodes" : "node_to_segment");
+  add(section, "discretisation",
+      pair.mortar ? "mortar: averages around the corner nodes" : "node_to_segment");
   add(section, "components", component_words(all), all.components);
   section.lines.push_back({"state", human(sizeof(dynamics::ContactState), "B") + " per point",
                            sizeof(dynamics::ContactState), "B", ""});

@@ -129,16 +129,18 @@ core::Schema const& PairPart::schema() {
                 "surface they meet, \"body.set\", or an obstacle's name")
           .nested("friction", "friction", Need::optional, "friction law; none: frictionless")
           .nested("adhesion", "adhesion", Need::optional, "adhesion law; none: dry")
-          .choice("discretisation", &PairPart::discretisation, {"node_to_segment", "mortar"}, Need::optional,
-                  "node_to_segment: gap and force at every node of the secondary; mortar: averages around its "
-                  "corner nodes, which pass uniform pressure between any two meshes")
+          .choice(
+              "discretisation", &PairPart::discretisation, {"node_to_segment", "mortar"}, Need::optional,
+              "node_to_segment: gap and force at every node of the secondary; mortar: averages around its "
+              "corner nodes, which pass uniform pressure between any two meshes")
           .choice("smoothing", &PairPart::smoothing, {"spline", "polyline"}, Need::optional,
                   "2D, node_to_segment: how the primary surface runs between its nodes")
           .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
                   "points farther apart stay out of the contact problem; 0: half a facet, or the range of a "
                   "reversible adhesion if that is more")
           .numbers("direction", &PairPart::direction, "1", Need::optional,
-                   "3D: the first tangential direction is its part along the primary surface {x, y, z} (mortar: along "
+                   "3D: the first tangential direction is its part along the primary surface {x, y, z} "
+                   "(mortar: along "
                    "the secondary's)")
           .build();
   return made;

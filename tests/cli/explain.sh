@@ -28,5 +28,5 @@ expect 0 "three-dimensional|Nothing to change" "$stiction" explain "$sphere" --c
 expect 0 "Nothing to change" "$stiction" explain "$sphere" --quick
 expect 0 "6.67 mm|V* normal|Nothing to change" "$stiction" explain "$studies/paper/plate_on_cylinder" --quick
 expect 0 "speed / c_s|Nothing to change" "$stiction" explain "$studies/proofs/bar_impact"
-expect 0 "theta = 1/2 with the inertia of contact nodes" "$stiction" explain "$studies/proofs/bar_impact" --case paper
+expect 0 "theta = 1/2) with the inertia of contact nodes" "$stiction" explain "$studies/proofs/bar_impact" --case paper
 finish

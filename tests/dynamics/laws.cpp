@@ -18,6 +18,7 @@ scene::Scene bar(test::NamedAdhesion const& named, double start, std::vector<dou
   for (std::size_t k = 0; k < y.size(); ++k)
     times.push_back(static_cast<double>(k) / static_cast<double>(y.size() - 1));
   test::at(table, "motions") = test::list({test::drive("foot.top", times, x, y)});
+  test::at(table, "schedule") = test::schedule({{1, 1}});
   auto scene = scene::build(table);
   auto& pair = scene.model->pairs[0];
   pair.law.adhesion = named.law;
@@ -53,11 +54,12 @@ Balance march(scene::Scene const& scene, int steps) {
 double viscous_loss(double rate_number, int steps) {
   double const w = 4, u0 = 0.2, b = 0.5, speed = rate_number * w * u0 / b, end = 12 * u0 / speed;
   auto table = test::foot_on_floor();
-  test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {1, 1}}, test::linear_elastic(1000, 0));
+  test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {1, 2}}, test::linear_elastic(1000, 0));
   test::at(table, "pairs.sole.adhesion") = test::rcc(w, w / (u0 * u0), b);
   test::at(table, "pairs.sole.adhesion.beta0") = test::value(1);
   test::at(table, "motions") =
-      test::list({test::fix("foot.all", true, false), test::drive("foot.all", {0, end}, {}, {0, 12 * u0})});
+      test::list({test::fix("foot.all", true, false), test::drive("foot.bottom", {0, end}, {}, {0, 12 * u0}),
+                  test::drive("foot.top", {0, end}, {}, {0, 12 * u0})});
   test::at(table, "schedule") = test::schedule({{end, steps}});
   auto const scene = scene::build(table);
   dynamics::Stepper stepper(*scene.model);
@@ -105,7 +107,7 @@ TEST_CASE("a reversible law is felt from afar and gives back what it took") {
     if (!test::reversible(named.law))
       continue;
     CAPTURE(named.name);
-    double const range = interface::Law{{}, named.law}.range();
+    double const range = interface::Law { {}, named.law }.range();
     double const far = 1.1 * range;
     auto const scene = bar(named, far, {0, 0, 0, 0}, {0, -far, -far, 0});
     auto const turn = march(scene, 3000);

@@ -1,4 +1,5 @@
-// Mortar contact of bodies: uniform pressure between any two meshes, in the plane, about an axis and in space.
+// Mortar contact of bodies: uniform pressure between any two meshes, in the plane, about an axis and in
+// space.
 #include <doctest/doctest.h>
 
 #include "dynamics/space.hpp"
@@ -25,8 +26,8 @@ double deviation(scene::Scene const& scene, test::State const& state, double axi
   return worst;
 }
 
-/// Two blocks with 3 and 4 cells across under the pressure 10 Pa of a lid that sinks. Poisson's ratio as given;
-/// the sides are free but for what holds the middle.
+/// Two blocks with 3 and 4 cells across under the pressure 10 Pa of a lid that sinks. Poisson's ratio as
+/// given; the sides are free but for what holds the middle.
 test::Input stacked(Kinds kinds, double poisson, bool mortar) {
   auto table = test::make("scene");
   auto const material = test::linear_elastic(1000, poisson);
@@ -37,9 +38,9 @@ test::Input stacked(Kinds kinds, double poisson, bool mortar) {
   test::at(table, "pairs.joint") = test::pair("upper.bottom", "lower.top");
   if (mortar)
     test::at(table, "pairs.joint.discretisation") = test::text("mortar");
-  test::at(table, "motions") = test::list({test::fix("lower.bottom", false, true), test::fix("lower.left", true, false),
-                                           test::fix("upper.left", true, false),
-                                           test::drive("upper.top", {0, 1}, {}, {0, -0.01})});
+  test::at(table, "motions") =
+      test::list({test::fix("lower.bottom", false, true), test::fix("lower.left", true, false),
+                  test::fix("upper.left", true, false), test::drive("upper.top", {0, 1}, {}, {0, -0.01})});
   test::at(table, "scheme") = test::quasi_static();
   test::at(table, "schedule") = test::schedule({{1, 1}});
   return table;
@@ -56,10 +57,10 @@ test::Input stacked_in_space(Kinds kinds, double poisson, bool mortar) {
   test::at(table, "pairs.joint") = test::pair("upper.bottom", "lower.top");
   if (mortar)
     test::at(table, "pairs.joint.discretisation") = test::text("mortar");
-  test::at(table, "motions") =
-      test::list({test::fix_in("lower.bottom", "z"), test::fix_in("lower.left", "x"), test::fix_in("upper.left", "x"),
-                  test::fix_in("lower.front", "y"), test::fix_in("upper.front", "y"),
-                  test::drive("upper.top", {0, 1}, {{{}, {}, {0, -0.01}}})});
+  test::at(table, "motions") = test::list({test::fix_in("lower.bottom", "z"), test::fix_in("lower.left", "x"),
+                                           test::fix_in("upper.left", "x"), test::fix_in("lower.front", "y"),
+                                           test::fix_in("upper.front", "y"),
+                                           test::drive("upper.top", {0, 1}, {{{}, {}, {0, -0.01}}})});
   test::at(table, "schedule") = test::schedule({{1, 1}});
   return table;
 }
@@ -90,8 +91,8 @@ TEST_CASE("mortar: uniform pressure passes between meshes that do not match") {
 }
 
 TEST_CASE("mortar: in space uniform pressure passes between meshes that do not match") {
-  for (Kinds const& kinds :
-       std::vector<Kinds>{{"hex8", "hex8"}, {"hex8", "tet4"}, {"tet10", "hex8"}, {"hex20", "tet10"}, {"hex8", "hex20"}})
+  for (Kinds const& kinds : std::vector<Kinds>{
+           {"hex8", "hex8"}, {"hex8", "tet4"}, {"tet10", "hex8"}, {"hex20", "tet10"}, {"hex8", "hex20"}})
     for (double const poisson : {0.0, 0.3}) {
       INFO(std::string(kinds.first), " ", std::string(kinds.second), " nu ", poisson);
       double const axial = -1000 * 0.01 / 2;

@@ -56,7 +56,9 @@ template<int D> struct Bent {
     }
     return f;
   }
-  [[nodiscard]] Vector positions() const { return Eigen::Map<Vector const>(x.data(), static_cast<Index>(x.size())); }
+  [[nodiscard]] Vector positions() const {
+    return Eigen::Map<Vector const>(x.data(), static_cast<Index>(x.size()));
+  }
 };
 
 test::Input blocks(char const* lower, char const* upper) {
@@ -79,7 +81,8 @@ test::Input boxes(char const* lower, char const* upper) {
   test::at(table, "bodies.upper.mesh.kind") = test::text(upper);
   test::at(table, "pairs.joint") = test::pair("upper.bottom", "lower.top");
   test::at(table, "pairs.joint.discretisation") = test::text("mortar");
-  test::at(table, "motions") = test::list({test::fix_in("lower.bottom", "xyz"), test::fix_in("upper.top", "xyz")});
+  test::at(table, "motions") =
+      test::list({test::fix_in("lower.bottom", "xyz"), test::fix_in("upper.top", "xyz")});
   return table;
 }
 

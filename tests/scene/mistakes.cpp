@@ -205,8 +205,8 @@ TEST_CASE("contradictions between parts are reported together") {
   CHECK(complaints(table).size() >= 3);
 }
 
-TEST_CASE(
-    "an adhesion that is felt beyond the reach of its pair is said so; without a reach the pair takes it") {
+TEST_CASE("an adhesion that is felt beyond the reach of its pair is said so and without a reach the pair "
+          "takes it") {
   auto table = test::foot_on_floor();
   test::at(table, "pairs.sole.adhesion") =
       test::make("adhesion.potential", {{"w", test::value(1, "J/m^2")}, {"delta", test::value(10, "mm")}});

@@ -114,9 +114,8 @@ template<class Choice> void check_choice() {
 
 TEST_CASE("each parameter of each kind of the catalog is read into its own member") {
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
-                              scene::SchedulePart, scene::StagePart,
-                              dynamics::StepControl, scene::OutputPart, mesh::Edge, mesh::Outline,
-                              mesh::Refinement, material::KelvinVoigt>;
+                              scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
+                              mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();
@@ -126,6 +125,7 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   check_choice<interface::FrictionLaw>();
   check_choice<interface::AdhesionLaw>();
   check_choice<scene::MotionPart>();
+  check_choice<scene::LoadPart>();
   check_choice<scene::ProbePart>();
   for (auto const& category : scene::catalog())
     for (auto const& kind : category.kinds) {
