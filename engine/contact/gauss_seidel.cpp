@@ -31,9 +31,9 @@ template<int D, class Update>
 Solution sweep(Problem const& problem, Vector const& guess, double tolerance, int iterations,
                Update&& update) {
   Solution best;
-  best.force = guess;
-  best.verdict = judge(problem, guess);
-  Vector p = guess, x = displacement(problem, p);
+  Vector p = open_where_given(problem, guess), x = displacement(problem, p);
+  best.force = p;
+  best.verdict = judge(problem, p);
   Vector rho(problem.size());
   for (Index i = 0; i < problem.size(); ++i)
     rho[i] = natural_scale(problem, i);

@@ -11,7 +11,8 @@ namespace {
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
 public:
-  NewtonRun(Problem const& problem, Vector const& guess) : problem_(problem), p_(guess) {
+  NewtonRun(Problem const& problem, Vector const& guess)
+      : problem_(problem), p_(open_where_given(problem, guess)) {
     Index const n = problem.size();
     rho_.resize(n);
     for (Index i = 0; i < n; ++i)

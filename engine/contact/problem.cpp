@@ -30,6 +30,28 @@ Vector displacement(Problem const& problem, Vector const& force) {
   return x;
 }
 
+namespace {
+
+template<int D> void start_open_in(Problem const& problem, Index point, Vector& force) {
+  auto const& data = problem.points[ix(point)];
+  Local<D> const x = problem.free.segment<D>(D * point) + problem.W.middleRows<D>(D * point) * force;
+  if (!(x[0] > data.shift[0]))
+    return;
+  force.segment<D>(D * point).setZero();
+  if (data.law >= 0)
+    force.segment<D>(D * point) =
+        data.area * interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x).traction;
+}
+
+} // namespace
+
+Vector open_where_given(Problem const& problem, Vector force) {
+  for (Index i = 0; i < problem.size(); ++i)
+    if (!(problem.W(problem.dim * i, problem.dim * i) > 0))
+      by_dimension(problem.dim, [&]<int D>() { start_open_in<D>(problem, i, force); });
+  return force;
+}
+
 double Verdict::relative() const {
   if (!std::isfinite(residual) || !std::isfinite(scale))
     return std::numeric_limits<double>::infinity();

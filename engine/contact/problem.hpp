@@ -102,6 +102,10 @@ template<class Call> auto by_dimension(int dim, Call&& call) {
 /// x = free + W p.
 [[nodiscard]] Vector displacement(Problem const& problem, Vector const& force);
 
+/// The starting forces with the bond's force alone on points whose gap is given (W_nn = 0, a driven node) and
+/// open: there the map has no slope that would lead away from a closed guess. [dim n], N
+[[nodiscard]] Vector open_where_given(Problem const& problem, Vector force);
+
 /// What the judge says of forces p.
 struct Verdict {
   double residual = 0; ///< largest |pbar - Proj(...)| / A over the points, Pa

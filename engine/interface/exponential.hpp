@@ -95,16 +95,16 @@ template<int D>
                                              Local<D> const& x) {
   Local<D> const d = opening<D>(x, step.old), d_by_x = opening_by_x<D>(x, step.old);
   auto const [u, v] = place_of<D>(law, d);
-  double const A = (1 - law.q) / (law.r - 1), C = (law.r - law.q) / (law.r - 1), rA = law.r * A;
+  double const A = (1 - law.q) / (law.r - 1), C = (law.r - law.q) / (law.r - 1), r_A = law.r * A;
   double const eu = law.phi_n * std::exp(-u), ev = std::exp(-v), n = 1 / law.delta_n();
   double const t = 2 / (law.delta_t * law.delta_t);
   auto const dt = d.template tail<D - 1>();
   Adhesion<D> result;
-  result.traction[0] = -eu * n * (A * (law.r - u) + (C * u - rA) * ev);
+  result.traction[0] = -eu * n * (A * (law.r - u) + (C * u - r_A) * ev);
   result.traction.template tail<D - 1>() = -eu * ev * (law.q + C * u) * t * dt;
   LocalMatrix<D> by_d;
-  by_d(0, 0) = eu * n * n * (A * (law.r - u) + (C * u - rA) * ev + A - C * ev);
-  by_d.template block<1, D - 1>(0, 1) = eu * n * (C * u - rA) * ev * t * dt.transpose();
+  by_d(0, 0) = eu * n * n * (A * (law.r - u) + (C * u - r_A) * ev + A - C * ev);
+  by_d.template block<1, D - 1>(0, 1) = eu * n * (C * u - r_A) * ev * t * dt.transpose();
   by_d.template block<D - 1, 1>(1, 0) = by_d.template block<1, D - 1>(0, 1).transpose();
   by_d.template bottomRightCorner<D - 1, D - 1>() =
       -eu * ev * (law.q + C * u) * t * (LocalMatrix<D - 1>::Identity() - t * dt * dt.transpose());

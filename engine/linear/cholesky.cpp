@@ -63,11 +63,15 @@ bool Cholesky::factorize(std::span<double const> values) {
   auto& w = *work_;
   w.matrix.x = const_cast<double*>(values.data()); // CHOLMOD reads only
   factor_ready_ = inverse_ready_ = false;
+  if (values.empty()) // nothing is unknown: CHOLMOD calls the empty matrix singular
+    return true;
   cholmod_factorize(&w.matrix, w.factor, &w.common);
   return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
 }
 
 void Cholesky::solve_system(int system, Vector& b) {
+  if (b.size() == 0)
+    return;
   auto& w = *work_;
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(b.size());

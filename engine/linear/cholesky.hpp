@@ -23,7 +23,8 @@ public:
   Cholesky(Cholesky const&) = delete;
   Cholesky& operator=(Cholesky const&) = delete;
 
-  /// values[entries] of the lower triangle. False if the matrix is not positive definite.
+  /// values[entries] of the lower triangle. False if the matrix is not positive definite; that of no
+  /// unknowns is.
   [[nodiscard]] bool factorize(std::span<double const> values);
   /// Solves A x = b in place; b[n].
   void solve(Vector& b);

@@ -149,6 +149,14 @@ TEST_SUITE("linear") {
     CHECK((b - Vector::Ones(36)).norm() < 1e-13);
   }
 
+  TEST_CASE("no unknowns: the empty system is solved") {
+    Cholesky cholesky(pattern_of(0, {}), 0);
+    REQUIRE(cholesky.factorize({}));
+    Vector b;
+    cholesky.solve(b);
+    CHECK(b.size() == 0);
+  }
+
   TEST_CASE("refactoring and solving take no further blocks from the system") {
     Cholesky cholesky(grid(15), 15);
     auto const round = [&](unsigned seed) {
