@@ -2,6 +2,7 @@
 return {
   "greco_block",
   "hertz_2d",
+  "hertz_3d",
   "jkr_sphere",
   "materials",
   "bar_impact",
