@@ -2,6 +2,8 @@
 return {
   "greco_block",
   "hertz_2d",
+  "hertz_3d",
+  "cattaneo_mindlin",
   "jkr_sphere",
   "materials",
   "bar_impact",

@@ -43,3 +43,31 @@ test("the stick zone ends where everything slides", function()
   equal(hertz.stick_half_width(1, 0, 0.4, 1), 1)
   equal(hertz.shear(0.5, 1, 10, 0, 0.4), 0.4 * hertz.pressure(0.5, 1, 10))
 end)
+
+test("slip: none where it sticks, its gradient is that of the two half ellipses", function()
+  local a, p0, c, mu, E = 2e-3, 5e8, 1e-3, 0.4, 3e9
+  equal(hertz.slip(0.9 * c, a, p0, c, mu, E), 0)
+  equal(hertz.slip(1.1 * a, a, p0, c, mu, E), 0)
+  local x, h = 1.6e-3, 1e-8
+  local gradient = (hertz.slip(x + h, a, p0, c, mu, E) - hertz.slip(x - h, a, p0, c, mu, E)) / (2 * h)
+  near(gradient, 2 * mu * p0 / (E * a) * math.sqrt(x ^ 2 - c ^ 2), 1e-6)
+  near(hertz.slip(-x, a, p0, c, mu, E), hertz.slip(x, a, p0, c, mu, E), 1e-15)
+end)
+
+test("work of friction: pi (mu p0 a)^2 / (8 E*) at the onset of sliding, none without shear", function()
+  local a, p0, mu, E = 2e-3, 5e8, 0.4, 3e9
+  near(hertz.friction_work(a, p0, 0, mu, E), math.pi * (mu * p0 * a) ^ 2 / (8 * E), 1e-5)
+  equal(hertz.friction_work(a, p0, a, mu, E), 0)
+end)
+
+test("going back: nothing at first, the mirror image at the end, Q in between", function()
+  local P, mu, R, E = 1e6, 0.4, 0.02, 3e9
+  local a, p0 = hertz.half_width(P, R, E), hertz.peak_pressure(P, R, E)
+  local c = hertz.stick_half_width(a, 3e5, mu, P)
+  local function back(now)
+    return function(x) return hertz.shear_back(x, a, p0, mu, { normal = P, forward = 3e5, now = now }) end
+  end
+  near(back(3e5)(0.9 * a), hertz.shear(0.9 * a, a, p0, c, mu), 1e-12)
+  near(back(-3e5)(0.3 * a), -hertz.shear(0.3 * a, a, p0, c, mu), 1e-12)
+  near(total(back(1e5), a), 1e5, 1e-3)
+end)

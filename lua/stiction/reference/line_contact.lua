@@ -41,4 +41,38 @@ function line_contact.shear(x, half_width, peak, stick_half_width, mu)
   return q
 end
 
+--- Slip of two equal bodies at x, m: where c < |x| < a it is mu p0/(E* a) (|x| sqrt(x^2 - c^2) - c^2 arcosh(|x|/c)).
+--- From Johnson, section 7.2: a half ellipse mu p0 over a shifts the surfaces by mu p0 x^2/(E* a), that over c by the same
+--- inside c, and outside with the gradient of x^2 lessened by 2 sqrt(x^2 - c^2).
+function line_contact.slip(x, half_width, peak, stick_half_width, mu, modulus)
+  local c, distance = stick_half_width, math.abs(x)
+  if distance <= c or distance > half_width then
+    return 0
+  end
+  local root = math.sqrt(distance ^ 2 - c ^ 2)
+  local turned = c > 0 and c ^ 2 * math.log((distance + root) / c) or 0
+  return mu * peak / (modulus * half_width) * (distance * root - turned)
+end
+
+--- Work of friction over the whole contact, J/m, as Q grows from 0: mu p times the slip, by midpoints of
+--- t in |x| = a - (a - c) t^2.
+function line_contact.friction_work(half_width, peak, stick_half_width, mu, modulus)
+  local sum, n, range = 0, 2000, half_width - stick_half_width
+  for i = 1, n do
+    local t = (i - 0.5) / n
+    local x = half_width - range * t ^ 2
+    local slip = line_contact.slip(x, half_width, peak, stick_half_width, mu, modulus)
+    sum = sum + mu * line_contact.pressure(x, half_width, peak) * slip * 2 * t * range / n
+  end
+  return 2 * sum
+end
+
+--- Shear once Q has grown to forces.forward and gone back to forces.now under forces.normal: a point's friction turns
+--- round by 2 mu p, so the change is that of a first loading with twice mu (Johnson, section 7.4).
+function line_contact.shear_back(x, half_width, peak, mu, forces)
+  local c = line_contact.stick_half_width(half_width, forces.forward, mu, forces.normal)
+  local back = line_contact.stick_half_width(half_width, forces.forward - forces.now, 2 * mu, forces.normal)
+  return line_contact.shear(x, half_width, peak, c, mu) - line_contact.shear(x, half_width, peak, back, 2 * mu)
+end
+
 return line_contact
