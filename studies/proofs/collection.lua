@@ -7,6 +7,7 @@ return {
   "jkr_sphere",
   "materials",
   "bar_impact",
+  "sliding_block",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }
