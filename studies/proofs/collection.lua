@@ -6,6 +6,7 @@ return {
   "cattaneo_mindlin",
   "jkr_sphere",
   "materials",
+  "point_laws",
   "bar_impact",
   "sliding_block",
   "../paper/plate_on_cylinder",
