@@ -9,6 +9,7 @@ return {
   "point_laws",
   "bar_impact",
   "sliding_block",
+  "sphere_impact",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }
