@@ -7,6 +7,7 @@ return {
   "jkr_sphere",
   "materials",
   "point_laws",
+  "cohesive_laws",
   "bar_impact",
   "sliding_block",
   "sphere_impact",
