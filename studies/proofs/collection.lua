@@ -8,6 +8,7 @@ return {
   "materials",
   "point_laws",
   "cohesive_laws",
+  "friction_laws",
   "bar_impact",
   "sliding_block",
   "sphere_impact",

@@ -174,17 +174,20 @@ local function proofs(runs, check)
   end
 end
 
-local list = {}
-for _, test in ipairs(order) do
-  for _, back in ipairs { false, true } do
-    for _, steps in ipairs(back and { 120, 240 } or { 60, 120 }) do list[#list + 1] = { test = test, back = back, steps = steps } end
+local function cases_of(ways)
+  local list = {}
+  for _, test in ipairs(order) do
+    for _, back in ipairs(ways) do
+      for _, steps in ipairs(back and { 120, 240 } or { 60, 120 }) do list[#list + 1] = { test = test, back = back, steps = steps } end
+    end
   end
+  return list
 end
 
 local function picture(cases, name, title, wanted)
   local curves = {}
   for i, test in ipairs(wanted) do
-    local run = cases:find { test = test, back = true, steps = 240 }
+    local run = cases:find { test = test, back = true, steps = 240 } or cases:find { test = test, back = false, steps = 120 }
     local t, x, y = tests[test], {}, {}
     for k = 0, 300 do
       x[k + 1] = t.to * k / 300
@@ -200,7 +203,7 @@ end
 
 return stiction.study {
   title = "The other laws of adhesion at one point", question = "Does the whole program follow their closed curves?",
-  sweep = list, scene = scene,
+  sweep = cases_of { false, true }, quick = { sweep = cases_of { false } }, scene = scene,
   case_id = function(p) return ("%s%s_%d"):format(p.test, p.back and "_back" or "", p.steps) end,
   results = {
     { name = "at_third", unit = "Pa", meaning = "traction when a third of the opening is reached first",
@@ -211,7 +214,8 @@ return stiction.study {
   },
   check = function(cases, check)
     for _, test in ipairs(order) do
-      for _, back in ipairs { false, true } do proofs(cases:where { test = test, back = back }, check) end
+      proofs(cases:where { test = test, back = false }, check)
+      if not cases.quick then proofs(cases:where { test = test, back = true }, check) end
     end
   end,
   figures = function(cases)
