@@ -1,5 +1,6 @@
 -- The order of the report: statics, adhesion, dynamics, then the cases of the paper.
 return {
+  "patch",
   "greco_block",
   "hertz_2d",
   "jkr_sphere",
