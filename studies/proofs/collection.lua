@@ -1,6 +1,7 @@
 -- The order of the report: statics, adhesion, dynamics, then the cases of the paper.
 return {
   "patch",
+  "ironing",
   "greco_block",
   "hertz_2d",
   "jkr_sphere",
