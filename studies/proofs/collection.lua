@@ -2,6 +2,7 @@
 return {
   "patch",
   "ironing",
+  "locking",
   "greco_block",
   "hertz_2d",
   "jkr_sphere",
