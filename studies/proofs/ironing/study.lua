@@ -92,48 +92,9 @@ local function steady(run, p)
   return x, normal, tangential
 end
 
-local function dot(a, b)
-  local sum = 0
-  for i in ipairs(a) do
-    sum = sum + a[i] * b[i]
-  end
-  return sum
-end
-
---- values less factor * from
-local function less(values, factor, from)
-  local rest = {}
-  for i in ipairs(values) do
-    rest[i] = values[i] - factor * from[i]
-  end
-  return rest
-end
-
---- What the parabola of least squares over x leaves of y (Gram and Schmidt on 1, x, x^2).
-local function shaking(x, y)
-  local bases = {}
-  for power = 0, 2 do
-    local base = numeric.map(x, function(value) return (value / x[#x]) ^ power end)
-    for _, earlier in ipairs(bases) do
-      base = less(base, dot(base, earlier) / dot(earlier, earlier), earlier)
-    end
-    bases[#bases + 1] = base
-    y = less(y, dot(y, base) / dot(base, base), base)
-  end
-  return y
-end
-
-local function mean(values)
-  local sum = 0
-  for _, value in ipairs(values) do
-    sum = sum + value
-  end
-  return sum / #values
-end
-
-local function amplitude(x, y, scale)
-  local rest = shaking(x, y)
-  return (numeric.max(rest) - numeric.min(rest)) / 2 / scale
+--- Amplitude of what a parabola over x leaves of a force, over the scale.
+local function amplitude(x, force, scale)
+  return numeric.amplitude(numeric.without_trend(x, force, 2)) / scale
 end
 
 --- All methods of one group; a group is {secondary =, kind =, methods =}, in the order of the report.
@@ -260,19 +221,19 @@ return stiction.study {
   results = {
     { name = "normal", unit = "N/mm", meaning = "mean normal force", function(run, p)
       local _, normal = steady(run, p)
-      return mean(normal)
+      return numeric.mean(normal)
     end },
     { name = "ratio_of_forces", unit = "1", meaning = "mean tangential over mean normal force", function(run, p)
       local _, normal, tangential = steady(run, p)
-      return mean(tangential) / mean(normal)
+      return numeric.mean(tangential) / numeric.mean(normal)
     end },
     { name = "shake_n", unit = "1", meaning = "amplitude of the normal force over its mean", function(run, p)
       local x, normal = steady(run, p)
-      return amplitude(x, normal, mean(normal))
+      return amplitude(x, normal, numeric.mean(normal))
     end },
     { name = "shake_t", unit = "1", meaning = "amplitude of the tangential force over the mean normal one", function(run, p)
       local x, normal, tangential = steady(run, p)
-      return amplitude(x, tangential, mean(normal))
+      return amplitude(x, tangential, numeric.mean(normal))
     end },
   },
   check = function(cases, check)
