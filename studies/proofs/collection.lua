@@ -2,6 +2,7 @@
 return {
   "patch",
   "ironing",
+  "nonmatching_slide",
   "locking",
   "greco_block",
   "hertz_2d",
