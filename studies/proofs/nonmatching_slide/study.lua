@@ -119,7 +119,7 @@ return stiction.study {
   chosen = {
     radius = { 1*mm, "of the ball" }, length = { 3.2*mm, "of the slab" }, width = { 1.2*mm, "of half of it" },
     height = { 0.8*mm, "of the slab" }, ball_young = { 10*MPa, "ten times the slab's, both deform" },
-    slab_young = { 1*MPa, "the soft one" }, poisson = { 0.3, "no locking" }, depth = { 0.15*mm, "contact radius 0.35 mm" },
+    slab_young = { 1*MPa, "the soft one" }, poisson = { 0.3, "no locking" }, depth = { 0.15*mm, "of the order of the plane study" },
     run_in = { 0.3*mm, "sliding before forces are looked at" }, window = { 0.2*mm, "looked at to both sides of the middle" },
     steps_down = { 4, "to full depth" }, steps_in = { 6, "of the run-in" },
     per_cell = { 8, "steps while the ball passes a cell" },
