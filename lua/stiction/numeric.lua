@@ -80,7 +80,58 @@ function numeric.integral(xs, ys)
   return sum
 end
 
---- test(a[i]) for every element, as a new list.
+--- Arithmetic mean.
+function numeric.mean(values)
+  if #values == 0 then
+    fault.script("this list is empty: it has no mean")
+  end
+  local sum = 0
+  for _, value in ipairs(values) do
+    sum = sum + value
+  end
+  return sum / #values
+end
+
+local function dot(a, b)
+  local sum = 0
+  for i in ipairs(a) do
+    sum = sum + a[i] * b[i]
+  end
+  return sum
+end
+
+--- values without their part along `base`
+local function without(values, base)
+  local factor, rest = dot(values, base) / dot(base, base), {}
+  for i in ipairs(values) do
+    rest[i] = values[i] - factor * base[i]
+  end
+  return rest
+end
+
+--- What the polynomial of least squares over xs, of this degree, leaves of ys (Gram and Schmidt on its powers).
+function numeric.without_trend(xs, ys, degree)
+  if #xs ~= #ys or #xs <= degree then
+    fault.script("without_trend needs two lists of one length, longer than the degree %d; got %d and %d", degree, #xs, #ys)
+  end
+  local widest, bases = math.abs(xs[select(2, numeric.extreme(xs))]), {}
+  for power = 0, degree do
+    local base = numeric.map(xs, function(x) return (x / widest) ^ power end)
+    for _, earlier in ipairs(bases) do
+      base = without(base, earlier)
+    end
+    bases[#bases + 1] = base
+    ys = without(ys, base)
+  end
+  return ys
+end
+
+--- Half of largest less smallest.
+function numeric.amplitude(values)
+  return (numeric.max(values) - numeric.min(values)) / 2
+end
+
+--- f(a[i]) for every element, as a new list.
 function numeric.map(values, f)
   local list = {}
   for i, value in ipairs(values) do

@@ -1,5 +1,9 @@
 -- The order of the report: statics, adhesion, dynamics, then the cases of the paper.
 return {
+  "patch",
+  "ironing",
+  "nonmatching_slide",
+  "locking",
   "greco_block",
   "hertz_2d",
   "hertz_3d",

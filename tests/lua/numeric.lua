@@ -1,0 +1,26 @@
+-- Small tools on lists: means, trends taken off, amplitudes.
+local test, equal, fails = ...
+local numeric = require "stiction.numeric"
+
+test("mean and amplitude", function()
+  equal(numeric.mean { 1, 2, 6 }, 3)
+  equal(numeric.amplitude { -1, 4, 3 }, 2.5)
+  fails("this list is empty: it has no mean", numeric.mean, {})
+end)
+
+test("a trend of its degree is taken off whole, what is orthogonal to it stays", function()
+  local x, parabola, shaken = {}, {}, {}
+  for i = 1, 41 do
+    x[i] = (i - 21) / 4
+    parabola[i] = 3 - 2 * x[i] + 0.5 * x[i] ^ 2
+    shaken[i] = parabola[i] + 0.1 * math.cos(2 * math.pi * (i - 1) / 4)
+  end
+  for _, rest in ipairs(numeric.without_trend(x, parabola, 2)) do
+    equal(math.abs(rest) < 1e-12, true)
+  end
+  local cubic = numeric.without_trend(x, numeric.map(x, function(value) return value ^ 3 end), 2)
+  equal(numeric.amplitude(cubic) > 1, true)
+  local amplitude = numeric.amplitude(numeric.without_trend(x, shaken, 2))
+  equal(math.abs(amplitude - 0.1) < 0.01, true)
+  fails("without_trend needs two lists of one length", numeric.without_trend, { 1, 2 }, { 1 }, 0)
+end)
