@@ -211,7 +211,7 @@ core::Schema const& Refinement::schema() {
           .number("size", &Refinement::size, "m", core::positive, Need::required, "cell size there")
           .number("within", &Refinement::within, "m", core::non_negative, Need::optional,
                   "distance up to which that size holds")
-          .number("until", &Refinement::until, "m", core::positive, Need::required,
+          .number("beyond", &Refinement::until, "m", core::positive, Need::required,
                   "distance at which the mesh's own size is reached")
           .build();
   return result;

@@ -41,7 +41,7 @@ void check_fine(core::Complaints& complaints, GmshSolid const& solid) {
   if (!solid.near.empty())
     check_numbers(complaints, {"gmsh_solid.near", solid.near, "m", core::any_number, 3});
   if (!(solid.until > solid.within))
-    complaints.push_back({"", "gmsh_solid.until",
+    complaints.push_back({"", "gmsh_solid.beyond",
                           fmt::format("is {:g} m; it must be > within = {:g} m", solid.until, solid.within)});
 }
 
@@ -113,7 +113,7 @@ core::Schema const& GmshSolid::schema() {
                    "that place {x, y, z}; the middle of the top, of a half ball its pole, when not given")
           .number("within", &GmshSolid::within, "m", core::non_negative, Need::optional,
                   "distance up to which fine_size holds")
-          .number("until", &GmshSolid::until, "m", core::non_negative, Need::optional,
+          .number("beyond", &GmshSolid::until, "m", core::non_negative, Need::optional,
                   "distance at which size is reached")
           .choice("kind", &GmshSolid::kind, core::Choices<CellKind>{CellKind::tet4, {"tet4", "tet10"}},
                   Need::optional, "kind of cells")

@@ -209,6 +209,25 @@ void locking_cells(BodyFacts const& facts, Warnings& warnings) {
     }
 }
 
+/// A uniform pressure on their faces pulls at the corners (hex20) or leaves them bare (tet10), which points
+/// at the nodes cannot carry.
+void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (pair.pair->mortar)
+    return;
+  auto const& body = *all.bodies[pair.secondary].body;
+  for (auto const& block : body.mesh.blocks)
+    if ((block.kind == mesh::CellKind::hex20 || block.kind == mesh::CellKind::tet10) &&
+        !block.nodes.empty()) {
+      warnings.push_back(
+          {fmt::format("pair {}: contact points at the nodes of {} cells: force and contact area come out, "
+                       "the pressure "
+                       "is wrong from node to node by half, on matching meshes too",
+                       pair.pair->name, mesh::info(block.kind).name),
+           fmt::format("in stiction.pair of {}: discretisation = \"mortar\"", pair.pair->name)});
+      return;
+    }
+}
+
 /// The axis along which all nodes share one coordinate; -1 if there is none.
 int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
   double const extent = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
@@ -327,6 +346,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     stiff_body(all, pair, warnings);
     closing_steps(all, pair, warnings);
     strain(all, pair, warnings);
+    quadratic_faces(all, pair, warnings);
     if (pair.pair->law.adhesion)
       adhesion(all, pair, warnings);
   }

@@ -186,7 +186,7 @@ TEST_SUITE("mesh") {
     CHECK(mentions(words([](auto& s) { s.size = 0; }), "gmsh_solid.size"));
     CHECK(mentions(words([](auto& s) { s.at = {1}; }), "gmsh_solid.at"));
     CHECK(mentions(words([](auto& s) { s.fine_size = 0.3; }), "gmsh_solid.fine_size"));
-    CHECK(mentions(words([](auto& s) { s.fine_size = 0.1; }), "gmsh_solid.until"));
+    CHECK(mentions(words([](auto& s) { s.fine_size = 0.1; }), "gmsh_solid.beyond"));
     CHECK(mentions(words([](auto& s) { s.size = 0.005; }), "at most"));
   }
 }

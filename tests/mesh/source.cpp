@@ -97,7 +97,7 @@ TEST_SUITE("mesh") {
     core::Complaints complaints;
     core::List const edges{edge(1, 0, "bottom"), edge(1, 1, ""), edge(0, 0, "")};
     core::List const refine{
-        made("", {{"near", words("bottom")}, {"size", metres(0.1)}, {"until", metres(1)}})};
+        made("", {{"near", words("bottom")}, {"size", metres(0.1)}, {"beyond", metres(1)}})};
     core::Table table{{"size", metres(0.5)},
                       {"start", pair(0, 0)},
                       {"edges", {edges, "", ""}},

@@ -183,6 +183,23 @@ TEST_CASE("nearly incompressible plain cells lock") {
   CHECK_FALSE(warns(input, "lock"));
 }
 
+TEST_CASE("points at the nodes of quadratic cells in space are advised against") {
+  auto input = foot_on_floor();
+  at(input, "kinematics") = text("three_dimensional");
+  at(input, "bodies.foot.mesh") =
+      make("mesh.block",
+           {{"size", values({1, 1, 1}, "m")}, {"cells", values({1, 1, 1})}, {"kind", text("hex20")}});
+  at(input, "motions") = list({});
+  auto const found = warnings(input, "contact points at the nodes of hex20 cells");
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0].change, "mortar"));
+  at(input, "pairs.sole.discretisation") = text("mortar");
+  CHECK_FALSE(warns(input, "contact points at the nodes"));
+  at(input, "pairs.sole.discretisation") = text("node_to_segment");
+  at(input, "bodies.foot.mesh.kind") = text("hex8");
+  CHECK_FALSE(warns(input, "contact points at the nodes"));
+}
+
 TEST_CASE("a plane of symmetry that is free to open is named with the motion that holds it") {
   auto input = make("scene");
   at(input, "kinematics") = text("three_dimensional");

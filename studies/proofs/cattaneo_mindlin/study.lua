@@ -36,7 +36,7 @@ local function block(p, side)
         edge { to = { -w, side * w }, name = "flat" },
         edge { to = rim(-w) },
       },
-      refine = { stiction.refinement { near = "crown", size = p.a / p.cells, within = p.deep * p.a, ["until"] = w } },
+      refine = { stiction.refinement { near = "crown", size = p.a / p.cells, within = p.deep * p.a, beyond = w } },
     },
     material = stiction.material.linear_elastic { young = p.young, poisson = p.poisson }, density = p.density,
   }
