@@ -21,7 +21,7 @@ PassOperations pass_operations(dynamics::Model const& model) {
       auto const nodes = static_cast<double>(mesh::info(block.kind).nodes);
       auto const points = static_cast<double>(block.nodes.size()) / nodes *
                           static_cast<double>(mesh::stiffness_rule(block.kind).weights.size());
-      double const width = model.dim, unknowns = nodes * width;
+      double const width = model.dim(), unknowns = nodes * width;
       sum.force += points * (4 * unknowns * width + law);
       sum.stiffness += points * (unknowns * unknowns * 2 * width + law);
     }

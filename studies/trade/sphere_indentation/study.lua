@@ -17,14 +17,14 @@ return paper:variant {
   trade = {
     quantities = { "pull_off", "traction_A", "force_depth" },
     knobs = {
-      { "mesh_size", { 0.8*mm, 0.4*mm, 0.2*mm, 0.1*mm } },
+      { "mesh_size", { 1*mm, 0.5*mm, 0.2*mm, 0.1*mm } },
       { "steps_down", { 40, 75, 150, 300 } },
       { "model", { "rigid", "deformable", "space", "plain", "inertia" } },
     },
     quick = {
-      set = { mesh_size = 0.4*mm, steps_down = 75 },
+      set = { mesh_size = 0.5*mm, steps_down = 75 },
       knobs = {
-        { "mesh_size", { 0.8*mm, 0.4*mm, 0.2*mm } }, { "steps_down", { 40, 75, 150 } },
+        { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm } }, { "steps_down", { 40, 75, 150 } },
         { "model", { "rigid", "plain" } },
       },
     },
