@@ -173,6 +173,12 @@ local strict = {
 }
 
 local function check_case(names, case, values)
+  for _, key in ipairs(ordered.keys(case)) do
+    if not numeric.first_where(names, function(name) return name == key end) then
+      fault.input("study.sweep: a case gives '%s', which the first does not; every case must give the same names",
+        tostring(key))
+    end
+  end
   for _, name in ipairs(names) do
     if not study_module.is_value(case[name]) then
       fault.input("study.sweep: every case must give '%s' a number, a quantity, a text or a flag", name)

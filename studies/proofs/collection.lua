@@ -6,7 +6,12 @@ return {
   "cattaneo_mindlin",
   "jkr_sphere",
   "materials",
+  "point_laws",
+  "cohesive_laws",
+  "friction_laws",
   "bar_impact",
+  "sliding_block",
+  "sphere_impact",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }
