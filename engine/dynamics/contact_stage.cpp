@@ -73,6 +73,7 @@ private:
   void gather();
   void take_shift_away(double weight);
   void tell_apart(Index first, Local<C> const& force);
+  void count(contact::Solution const& solution, Cost& cost) const;
 
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
@@ -366,6 +367,15 @@ template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& no
   return unknowns_;
 }
 
+/// Newton factors the matrix of the touching points, the others sweep over it.
+template<int D, int C> void Stage<D, C>::count(contact::Solution const& solution, Cost& cost) const {
+  auto const n = static_cast<double>(solution.force.size()),
+             iterations = static_cast<double>(solution.iterations);
+  bool const factors = std::holds_alternative<contact::BipotentialNewton>(model_->solver);
+  cost.contact_iterations += solution.iterations;
+  cost.contact_operations += iterations * (2 * n * n + (factors ? 2 * n * n * n / 3 : 0));
+}
+
 /// Two nodes of a curve that touches itself may each be the other's counterpart; they then ask the same twice
 /// and W is singular. A small compliance about the last force tells them apart and vanishes as the force
 /// settles.
@@ -399,10 +409,10 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   }
   auto solution = solver_->solve(problem_, guess);
   ++cost.contact_problems;
-  cost.contact_iterations += solution.iterations;
+  count(solution, cost);
   if (!solution.converged) { // the last forces may be a bad start: once more from none
     solution = solver_->solve(problem_, Vector::Zero(guess.size()));
-    cost.contact_iterations += solution.iterations;
+    count(solution, cost);
   }
   if (!solution.converged)
     return false;

@@ -13,6 +13,7 @@ struct Cost {
   double assembly = 0, factorization = 0, contact = 0, solve = 0; ///< s
   long force_passes = 0, stiffness_passes = 0, factorizations = 0, shifted_factorizations = 0, solves = 0;
   long newton_iterations = 0, contact_iterations = 0, contact_problems = 0;
+  double contact_operations = 0; ///< of the contact solver, floating-point, leading terms
 };
 
 class Structure {
@@ -49,6 +50,7 @@ public:
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
   [[nodiscard]] linear::Cholesky& factor() { return *factor_; }
+  [[nodiscard]] linear::Effort effort() const { return factor_->effort(); }
   /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
   [[nodiscard]] double stiffness_scale() const { return stiffness_scale_; }
 

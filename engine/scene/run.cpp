@@ -15,6 +15,7 @@
 #include "record/problem_file.hpp"
 #include "scene/frame.hpp"
 #include "scene/probes.hpp"
+#include "scene/work.hpp"
 
 namespace stiction::scene {
 
@@ -23,6 +24,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Processor time of this process so far, s.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 double peak_memory() {
@@ -164,6 +175,8 @@ public:
          cells * static_cast<double>(cost.force_passes + cost.stiffness_passes) / cost.assembly},
         {"heap_blocks_of_factor_after_first_step",
          static_cast<double>(linear::blocks_from_system() - blocks_)},
+        {"work", operations(*scene_->model, stepper_)},
+        {"cpu_seconds", cpu_seconds()},
         {"unknowns", static_cast<double>(stepper_.structure().unknowns())},
         {"peak_memory", peak_memory()}};
     return result_;

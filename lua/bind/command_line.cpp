@@ -58,6 +58,7 @@ private:
     return value<std::string>(sub, "--case", "ID", "Only the case of this name");
   }
   void add_run();
+  void add_trade();
   void add_others();
   void add_internal();
 
@@ -74,8 +75,21 @@ void Commands::add_run() {
   value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
       ->check(CLI::Range(1, 4096).description(""));
   out(run);
+  value<std::string>(run, "--accuracy", "SHARE",
+                     "With the cheapest settings that the study's trade measured to be so near, e.g. 2%");
   flag(run, "force", "Run finished cases again");
   flag(run, "no-figures", "Draw no figures");
+}
+
+void Commands::add_trade() {
+  auto& trade = command("trade", "Measure what accuracy costs in a study, knob by knob and combined");
+  study(trade)->required();
+  study_options(trade);
+  value<double>(trade, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(trade);
+  flag(trade, "force", "Run finished cases again");
+  flag(trade, "no-figures", "Draw no figures");
 }
 
 void Commands::add_others() {
@@ -109,6 +123,7 @@ void Commands::add_internal() {
   study_options(one);
   one_case(one)->required();
   out(one)->required();
+  flag(one, "trade", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();
@@ -116,6 +131,7 @@ void Commands::add_internal() {
 
 void Commands::add_all() {
   add_run();
+  add_trade();
   add_others();
   add_internal();
 }

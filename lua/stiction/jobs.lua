@@ -16,6 +16,9 @@ local function words_for(case, options)
   if options.trust then
     words[#words + 1] = "--trust"
   end
+  if options.trade then
+    words[#words + 1] = "--trade"
+  end
   for _, setting in ipairs(options.set or {}) do
     words[#words + 1] = "--set"
     words[#words + 1] = setting

@@ -84,8 +84,8 @@ local function csv_word(value)
   return text:find('[,"\n]') and '"' .. text:gsub('"', '""') .. '"' or text
 end
 
---- summary.csv: one row per case with a result; SI.
-function output.write_summary(folder, study, names, rows)
+--- summary.csv: one row per case with a result; SI. `errors` (or nil), by result: what it may be off by, a last column.
+function output.write_summary(folder, study, names, rows, errors)
   local head = { "case" }
   for _, name in ipairs(names) do
     head[#head + 1] = name
@@ -94,6 +94,10 @@ function output.write_summary(folder, study, names, rows)
     head[#head + 1] = entry.name
   end
   table.move({ "verdict", "steps", "iterations", "seconds" }, 1, 4, #head + 1, head)
+  local estimated = ordered.keys(errors or {})
+  for _, name in ipairs(estimated) do
+    head[#head + 1] = name .. "_error"
+  end
   local lines = { table.concat(head, ",") }
   for _, row in ipairs(rows) do
     local words = { row.case.id }
@@ -105,6 +109,9 @@ function output.write_summary(folder, study, names, rows)
     end
     for _, field in ipairs { "verdict", "steps", "iterations", "seconds" } do
       words[#words + 1] = csv_word(row.result[field])
+    end
+    for _, name in ipairs(estimated) do
+      words[#words + 1] = csv_word(errors[name])
     end
     lines[#lines + 1] = table.concat(words, ",")
   end

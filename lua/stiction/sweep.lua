@@ -2,6 +2,7 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local ladder = require "stiction.trade.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local study_module = require "stiction.study"
@@ -212,8 +213,51 @@ local function copy_plan(plan)
   return twin
 end
 
---- The cases of `study` under options {quick =, set =}: list of {id =, p =}, and the names that are swept.
+--- The swept values that study.trade.set must have brought down to one each, now standing with the others.
+local function settle(plan, values)
+  for _, name in ipairs(axis_names(plan)) do
+    local axes, one = plan.axes or {}, nil
+    for _, case in ipairs(plan.cases or multiply(axes)) do
+      if one ~= nil and one ~= case[name] then
+        fault.input("study.trade.set must give '%s' one value: the trade is measured on one scene", name)
+      end
+      one = case[name]
+    end
+    values[name] = one
+  end
+end
+
+--- All combinations of the knobs of study.trade: cases that also know their `levels`, the knobs' names, the knobs.
+function sweep.trade(study, options)
+  local spec = study.trade or fault.input("the study '%s' has no `trade = { quantities =, knobs = }`; see 'stiction help "
+    .. "trade'", study.name)
+  local quick = options.quick and spec.quick or {}
+  local plan, values = copy_plan(study.sweep), base_values(study)
+  for _, replacement in ipairs { spec.set or {}, quick.set or {} } do
+    for _, name in ipairs(ordered.keys(replacement)) do
+      set(plan, values, name, replacement[name], "study.trade.set")
+    end
+  end
+  apply_settings(plan, values, options.set or {})
+  settle(plan, values)
+  local knobs = ladder.knobs(quick.knobs or spec.knobs or {}, values)
+  local names, axes = {}, {}
+  for i, knob in ipairs(knobs) do
+    names[i], axes[i], values[knob.name] = knob.name, { name = knob.name, values = knob.levels }, nil
+  end
+  local cases, swept = {}, multiply(axes)
+  for i, entry in ipairs(swept) do
+    cases[i] = make_case({}, names, entry, swept[1], values)
+    cases[i].levels = numeric.map(knobs, function(knob) return ladder.level_of(knob, entry[knob.name]) end)
+  end
+  return cases, names, knobs
+end
+
+--- The cases of `study` under options {quick =, set =, trade =}: list of {id =, p =}, and the names that are swept.
 function sweep.cases(study, options)
+  if options.trade then
+    return sweep.trade(study, options)
+  end
   local plan, values = copy_plan(study.sweep), base_values(study)
   if options.quick then
     apply_quick(plan, values, study.quick)

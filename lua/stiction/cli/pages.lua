@@ -9,6 +9,7 @@ stiction help TOPIC       topics: commands, study, units, any part below or any 
 pages.commands = [[
 run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report
 figures STUDY  draw the figures again from the output
+trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver
 bench [STUDY]  time one case, phase by phase
@@ -64,5 +65,27 @@ figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, lege
       file, x, y = "group/name" or list, x_shift, y_shift, y_sign, component, colour, style}}, marks = {{x, label}}},
       field{name, case, time, array, unit, label, deformed, range, window, window_unit, mesh, scale_bar},
       panel{name, columns, figures}. Plain numbers are SI; quantities may stand wherever numbers have units.]]
+
+pages.trade = [[
+trade = {                                             -- a key of a study
+  quantities = { "peak", { name = "force", scale = 1*N } },   -- results; scale: what errors are relative to (default:
+                                                      -- the reference itself)
+  knobs = {                                           -- parameters of the study, by name; the value in force is a level
+    { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm } },       -- numbers rise or fall towards the finest
+    { "scheme", { "default", "massless" } },          -- words and flags are choices
+  },
+  set = { mu = 0.4 },                                 -- one value for everything swept
+  combinations = 6,                                   -- of knobs, run after each knob alone (default 6)
+  quick = { knobs = {...}, set = {...} },             -- what --quick puts in their place
+}
+
+'stiction trade STUDY' runs the default settings, each knob alone, all numbers at their finest, then the combinations
+that promise most, and writes trade.csv, trade.json and figures below out/<study>/trade. The reference of a quantity is
+the finest run, corrected knob by knob by Richardson extrapolation (orders 0.7 to 4; half of the correction is its
+uncertainty; where no order shows, there is no correction and the last differences are the uncertainty). Error: the
+largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point operations, the
+same on every machine. Settings that no other beat in both error and work are the front.
+The full form is kept beside the study (trade.json) for 'stiction run STUDY --accuracy 2%', which takes the cheapest
+measured settings whose bound is within 2 % and adds to summary.csv what each quantity may be off by.]]
 
 return pages

@@ -1,0 +1,82 @@
+-- Cases to run, those already finished left out: what `stiction run` and `stiction trade` share.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local jobs = require "stiction.jobs"
+local output = require "stiction.output"
+
+local campaign = {}
+
+--- Cases with what they left behind: list of {case =, result = nil | table, done =}.
+function campaign.survey(plan)
+  local fingerprint = output.fingerprinter(plan.study)
+  local rows = {}
+  for i, case in ipairs(plan.cases) do
+    local result = output.read_result(plan.folder, case)
+    rows[i] = { case = case, result = result, done = output.is_done(result, fingerprint(case)) }
+  end
+  return rows
+end
+
+--- Validates the scene of every case to come, so that bad input is told before anything runs.
+local function validate(study, cases)
+  for _, case in ipairs(cases) do
+    local held, value = engine.call(function() engine.validate(study.scene(case.p)) end)
+    if not held then
+      if value.kind == "input" and #cases > 1 then
+        fault.input("%s\n  (in case %s)", value.message, case.id)
+      end
+      error(value, 0)
+    end
+  end
+end
+
+function campaign.rows_with_result(rows)
+  local kept = {}
+  for _, row in ipairs(rows) do
+    if row.done or row.fresh then
+      kept[#kept + 1] = row
+    end
+  end
+  return kept
+end
+
+local function pending_cases(plan, rows)
+  local pending = {}
+  for _, row in ipairs(rows) do
+    local wanted = not plan.options.case or row.case.id == plan.options.case
+    if wanted and (plan.options.force or not row.done) then
+      pending[#pending + 1] = row.case
+    end
+  end
+  return pending
+end
+
+--- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop.
+function campaign.run(plan, rows)
+  local pending, row_of = pending_cases(plan, rows), {}
+  for _, row in ipairs(rows) do
+    row_of[row.case.id] = row
+  end
+  validate(plan.study, pending)
+  output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
+  local options = plan.options
+  local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
+    trust = options.trust, trade = options.trade, jobs = math.floor(options.jobs or engine.cores()) }
+  return jobs.run(pending, settings, function(case, result)
+    local row = row_of[case.id]
+    row.result, row.fresh, row.done = result, true, result.verdict == "finished"
+    output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
+  end)
+end
+
+--- First reason of bad input that a child reported, printed once.
+function campaign.bad_input(rows)
+  for _, row in ipairs(rows) do
+    if row.fresh and row.result.bad_input then
+      engine.complain("stiction: " .. row.result.reason .. "\n")
+      return true
+    end
+  end
+end
+
+return campaign

@@ -1,0 +1,127 @@
+-- What a trade leaves behind: trade.csv, trade.json in its output and, of the full form, beside the study.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local loader = require "stiction.loader"
+local units = require "stiction.units"
+
+local record = {}
+
+--- Counts that a run's cost consists of, as result.json names them.
+record.counts = { "factorizations", "solves", "cells_evaluated", "contact_iterations", "steps", "iterations" }
+
+--- Where the trade of a study is kept for `run --accuracy`.
+function record.kept_file(study)
+  local source = study.source
+  return source.whole and source.folder .. "/trade.json" or source.file:gsub("%.lua$", ".trade.json")
+end
+
+--- Hash of what the study says; a trade measured on other words does not count.
+function record.fingerprint(study)
+  local words = {}
+  for i, file in ipairs(loader.contents(study.source)) do
+    words[i] = engine.hash(engine.read_file(file) or "")
+  end
+  return engine.hash(table.concat(words, " "))
+end
+
+--- "0.00025 m" of a level, as --set reads it.
+local function setting(value)
+  if units.is_quantity(value) then
+    return ("%s %s"):format(engine.number_text(value.si),
+      engine.dimension_text(value.metre, value.kilogram, value.second))
+  end
+  return type(value) == "number" and engine.number_text(value) or tostring(value)
+end
+
+--- {knob = setting} of one run.
+function record.settings(knobs, run)
+  local settings = {}
+  for i, knob in ipairs(knobs) do
+    settings[knob.name] = setting(knob.levels[run.levels[i]])
+  end
+  return settings
+end
+
+local function word(x)
+  return x == nil and "" or type(x) == "number" and engine.number_text(x) or tostring(x)
+end
+
+--- trade.csv: a row per run: settings, quantities and their errors, bound (largest error with the reference's own),
+--- costs, verdict, whether it is the default and whether it lies on the front.
+function record.write_csv(trade)
+  local head = { "case" }
+  for _, knob in ipairs(trade.knobs) do
+    head[#head + 1] = knob.name
+  end
+  for _, quantity in ipairs(trade.quantities) do
+    head[#head + 1] = quantity.name
+    head[#head + 1] = quantity.name .. "_error"
+  end
+  for _, name in ipairs { "error", "bound", "work", "seconds" } do
+    head[#head + 1] = name
+  end
+  table.move(record.counts, 1, #record.counts, #head + 1, head)
+  table.move({ "verdict", "default", "front" }, 1, 3, #head + 1, head)
+  local lines = { table.concat(head, ",") }
+  for _, run in ipairs(trade.runs) do
+    local words, settings = { run.id }, record.settings(trade.knobs, run)
+    for _, knob in ipairs(trade.knobs) do
+      words[#words + 1] = settings[knob.name]
+    end
+    for _, quantity in ipairs(trade.quantities) do
+      words[#words + 1] = word((run.values or {})[quantity.name])
+      words[#words + 1] = word((run.errors or {})[quantity.name])
+    end
+    for _, name in ipairs { "error", "bound", "work", "seconds" } do
+      words[#words + 1] = word(run[name])
+    end
+    for _, name in ipairs(record.counts) do
+      words[#words + 1] = word(run.counts[name])
+    end
+    words[#words + 1] = run.verdict
+    words[#words + 1] = tostring(run.default)
+    words[#words + 1] = tostring(run.front)
+    lines[#lines + 1] = table.concat(words, ",")
+  end
+  engine.write_file(trade.folder .. "/trade.csv", table.concat(lines, "\n") .. "\n")
+end
+
+local function plain(trade)
+  local kept = {
+    study = trade.study.name, fingerprint = record.fingerprint(trade.study), quick = trade.quick,
+    references = trade.references, runs = {},
+  }
+  for _, run in ipairs(trade.runs) do
+    kept.runs[#kept.runs + 1] = {
+      case = run.id, settings = record.settings(trade.knobs, run), values = run.values, errors = run.errors,
+      error = run.error, bound = run.bound, work = run.work, verdict = run.verdict, default = run.default,
+      front = run.front,
+    }
+  end
+  return kept
+end
+
+--- Writes trade.json into the output and, `keep` given, beside the study.
+function record.write_json(trade, keep)
+  local text = engine.encode_json(plain(trade), 2) .. "\n"
+  engine.write_file(trade.folder .. "/trade.json", text)
+  if keep then
+    engine.write_file(record.kept_file(trade.study), text)
+  end
+end
+
+--- The kept trade of a study; bad input with the command that makes one where there is none of its present words.
+function record.read(study, name)
+  local text = engine.read_file(record.kept_file(study))
+  local command = "./stiction trade " .. name
+  if not text then
+    fault.input("--accuracy: what accuracy costs in '%s' was not measured yet; measure it with: %s", study.name, command)
+  end
+  local kept = engine.decode_json(text)
+  if not kept or kept.fingerprint ~= record.fingerprint(study) then
+    fault.input("--accuracy: '%s' was changed since its trade was measured; measure again with: %s", study.name, command)
+  end
+  return kept
+end
+
+return record
