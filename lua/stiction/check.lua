@@ -97,7 +97,7 @@ function check.recorder()
   function recorder.ledger(case, tolerance, probe)
     local open, largest = ledger.open(case, probe or "energy")
     local t = number(tolerance or 1e-6)
-    return record(("%s: ledger closes, over its largest term"):format(case.id), open / largest, 0, t, 
+    return record(("%s: ledger closes, over its largest term"):format(case.id), open / largest, 0, t,
       open < math.huge and open <= t * largest)
   end
 

@@ -6,7 +6,7 @@ local numbers = { young = 900, density = 1, length = 10, gravity = 10, height = 
 local bounce = bar.bounce(numbers)
 
 local function near(got, wanted, tolerance)
-  if not (math.abs(got - wanted) <= tolerance) then
+  if got ~= got or math.abs(got - wanted) > tolerance then
     error(("got %.15g, wanted %.15g"):format(got, wanted), 2)
   end
 end

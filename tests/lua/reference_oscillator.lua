@@ -4,7 +4,7 @@ local oscillator = require("stiction").reference.oscillator
 local schemes = require("stiction").schemes
 
 local function near(got, wanted, tolerance)
-  if not (math.abs(got - wanted) <= tolerance) then
+  if got ~= got or math.abs(got - wanted) > tolerance then
     error(("got %.15g, wanted %.15g"):format(got, wanted), 2)
   end
 end
@@ -54,4 +54,16 @@ test("a bar's frequencies tend to the string's, from above and from below", func
   assert(lumped < exact and exact < consistent)
   near(consistent, exact, 1e-4 * exact)
   near(lumped, exact, 1e-4 * exact)
+end)
+
+test("the modes of a sag add up to it, and their energies to its own", function()
+  for _, lumped in ipairs { false, true } do
+    local tip, share = 0, 0
+    for _, mode in ipairs(oscillator.sag_modes(30, 10, 5, lumped)) do
+      tip, share = tip + mode.tip, share + mode.share
+    end
+    near(tip, 1, 1e-12)
+    near(share, 1, 1e-12)
+  end
+  near(oscillator.sag_modes(30, 10, 3000)[1].share, 96 / math.pi ^ 4, 1e-4)
 end)

@@ -38,20 +38,31 @@ local makers = {
   end,
 }
 
---- u and v / omega after `steps` steps from u = 0, v = omega. method: {"jean", theta, xi}, {"newmark", beta, gamma},
---- {"generalised_alpha", rho_inf}, {"hht", alpha} or {"central_difference"}; phase: omega dt.
-function oscillator.swing(method, phase, steps)
+local function march(method, phase, steps, u, v)
   local step = makers[method[1]](table.unpack(method, 2))
-  local u, v, a, z = 0, phase, 0, phase ^ 2
+  local z = phase ^ 2
+  local a = -z * u
+  v = v * phase
   for _ = 1, steps do
     u, v, a = step(u, v, z, a)
   end
   return u, v / phase
 end
 
---- Kinetic + potential energy after these steps over that at the start.
-function oscillator.energy_kept(method, phase, steps)
-  local u, v = oscillator.swing(method, phase, steps)
+--- u and v / omega after `steps` steps from u = 0, v = omega. method: {"jean", theta, xi}, {"newmark", beta, gamma},
+--- {"generalised_alpha", rho_inf}, {"hht", alpha} or {"central_difference"}; phase: omega dt.
+function oscillator.swing(method, phase, steps)
+  return march(method, phase, steps, 0, 1)
+end
+
+--- The same from u = 1 at rest.
+function oscillator.release(method, phase, steps)
+  return march(method, phase, steps, 1, 0)
+end
+
+--- Kinetic + potential energy after these steps over that at the start, from u = 0 or at rest.
+function oscillator.energy_kept(method, phase, steps, released)
+  local u, v = march(method, phase, steps, released and 1 or 0, released and 0 or 1)
   return u ^ 2 + v ^ 2
 end
 
@@ -63,6 +74,30 @@ function oscillator.bar_frequency(c, length, h, n, lumped)
     return 2 * c / h * math.sin(kh / 2)
   end
   return c / h * math.sqrt(6 * (1 - math.cos(kh)) / (2 + math.cos(kh)))
+end
+
+--- Modes of that bar, of N equal cells, let go undeformed when every node between its ends weighs the same and the free
+--- end nothing: list of {omega =, tip = amplitude at the free end over the sag at rest there, share = of the strain
+--- energy of the sag}. The sag at node i is i (2 N - 1 - i) / (N (N - 1)) of that at the end; the nodal modes sin(k x) are
+--- orthogonal with half the weight at the end.
+function oscillator.sag_modes(c, length, cells, lumped)
+  local modes, whole = {}, 0
+  for n = 1, cells do
+    local kh, projection = (n - 0.5) * math.pi / cells, 0
+    for i = 1, cells do
+      local sag = i * (2 * cells - 1 - i) / (cells * (cells - 1))
+      projection = projection + (i == cells and 0.5 or 1) * sag * math.sin(kh * i)
+    end
+    local amplitude = projection * 2 / cells
+    local energy = amplitude ^ 2 * (1 - math.cos(kh))
+    whole = whole + energy
+    modes[n] = { omega = oscillator.bar_frequency(c, length, length / cells, n, lumped),
+      tip = amplitude * math.sin(kh * cells), share = energy }
+  end
+  for _, mode in ipairs(modes) do
+    mode.share = mode.share / whole
+  end
+  return modes
 end
 
 return oscillator
