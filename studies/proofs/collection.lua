@@ -4,7 +4,9 @@ return {
   "hertz_2d",
   "jkr_sphere",
   "materials",
+  "schemes",
   "bar_impact",
+  "bouncing_bar",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }

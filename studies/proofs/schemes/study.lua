@@ -180,7 +180,7 @@ local shown = { "default", "backward_euler", "half_one", "paper_055", "massless"
 
 local function order_figure(cases)
   local curves, finest = {}, nil
-  for _, name in ipairs(shown) do
+  for _, name in ipairs { "default", "backward_euler", "massless", "newmark_full", "hht_full", "central_difference" } do
     local x, y = {}, {}
     for i, pair in ipairs(changes(cases, name)) do
       x[i], y[i] = pair[1]*s, pair[2]*m
