@@ -22,18 +22,19 @@ scene::Scene driven_bar(SchemeSample const& sample, Setup const& setup) {
   if (setup.viscosity > 0)
     test::at(table, "bodies.bar.damping") =
         test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(setup.viscosity, "Pa s")}});
-  test::at(table, "obstacles.wall.shape") = test::make(
-      "rigid.plane", {{"point", test::values({setup.contact ? 1.02 : 10, 0}, "m")}, {"normal", test::values({-1, 0})}});
+  test::at(table, "obstacles.wall.shape") =
+      test::make("rigid.plane", {{"point", test::values({setup.contact ? 1.02 : 10, 0}, "m")},
+                                 {"normal", test::values({-1, 0})}});
   test::at(table, "obstacles.wall.times") = test::values({0, 10}, "s");
   test::at(table, "obstacles.wall.y") = test::values({0, 1}, "m");
   test::at(table, "pairs.end") = test::pair("bar.right", "wall");
   test::at(table, "pairs.end.friction") = test::coulomb(0.3);
-  test::at(table, "motions") = test::list(
-      {test::drive("bar.left", {0, 0.5, 1.5, 3}, {0, 0.05, -0.03, 0.1}, {0, 0, 0, 0})});
+  test::at(table, "motions") =
+      test::list({test::drive("bar.left", {0, 0.5, 1.5, 3}, {0, 0.05, -0.03, 0.1}, {0, 0, 0, 0})});
   test::at(table, "schedule") = test::schedule({{1, 1}});
   test::at(table, "scheme") = sample.table;
   auto made = scene::build(table);
-  made.model->control.force_tolerance = 1e-13;
+  made.model->control.force_tolerance = 1e-11;
   made.model->audited = true;
   for (Index i = 0; i < made.model->node_count(); ++i)
     made.model->velocity(i, 0) = 0.1 + 0.1 * std::sin(std::numbers::pi / 2 * made.model->reference(i, 0));
@@ -51,18 +52,20 @@ struct Open {
 Open swung(scene::Scene const& scene, int steps, double time) {
   dynamics::Stepper stepper(*scene.model);
   Open open;
-  test::march(stepper, stepper.initial(), time / steps, steps, [&](test::State const&, test::State const& state) {
-    auto const& l = state.ledger;
-    open.most = std::max(open.most, std::abs(l.unaccounted()));
-    open.term = std::max({open.term, l.kinetic, l.strain, std::abs(l.motion_work), l.friction_loss});
-    open.lost = std::max(open.lost, std::abs(l.predicted.sum()));
-  });
+  test::march(
+      stepper, stepper.initial(), time / steps, steps, [&](test::State const&, test::State const& state) {
+        auto const& l = state.ledger;
+        open.most = std::max(open.most, std::abs(l.unaccounted()));
+        open.term = std::max({open.term, l.kinetic, l.strain, std::abs(l.motion_work), l.friction_loss});
+        open.lost = std::max(open.lost, std::abs(l.predicted.sum()));
+      });
   return open;
 }
 
 /// Loss of kinetic and strain energy over a step without contact, from the state's own rates and the
 /// coefficients of the sample: what the papers' formulas come to.
-double quadratic_loss(SchemeSample const& s, Stepper& stepper, test::State const& old, test::State const& next) {
+double quadratic_loss(SchemeSample const& s, test::Stepper& stepper, test::State const& old,
+                      test::State const& next) {
   double const dt = next.t - old.t;
   Vector const d = next.u - old.u, dv = next.v - old.v;
   Vector Mdv, Kd;
@@ -117,7 +120,7 @@ TEST_CASE("every scheme: what the ledger of a rubber bar leaves open is of fourt
     INFO(sample.label);
     std::array<double, 3> open{};
     for (std::size_t k = 0; k < 3; ++k) {
-      auto const swing = swung(driven_bar(sample, {rubber()}), 40 << k, 1.5);
+      auto const swing = swung(driven_bar(sample, {rubber(), true}), 40 << k, 1.5);
       open[k] = swing.most / swing.term;
     }
     INFO(open[0] << " " << open[1] << " " << open[2]);
@@ -138,7 +141,8 @@ TEST_CASE("a heavy viscous bar: the ledger closes, and no term of it is too smal
     auto const& l = end.ledger;
     double const scale = l.kinetic + l.strain + std::abs(l.motion_work);
     CHECK(std::abs(l.unaccounted()) < 1e-9 * scale);
-    for (double const term : {l.kinetic, l.strain, l.potential, l.motion_work, l.friction_loss, l.damping_loss})
+    for (double const term :
+         {l.kinetic, l.strain, l.potential, l.motion_work, l.friction_loss, l.damping_loss})
       CHECK(std::abs(term) > 1e-5 * scale);
   }
 }
