@@ -37,7 +37,7 @@ local function scene(p)
     output = stiction.output { frames = 0 },
     probes = {
       tip = stiction.probe.node { set = "bar.top", near = { 0*m, p.length } },
-      energy = stiction.probe.energy {},
+      energy = stiction.probe.energy { audit = true },
     },
   }
 end
@@ -131,7 +131,7 @@ local function check_scheme(cases, check, name)
   check.proof { case = "Free bar, " .. name, quantity = "order of accuracy", kind = "exact",
     source = "theory of the scheme; change of the tip's path when the step is halved", reference = about.order,
     values = orders(cases, name), resolution = "s step", tolerance = 0.1, run = long }
-  --check.ledger(long)
+  check.ledger(long)
   if about.recursion then
     local dt = step_of(long)
     check.proof { case = "Oscillating bar, " .. name, quantity = "energy kept in 10 periods of 20 steps", kind = "exact",
