@@ -34,7 +34,7 @@ scene::Scene driven_bar(SchemeSample const& sample, Setup const& setup) {
   test::at(table, "schedule") = test::schedule({{1, 1}});
   test::at(table, "scheme") = sample.table;
   auto made = scene::build(table);
-  made.model->control.force_tolerance = 1e-11;
+  made.model->control.force_tolerance = 1e-13;
   made.model->audited = true;
   for (Index i = 0; i < made.model->node_count(); ++i)
     made.model->velocity(i, 0) = 0.1 + 0.1 * std::sin(std::numbers::pi / 2 * made.model->reference(i, 0));
@@ -117,10 +117,12 @@ TEST_CASE("every scheme: the ledger of a driven bar that hits and rubs a sliding
 
 TEST_CASE("every scheme: what the ledger of a rubber bar leaves open is of fourth order") {
   for (auto const& sample : test::scheme_samples()) {
+    if (sample.order == 0) // nothing strains it
+      continue;
     INFO(sample.label);
     std::array<double, 3> open{};
     for (std::size_t k = 0; k < 3; ++k) {
-      auto const swing = swung(driven_bar(sample, {rubber(), true}), 40 << k, 1.5);
+      auto const swing = swung(driven_bar(sample, {rubber()}), 40 << k, 1.5);
       open[k] = swing.most / swing.term;
     }
     INFO(open[0] << " " << open[1] << " " << open[2]);
@@ -131,7 +133,7 @@ TEST_CASE("every scheme: what the ledger of a rubber bar leaves open is of fourt
 
 TEST_CASE("a heavy viscous bar: the ledger closes, and no term of it is too small to be missed") {
   for (auto const& sample : test::scheme_samples()) {
-    if (sample.order == 0 || sample.name == "central_difference")
+    if (!sample.closed_rates)
       continue;
     INFO(sample.label);
     auto scene = driven_bar(sample, {test::linear_elastic(1, 0), true, 0.05});
