@@ -4,7 +4,7 @@ return {
   "hertz_2d",
   "jkr_sphere",
   "materials",
-  "schemes",
+  "time_schemes",
   "bar_impact",
   "bouncing_bar",
   "../paper/plate_on_cylinder",

@@ -45,12 +45,14 @@ Balance march(scene::Scene const& scene, int steps) {
           l};
 }
 
-/// Of the misfit: damage that depends on the share of shear is taken in the mode of the step's end, all else
-/// is trapezia.
+/// Of the misfit, at least. First: damage that depends on the share of shear, which is taken in the mode of
+/// the step's end; viscous bonds, C dbeta x1 (beta1 x1 - (beta0 + beta1) x0 / 2) per step, of which slow
+/// opening cancels the first order. All else is trapezia.
 int order_of(interface::AdhesionLaw const& law) {
+  auto const* rcc = std::get_if<interface::Rcc>(&law);
   bool const mixed =
       std::holds_alternative<interface::Bilinear>(law) || std::holds_alternative<interface::Exponential>(law);
-  return mixed && test::irreversible(law) ? 1 : 2;
+  return (rcc != nullptr && rcc->b > 0) || (mixed && test::irreversible(law)) ? 1 : 2;
 }
 
 /// RCC from beta = 1 at the speed of V*, w = 4, u0 = 0.2 m: int A b beta'^2 dt over w, to s = 12.
@@ -99,8 +101,8 @@ TEST_CASE("every adhesion law: an opening and closing cycle of a bar closes its 
     CAPTURE(rate);
     CHECK(rate > order_of(named.law) - 0.15);
     CHECK(std::abs(coarse.misfit) < 1e-3 * coarse.largest); // 100 steps to each leg of the path
-    if (order_of(named.law) == 1)                           // extrapolated to no step, nothing is left
-      CHECK(std::abs(2 * finest.misfit - fine.misfit) < 1e-6 * finest.largest);
+    if (order_of(named.law) == 1) // extrapolated to no step; what is left is of second order
+      CHECK(std::abs(2 * finest.misfit - fine.misfit) < 3e-6 * finest.largest);
     bool const viscous = named.name == "rcc";
     CHECK(finest.end.bonding_loss >= 0);
     CHECK((finest.end.bonding_loss > 0) == (viscous || test::irreversible(named.law)));

@@ -7,7 +7,7 @@
 --       |  the recursion of its scheme (reference.oscillator)
 --     -----  held
 --
---     ./stiction run studies/proofs/schemes
+--     ./stiction run studies/proofs/time_schemes
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa
