@@ -10,7 +10,7 @@ namespace stiction::dynamics {
 ///   central differences: half the last impulse of each of the two steps, PHYSICS 5
 ///   Jean's scheme: nothing
 Vector Stepper::unmet_balance(State const& old, State const& next) const {
-  Index const dofs = d_.size();
+  Index const dofs = model_->dofs();
   double const dt = next.t - old.t;
   Vector const more_force = (external_ - internal_) - (external_old_ - old.internal);
   Vector const more_reaction = next.reaction - old.reaction;
