@@ -101,6 +101,7 @@ struct Model {
   Scheme scheme;
   contact::SolverChoice solver;
   StepControl control;
+  bool audited = false; ///< the ledger predicts the scheme's loss: a force pass per step where not linear
   [[nodiscard]] Index node_count() const { return static_cast<Index>(reference.rows()); }
   [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
   [[nodiscard]] Index dofs() const { return dim() * node_count(); }

@@ -24,6 +24,16 @@ struct ContactState {
   contact::Vec3 rate = contact::Vec3::Zero(), second = contact::Vec3::Zero();
 };
 
+/// What the scheme's own formulas say it has lost (made, if negative) since the start, J. Found without the
+/// balance of energies, so that the two may be held against each other; trapezia stand for exact works.
+struct SchemeLoss {
+  double rates = 0;    ///< d is not dt times the mean rate, and the balance not that of mean forces
+  double averages = 0; ///< the mean internal force is not the trapezium's
+  double contact = 0;  ///< pressure at the end of a step in which the gap closes, adhesion likewise
+  double turning = 0;  ///< normals of the step's end work through d; zero on planes
+  [[nodiscard]] double sum() const { return rates + averages + contact + turning; }
+};
+
 /// Cumulative energy account, J (J/m in plane strain); kinetic, strain and bond are present values.
 struct Ledger {
   double kinetic = 0, strain = 0, bond = 0,
@@ -39,6 +49,9 @@ struct Ledger {
     return start + motion_work + load_work - (kinetic + strain + bond + potential) - damping_loss -
            friction_loss - bonding_loss;
   }
+  SchemeLoss predicted; ///< kept where the model is audited
+  /// What is left of an audited ledger: rounding, but for bodies and bonds that are not linear.
+  [[nodiscard]] double unaccounted() const { return scheme_loss() - predicted.sum(); }
 };
 
 struct State {

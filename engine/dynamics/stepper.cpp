@@ -320,6 +320,8 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
     inertia_ /= dt;
   }
   account(old, next);
+  if (model_->audited)
+    audit(old, next);
   outcome.verdict = StepVerdict::converged;
 }
 

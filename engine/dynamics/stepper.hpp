@@ -53,6 +53,10 @@ private:
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
   void account(State const& old, State& next) const;
+  void audit(State const& old, State& next) const;
+  [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
+  [[nodiscard]] double path_work(State const& old) const;
+  void audit_contact(State const& old, State& next) const;
   [[nodiscard]] double obstacle_work(Pair const& pair, State const& old, State const& next) const;
 
   Model const* model_;

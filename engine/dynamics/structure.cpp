@@ -67,9 +67,10 @@ Structure::Structure(Model const& model, StepWeights const& weights)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
   if (weights.inertia)
     place_mass(weights);
-  linear_ = diagonal_ || std::all_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) {
-              return std::holds_alternative<material::LinearElastic>(body->material);
-            });
+  linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) {
+    return std::holds_alternative<material::LinearElastic>(body->material);
+  });
+  linear_ = diagonal_ || linear_bodies_;
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
 }

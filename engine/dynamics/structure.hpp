@@ -49,6 +49,8 @@ public:
   [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
+  /// True if the internal force is linear in u.
+  [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
   [[nodiscard]] linear::Cholesky& factor() { return *factor_; }
   [[nodiscard]] linear::Effort effort() const { return factor_->effort(); }
   /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
@@ -71,7 +73,7 @@ private:
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;
   std::unique_ptr<linear::Cholesky> factor_;
-  bool factored_ = false, linear_ = false, damped_ = false;
+  bool factored_ = false, linear_ = false, linear_bodies_ = false, damped_ = false;
   double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0;
 };
 

@@ -50,6 +50,9 @@ Scene Builder::run() {
   model.scheme = scene_.part.scheme;
   model.solver = scene_.part.solver;
   model.control = scene_.part.control;
+  for (auto const& [name, probe] : scene_.part.probes)
+    if (auto const* energy = std::get_if<EnergyProbe>(&probe))
+      model.audited = model.audited || energy->audit;
   add_bodies();
   settle();
   add_obstacles();

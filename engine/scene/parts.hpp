@@ -134,6 +134,7 @@ struct RigidProbe {
   static core::Schema const& schema();
 };
 struct EnergyProbe {
+  bool audit = false;
   static core::Schema const& schema();
 };
 using ProbePart =

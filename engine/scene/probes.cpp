@@ -238,7 +238,20 @@ Sampler add(RigidProbe const& probe, Context const& context) {
   };
 }
 
-Sampler add(EnergyProbe const&, Context const& context) {
+Sampler add_audit(Context const& context) {
+  char const* unit = context.energy_unit();
+  context.column("rate_loss", unit, "of scheme_loss: mean rates and forces are not those of the step");
+  context.column("average_loss", unit, "of scheme_loss: averages of the internal force");
+  context.column("contact_loss", unit, "of scheme_loss: pressure while the gap closes, steps of adhesion");
+  context.column("turning_loss", unit, "of scheme_loss: normals that turn within a step");
+  context.column("unaccounted", unit, "scheme_loss less these four");
+  return [](State const& state, std::vector<double>& row) {
+    auto const& p = state.ledger.predicted;
+    row.insert(row.end(), {p.rates, p.averages, p.contact, p.turning, state.ledger.unaccounted()});
+  };
+}
+
+Sampler add(EnergyProbe const& probe, Context const& context) {
   char const* unit = context.energy_unit();
   context.column("kinetic", unit, "kinetic energy");
   context.column("strain", unit, "strain energy");
@@ -250,10 +263,13 @@ Sampler add(EnergyProbe const&, Context const& context) {
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
   context.column("scheme_loss", unit, "lost by the time scheme");
-  return [](State const& state, std::vector<double>& row) {
+  Sampler const more = probe.audit ? add_audit(context) : Sampler{};
+  return [more](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
     row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work,
                            l.damping_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
+    if (more)
+      more(state, row);
   };
 }
 

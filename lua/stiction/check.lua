@@ -1,6 +1,8 @@
 -- The checks of a study: each a name, a value, what was expected, and whether it held.
 local fault = require "stiction.fault"
+local ledger = require "stiction.ledger"
 local proof = require "stiction.proof"
+local tables = require "stiction.tables"
 local units = require "stiction.units"
 
 local check = {}
@@ -89,6 +91,22 @@ function check.recorder()
     return record(name, rise, 0, 0, rise > 0)
   end
 
+  --- Every step's sum of energies equals the work put in less the scheme's own loss as its formulas predict it, to
+  --- `tolerance` (default 1e-6) of the largest term. The scene needs probe.energy { audit = true }, called "energy"
+  --- unless `probe` names it.
+  function recorder.ledger(case, tolerance, probe)
+    local open, largest = ledger.open(case, probe or "energy")
+    local t = number(tolerance or 1e-6)
+    return record(("%s: ledger closes, over its largest term"):format(case.id), open / largest, 0, t,
+      open < math.huge and open <= t * largest)
+  end
+
+  --- A table for the report: {title =, columns = {...}, rows = {{key, ...}, ...}}; no claim, so no verdict. Tables of one
+  --- title from several studies are joined by their first column.
+  function recorder.table(t)
+    return keep(tables.read(t))
+  end
+
   --- A row of the report of proofs; see stiction.proof.
   function recorder.proof(t)
     return keep(proof.read(t))
@@ -97,7 +115,8 @@ function check.recorder()
   setmetatable(recorder, {
     __index = function(_, name)
       fault.script("there is no check.%s%s", tostring(name),
-        fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing", "proof" }))
+        fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing", "ledger",
+          "proof", "table" }))
     end,
   })
   return recorder, list

@@ -6,6 +6,7 @@ local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
 local reference = require "stiction.reference"
+local schemes = require "stiction.schemes"
 local study = require "stiction.study"
 local units = require "stiction.units"
 
@@ -17,6 +18,7 @@ local own = {
   figure = figure,
   numeric = numeric,
   reference = reference,
+  schemes = schemes,
 }
 
 local stiction = {}

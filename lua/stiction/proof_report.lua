@@ -2,6 +2,7 @@
 local engine = require "stiction.engine"
 local progress = require "stiction.progress"
 local report = require "stiction.report"
+local tables = require "stiction.tables"
 
 local proof_report = {}
 
@@ -58,7 +59,7 @@ local function proofs_of(checks)
       if entry.proof.note then
         notes[#notes + 1] = ("- *%s*: %s"):format(entry.name, entry.proof.note)
       end
-    else
+    elseif not entry.table then
       other.count = other.count + 1
       other.held = other.held + (entry.pass and 1 or 0)
     end
@@ -123,7 +124,8 @@ local function verdict_line(parts)
   local held, count = 0, 0
   for _, part in ipairs(parts) do
     for _, entry in ipairs(part.checks) do
-      count, held = count + 1, held + (entry.pass and 1 or 0)
+      local counts = not entry.table
+      count, held = count + (counts and 1 or 0), held + (counts and entry.pass and 1 or 0)
     end
   end
   return ("%d of %d checks of %d studies held."):format(held, count, #parts)
@@ -145,6 +147,12 @@ function proof_report.write(folder, parts, quick)
         row[9], row[11] }
     end
     data[#data + 1] = { study = part.study.name, code = part.code, seconds = part.seconds, checks = part.checks }
+  end
+  for _, joined in ipairs(tables.join(parts)) do
+    append(lines, { "## " .. joined.title, "" })
+    append(lines, markdown(tables.words(joined)))
+    lines[#lines + 1] = ""
+    data[#data + 1] = { table = joined.title, columns = joined.columns, rows = joined.rows }
   end
   engine.write_file(folder .. "/report.md", table.concat(lines, "\n") .. "\n")
   engine.write_file(folder .. "/report.json", engine.encode_json(data, 2) .. "\n")

@@ -1,5 +1,6 @@
 -- Tables and lists for the terminal.
 local engine = require "stiction.engine"
+local tables = require "stiction.tables"
 local units = require "stiction.units"
 
 local report = {}
@@ -80,18 +81,23 @@ function report.cases(study, rows)
   end
 end
 
---- The failing checks; how many held.
+--- Prints the tables among the checks, then the failing checks; how many failed.
 function report.checks(checks)
-  local failed = 0
+  local failed, count = 0, 0
   for _, check in ipairs(checks) do
-    if not check.pass then
+    count = count + (check.table and 0 or 1)
+    if check.table then
+      report.line("\n%s", check.name)
+      report.table(tables.words(check.table))
+      report.line()
+    elseif not check.pass then
       failed = failed + 1
       report.line("check failed: %s: value %s, expected %s, tolerance %s", check.name, check_word(check.value),
         check_word(check.expected), check_word(check.tolerance))
     end
   end
-  if #checks > 0 then
-    report.line("%d of %d checks held", #checks - failed, #checks)
+  if count > 0 then
+    report.line("%d of %d checks held", count - failed, count)
   end
   return failed
 end

@@ -1,4 +1,4 @@
--- The order of the report: statics, adhesion, dynamics, then the cases of the paper.
+-- The order of the report: statics, laws, adhesion, dynamics, then the cases of the paper.
 return {
   "patch",
   "ironing",
@@ -8,12 +8,14 @@ return {
   "hertz_2d",
   "hertz_3d",
   "cattaneo_mindlin",
-  "jkr_sphere",
   "materials",
   "point_laws",
   "cohesive_laws",
   "friction_laws",
+  "jkr_sphere",
+  "time_schemes",
   "bar_impact",
+  "bouncing_bar",
   "sliding_block",
   "sphere_impact",
   "../paper/plate_on_cylinder",

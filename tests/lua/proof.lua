@@ -55,3 +55,25 @@ test("mistakes are told", function()
   fails("has no value", row, { values = {} })
   fails("values is a list", row, { values = { 3 } })
 end)
+
+local function audited(open)
+  local series = { unaccounted = { 0, open, 0 } }
+  return { id = "run", series = function(_, probe, name)
+    equal(probe, "energy")
+    return series[name] or { 0, name == "kinetic" and -2 or 0.5, 0 }
+  end }
+end
+
+test("a ledger closes to a part of its largest term", function()
+  local function held(open, tolerance)
+    local recorder, list = check.recorder()
+    recorder.ledger(audited(open), tolerance)
+    return list[1].pass
+  end
+  equal(held(1.9e-6), true)
+  equal(held(-1.9e-6), true)
+  equal(held(2.1e-6), false)
+  equal(held(-2.1e-6), false)
+  equal(held(0 / 0), false)
+  equal(held(0.1, 0.1), true)
+end)

@@ -61,6 +61,9 @@ check: equal(name, value, expected, tolerance), close(name, value, expected, rel
        values = {{resolution, value}, ... finest last}, resolution = "cell/m", tolerance = (relative to scale, default
        |reference|), scale =, order = (least observed), run = case, note =}: a row of the report that running a
        folder of studies writes. stiction.reference holds closed solutions.
+       ledger(case, tolerance): energies sum up to 1e-6 of the largest (probe.energy{audit = true});
+       table{title =, columns = {...}, rows = {{"key", ...}, ...}}: into the report, joined by title and key.
+stiction.schemes: names(), make(name), about(name): the time schemes that studies compare.
 figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, legend, curves = {{label, case or
       file, x, y = "group/name" or list, x_shift, y_shift, y_sign, component, colour, style}}, marks = {{x, label}}},
       field{name, case, time, array, unit, label, deformed, range, window, window_unit, mesh, scale_bar},

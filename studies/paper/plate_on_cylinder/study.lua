@@ -18,18 +18,6 @@ local stiction = require "stiction"
 local units = stiction.units
 local mm, um, m, s, kg, J, N, MPa = units.mm, units.um, units.m, units.s, units.kg, units.J, units.N, units.MPa
 
--- The schemes that the README compares; "default" is the workbench's own.
-local schemes = {
-  default = {},
-  paper = { theta = 0.5, xi = 0.5, contact_weight = 1, contact_inertia = "full" },
-  backward_euler = { theta = 1, xi = 1, contact_weight = 1, contact_inertia = "full" },
-  half_one = { theta = 0.5, xi = 1, contact_weight = 1, contact_inertia = "full" },
-  averaged = { theta = 0.5, xi = 0.5, contact_weight = 0.5, contact_inertia = "full" },
-  massless_backward = { theta = 1, xi = 1, contact_inertia = "none" },
-  massless = { theta = 0.5, xi = 0.5, contact_inertia = "none" },
-  damped = { theta = 0.55, xi = 0.55, contact_inertia = "implicit" },
-}
-
 local function scene(p)
   local pressed = p.depth / p.v
   local stopped = pressed + p.travel / p.sliding_speed
@@ -65,7 +53,7 @@ local function scene(p)
         x = { 0*m, 0*m, p.travel }, y = { 0*m, -p.depth, -p.depth },
       },
     },
-    scheme = stiction.scheme.theta_xi(schemes[p.scheme]),
+    scheme = stiction.schemes.make(p.scheme),
     schedule = stiction.schedule {
       stages = {
         stiction.stage { to = pressed, steps = p.descent_steps },

@@ -1,0 +1,86 @@
+// The scheme's own loss in a step by its formulas, against which the ledger's remainder is held.
+#include "dynamics/stepper.hpp"
+
+namespace stiction::dynamics {
+
+/// M dv/dt less the mean forces that do the ledger's work, at free unknowns, N; what the schemes say it is:
+///   contact nodes that balance at the step's end: F1 + R1 less the means
+///   Newmark's family: (work - xi) times the change of M a - F - R (zero where each step ends in balance);
+///   driven and contact nodes have one acceleration per step
+///   central differences: half the last impulse of each of the two steps, PHYSICS 5
+///   Jean's scheme: nothing
+Vector Stepper::unmet_balance(State const& old, State const& next) const {
+  Index const dofs = model_->dofs();
+  double const dt = next.t - old.t;
+  Vector const more_force = (external_ - internal_) - (external_old_ - old.internal);
+  Vector const more_reaction = next.reaction - old.reaction;
+  Vector unmet = Vector::Zero(dofs), newly = Vector::Zero(dofs);
+  if (weights_.accelerations()) {
+    Vector more_a = next.a - old.a;
+    for (Index dof = 0; dof < dofs; ++dof)
+      if (driver_[ix(dof)] != nullptr || apart(dof))
+        more_a[dof] = 0;
+    structure_.mass().times(more_a, newly);
+    unmet = (weights_.work - weights_.xi) * (newly - more_force - more_reaction);
+  }
+  for (Index dof = 0; dof < dofs; ++dof) {
+    if (driver_[ix(dof)] != nullptr)
+      unmet[dof] = 0;
+    else if (apart(dof))
+      unmet[dof] = (1 - weights_.work) * more_force[dof] + (1 - weights_.contact_work) * more_reaction[dof];
+    else if (weights_.explicit_forces && inverse_mass_[dof] > 0)
+      unmet[dof] = 0.5 * next.reaction[dof] - old.push[dof] / (inverse_mass_[dof] * dt);
+  }
+  return unmet;
+}
+
+/// Work of the internal forces along the straight way from u0 to u1, J: by Simpson's rule, or trapezia where
+/// they are linear in u.
+double Stepper::path_work(State const& old) const {
+  auto const elastic = [this](Vector const& all, Vector const& viscous) {
+    return structure_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
+  };
+  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
+  if (structure_.linear_bodies())
+    return 0.5 * ends;
+  Vector middle;
+  static_cast<void>(structure_.internal_force(old.u + 0.5 * d_, middle));
+  return (ends + 4 * middle.dot(d_)) / 6;
+}
+
+/// Loss at the contact points, and what the nodal reactions do beside the work at the points.
+void Stepper::audit_contact(State const& old, State& next) const {
+  auto& loss = next.ledger.predicted;
+  double const chi = weights_.contact_work;
+  Vector const mean = (1 - chi) * old.reaction + chi * next.reaction;
+  double nodes = mean.dot(d_), points = 0;
+  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
+    nodes -= obstacle_work(model_->pairs[p], old, next);
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
+      auto const& before = old.contacts[p][i];
+      auto const& after = next.contacts[p][i];
+      Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
+      Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
+      Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
+      points += (dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved);
+      loss.contact -= dry[0] * moved[0] + (chi - 0.5) * (pull_1 - pull_0).dot(moved);
+    }
+  }
+  loss.turning += points - nodes;
+}
+
+/// Sums each step's identity: with d = dt (v0 + v1) / 2 + e, d M dv / dt = change of kinetic energy
+/// + e M dv / dt.
+void Stepper::audit(State const& old, State& next) const {
+  auto& loss = next.ledger.predicted;
+  double const omega = weights_.work, dt = next.t - old.t;
+  if (weights_.inertia)
+    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_);
+  double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_);
+  if (structure_.damped())
+    mean_work -= ((1 - omega) * old.damping + omega * damping_).dot(d_);
+  loss.averages += mean_work - path_work(old);
+  audit_contact(old, next);
+}
+
+} // namespace stiction::dynamics
