@@ -37,6 +37,11 @@ public:
   [[nodiscard]] double force_scale() const override;
   void finish(State const& old, double dt, State& next) const override;
   [[nodiscard]] contact::Problem const& problem() const override { return problem_; }
+  [[nodiscard]] Vector const& forces() const override { return forces_; }
+  [[nodiscard]] ContactPlace place(Index row) const override {
+    auto const& point = points_[ix(rows_[ix(row)])];
+    return {point.pair, point.index};
+  }
 
 private:
   using Deformable = typename contact::Search<D>::Primary;
@@ -94,6 +99,8 @@ private:
   Indices unknowns_; ///< trailing unknowns of one point
   Reduced reduced_;
   contact::Problem problem_;
+  Indices rows_;  ///< into points_, behind the problem's rows
+  Vector forces_; ///< that the solver left
 };
 
 template<int D, int C>
@@ -380,13 +387,13 @@ template<int D, int C> void Stage<D, C>::tell_apart(Index first, Local<C> const&
 template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
   c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
+  problem_.points.clear();
   if (active_.empty() && structure_->shift() == 0)
     return true;
   gather();
   take_shift_away(weight);
   problem_.dim = C;
   reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
-  problem_.points.clear();
   Vector guess(C * static_cast<Index>(active_.size()));
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
@@ -404,14 +411,16 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
     solution = solver_->solve(problem_, Vector::Zero(guess.size()));
     cost.contact_iterations += solution.iterations;
   }
+  rows_ = active_;
+  forces_ = std::move(solution.force);
   if (!solution.converged)
     return false;
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
-    point.force = solution.force.segment<C>(C * static_cast<Index>(row));
+    point.force = forces_.segment<C>(C * static_cast<Index>(row));
     point.rho = contact::natural_scale(problem_, static_cast<Index>(row));
   }
-  reduced_.push(solution.force, weight, c);
+  reduced_.push(forces_, weight, c);
   return true;
 }
 

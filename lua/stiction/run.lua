@@ -6,6 +6,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
 local output = require "stiction.output"
+local problem = require "stiction.problem"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
@@ -28,10 +29,18 @@ local function list_cases(rows)
   return 0
 end
 
---- Validates the scene of every case to come, so that bad input is told before anything runs.
+local function validate_case(study, p)
+  if study.problem then
+    problem.read(study, p)
+  else
+    engine.validate(study.scene(p))
+  end
+end
+
+--- Validates every case to come, so that bad input is told before anything runs.
 local function validate(study, cases)
   for _, case in ipairs(cases) do
-    local held, value = engine.call(function() engine.validate(study.scene(case.p)) end)
+    local held, value = engine.call(validate_case, study, case.p)
     if not held then
       if value.kind == "input" and #cases > 1 then
         fault.input("%s\n  (in case %s)", value.message, case.id)
