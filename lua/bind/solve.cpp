@@ -8,7 +8,7 @@ namespace stiction::bind {
 
 namespace {
 
-void set(lua_State* lua, char const* name, Vector const& values) {
+void set_vector(lua_State* lua, char const* name, Vector const& values) {
   set(lua, name, std::vector<double>(values.begin(), values.end()));
 }
 
@@ -20,8 +20,8 @@ void push(lua_State* lua, scene::SolverAnswer const& answer) {
   set(lua, "residual", answer.residual);
   set(lua, "relative", answer.relative);
   set(lua, "seconds", answer.seconds);
-  set(lua, "force", answer.force);
-  set(lua, "displacement", answer.displacement);
+  set_vector(lua, "force", answer.force);
+  set_vector(lua, "displacement", answer.displacement);
 }
 
 /// solve(path, solver, tolerance) -> {text =, converged =, contacts =, components =, doubts = {texts}, free =
@@ -35,7 +35,7 @@ int solve(lua_State* lua) {
   set(lua, "contacts", static_cast<long>(report.contacts));
   set(lua, "components", report.components);
   set(lua, "doubts", report.doubts);
-  set(lua, "free", report.free);
+  set_vector(lua, "free", report.free);
   lua_newtable(lua);
   for (auto const& answer : report.answers) {
     push(lua, answer);

@@ -5,6 +5,7 @@ return {
   "jkr_sphere",
   "materials",
   "bar_impact",
+  "solvers",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -69,7 +70,9 @@ template<int D> Judged judged_at(Problem const& problem, Index i, Vector const& 
       Eigen::SelfAdjointEigenSolver<Dense>(0.5 * (block + block.transpose())).eigenvalues()[D - 1];
   double const rho = largest > 0 ? 1 / largest : 1,
                sunk = std::max(0.0, point.shift[0] - problem.free[D * i]);
-  return {(Vector(dry) - onto_cone(dry - rho * y, mu)).norm() / point.area,
+  double const rounding = 4 * std::numeric_limits<double>::epsilon() * rho * y.norm(); // of z
+  double const off = (Vector(dry) - onto_cone(dry - rho * y, mu)).norm();
+  return {std::max(0.0, off - rounding) / point.area,
           std::max(force.segment<D>(D * i).norm(), rho * sunk) / point.area};
 }
 
@@ -82,6 +85,13 @@ double residual(Problem const& problem, Vector const& force) {
     all = {std::max(all.residual, one.residual), std::max(all.traction, one.traction)};
   }
   return all.traction > 0 ? all.residual / all.traction : all.residual;
+}
+
+/// With friction, forces that the bodies cannot feel leave even the displacements open.
+bool deficient(Problem const& problem) {
+  auto const values =
+      Eigen::SelfAdjointEigenSolver<Dense>(0.5 * (problem.W + problem.W.transpose())).eigenvalues();
+  return values[0] < 1e-9 * values[values.size() - 1];
 }
 
 /// Difference of two answers' displacements over what the forces have moved.
@@ -100,7 +110,7 @@ TEST_SUITE("contact") {
     for (auto const& [name, file] : files) {
       auto const problem = record::load_problem(file);
       std::vector<std::pair<std::string, Vector>> answers;
-      bool single = true;
+      bool single = !deficient(problem);
       for (auto const& [solver, choice] : all_solvers(tolerance)) {
         INFO(name << ", " << solver);
         auto const answer = solve(choice, problem);

@@ -56,6 +56,7 @@ local function run(options)
   engine.remove(output.result_file(options.out, case))
   local result, answers
   if study.problem then
+    output.prepare(folder)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
