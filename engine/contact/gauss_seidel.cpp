@@ -34,6 +34,8 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
   Vector p = open_where_given(problem, guess), x = displacement(problem, p);
   best.force = p;
   best.verdict = judge(problem, p);
+  best.work = 2;
+  double const column = 1.0 / std::max(1.0, static_cast<double>(problem.size()));
   Vector rho(problem.size());
   for (Index i = 0; i < problem.size(); ++i)
     rho[i] = natural_scale(problem, i);
@@ -48,7 +50,9 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
           continue;
         p.segment<D>(D * i) += change;
         x.noalias() += problem.W.middleCols<D>(D * i) * change;
+        best.work += column;
       }
+    best.work += 2;
     x = displacement(problem, p); // no drift
     Verdict const verdict = judge(problem, p);
     best.converged = verdict.relative() <= tolerance;

@@ -27,6 +27,7 @@ public:
     Vector step;
     if (!active_.empty())
       step = matrix_.partialPivLu().solve(right_);
+    count_factorization();
     if (!step.allFinite())
       return false;
     Vector direction = Vector::Zero(p_.size());
@@ -57,14 +58,17 @@ public:
         p_.segment<D>(D * i) += change;
         x_.noalias() += problem_.W.middleCols<D>(D * i) * change;
       }
+    work_ += times;
     merit_ = evaluate_all(p_, x_);
   }
   [[nodiscard]] Vector const& force() const { return p_; }
   [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
+  [[nodiscard]] double work() const { return work_; }
 
 private:
   double evaluate_all(Vector const& p, Vector& x) {
     x = displacement(problem_, p);
+    work_ += 1;
     double sum = 0;
     for (Index i = 0; i < problem_.size(); ++i) {
       auto& state = states_[ix(i)];
@@ -102,13 +106,20 @@ private:
     }
   }
 
+  /// m^3 / 3 for the matrix of the m active rows, D m^2 to make it.
+  void count_factorization() {
+    auto const m = static_cast<double>(D) * static_cast<double>(active_.size());
+    auto const whole = static_cast<double>(p_.size());
+    work_ += whole > 0 ? (m / 3 + D) * m * m / (whole * whole) : 0;
+  }
+
   Problem const& problem_;
   Vector p_, x_, rho_;
   std::vector<PointState<D>> states_;
   std::vector<Index> active_, idle_;
   Dense matrix_;
   Vector right_;
-  double merit_ = 0;
+  double merit_ = 0, work_ = 0;
 };
 
 class NewtonSolver : public Solver {
@@ -123,7 +134,9 @@ private:
     NewtonRun<D> newton(problem, guess);
     Solution solution;
     int restarts = 0;
+    double judgements = 0;
     auto judged = [&] {
+      ++judgements;
       solution.verdict = newton.verdict();
       return solution.converged = solution.verdict.relative() <= settings_.tolerance;
     };
@@ -138,6 +151,7 @@ private:
       newton.sweep(10 * restarts);
     }
     solution.force = newton.force();
+    solution.work = newton.work() + judgements;
     return solution;
   }
   BipotentialNewton settings_;

@@ -34,15 +34,27 @@ template<int D>
 }
 
 /// The force of one point; `free` is the displacement without it. Where the search from p gets stuck, as at
-/// the fold of a snapping bond, it starts again from no force.
+/// the fold of a snapping bond or past the single answer of friction, it starts again from no force, then
+/// from the force that would make the point stick.
 template<int D>
 [[nodiscard]] Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
                                    double rho) {
-  double const residual = improve_point<D>(problem, point, free, p, rho);
-  if (residual <= 1e-8 * (p.norm() + rho * free.norm()))
-    return p;
-  Local<D> other = Local<D>::Zero();
-  return improve_point<D>(problem, point, free, other, rho) < residual ? other : p;
+  double best = improve_point<D>(problem, point, free, p, rho);
+  auto const done = [&] { return best <= 1e-8 * (p.norm() + rho * free.norm()); };
+  auto const start_from = [&](Local<D> start) {
+    double const residual = improve_point<D>(problem, point, free, start, rho);
+    if (!(residual < best))
+      return;
+    best = residual;
+    p = start;
+  };
+  if (!done())
+    start_from(Local<D>::Zero());
+  if (!done()) {
+    LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
+    start_from(-W.fullPivLu().solve(free - problem.points[ix(point)].shift.head<D>()));
+  }
+  return p;
 }
 
 } // namespace stiction::contact

@@ -39,6 +39,7 @@ template<int D> struct PointState {
   Local<D> residual = Local<D>::Zero();                  ///< pbar - Proj(...), N
   LocalMatrix<D> residual_by_dry = LocalMatrix<D>::Zero(), residual_by_x = LocalMatrix<D>::Zero();
   interface::Status status = interface::Status::open;
+  double mu = 0; ///< friction coefficient as it acts
 };
 
 /// Natural map (27), (28) and its derivatives for one point; rho in N/m. A coefficient that follows the
@@ -64,7 +65,7 @@ template<int D>
   if (data.friction >= 0)
     friction = interface::coefficient<D>(problem.frictions[ix(data.friction)],
                                          {state.dry / data.area, v, data.bond.dt});
-  double const mu = friction.mu * factor;
+  double const mu = state.mu = friction.mu * factor;
   Local<D> const mu_by_x = factor * friction.by_x + friction.mu * factor_by_x;
   double const slip = v.template tail<D - 1>().norm();
   v[0] += mu * slip;

@@ -12,6 +12,7 @@ namespace stiction::contact {
 struct Solution {
   Vector force;        ///< total forces p, [dim n], N
   long iterations = 0; ///< Newton iterations or sweeps
+  double work = 0;     ///< multiply-adds with W and in factorizations, over those of one product W p
   Verdict verdict;
   bool converged = false; ///< verdict.relative() <= the tolerance asked for
 };

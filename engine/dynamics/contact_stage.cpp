@@ -37,6 +37,11 @@ public:
   [[nodiscard]] double force_scale() const override;
   void finish(State const& old, double dt, State& next) const override;
   [[nodiscard]] contact::Problem const& problem() const override { return problem_; }
+  [[nodiscard]] Vector const& forces() const override { return forces_; }
+  [[nodiscard]] ContactPlace place(Index row) const override {
+    auto const& point = points_[ix(rows_[ix(row)])];
+    return {point.pair, point.index};
+  }
 
 private:
   using Deformable = typename contact::Search<D>::Primary;
@@ -73,7 +78,6 @@ private:
   void gather();
   void take_shift_away(double weight);
   void tell_apart(Index first, Local<C> const& force);
-  void count(contact::Solution const& solution, Cost& cost) const;
 
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
@@ -95,6 +99,8 @@ private:
   Indices unknowns_; ///< trailing unknowns of one point
   Reduced reduced_;
   contact::Problem problem_;
+  Indices rows_;  ///< into points_, behind the problem's rows
+  Vector forces_; ///< that the solver left
 };
 
 template<int D, int C>
@@ -367,15 +373,6 @@ template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& no
   return unknowns_;
 }
 
-/// Newton factors the matrix of the touching points, the others sweep over it.
-template<int D, int C> void Stage<D, C>::count(contact::Solution const& solution, Cost& cost) const {
-  auto const n = static_cast<double>(solution.force.size()),
-             iterations = static_cast<double>(solution.iterations);
-  bool const factors = std::holds_alternative<contact::BipotentialNewton>(model_->solver);
-  cost.contact_iterations += solution.iterations;
-  cost.contact_operations += iterations * (2 * n * n + (factors ? 2 * n * n * n / 3 : 0));
-}
-
 /// Two nodes of a curve that touches itself may each be the other's counterpart; they then ask the same twice
 /// and W is singular. A small compliance about the last force tells them apart and vanishes as the force
 /// settles.
@@ -390,13 +387,13 @@ template<int D, int C> void Stage<D, C>::tell_apart(Index first, Local<C> const&
 template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
   c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
+  problem_.points.clear();
   if (active_.empty() && structure_->shift() == 0)
     return true;
   gather();
   take_shift_away(weight);
   problem_.dim = C;
   reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
-  problem_.points.clear();
   Vector guess(C * static_cast<Index>(active_.size()));
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
@@ -407,21 +404,24 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
     if (model_->pairs[ix(point.pair)].self)
       tell_apart(first, point.force);
   }
-  auto solution = solver_->solve(problem_, guess);
   ++cost.contact_problems;
-  count(solution, cost);
-  if (!solution.converged) { // the last forces may be a bad start: once more from none
-    solution = solver_->solve(problem_, Vector::Zero(guess.size()));
-    count(solution, cost);
-  }
+  auto const solve_from = [&](Vector const& start) {
+    auto found = solver_->solve(problem_, start);
+    cost.contact_iterations += found.iterations;
+    cost.contact_operations += 2 * static_cast<double>(problem_.W.size()) * found.work;
+    return found;
+  };
+  auto solution = solve_from(guess);
+  if (!solution.converged) // the last forces may be a bad start: once more from none
+    solution = solve_from(Vector::Zero(guess.size()));
   if (!solution.converged)
     return false;
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
-    point.force = solution.force.segment<C>(C * static_cast<Index>(row));
+    point.force = forces_.segment<C>(C * static_cast<Index>(row));
     point.rho = contact::natural_scale(problem_, static_cast<Index>(row));
   }
-  reduced_.push(solution.force, weight, c);
+  reduced_.push(forces_, weight, c);
   return true;
 }
 

@@ -9,6 +9,12 @@
 
 namespace stiction::dynamics {
 
+/// A contact point by its pair and its place there.
+struct ContactPlace {
+  int pair = 0;
+  Index index = 0;
+};
+
 /// One step's contact, whatever the dimension and the number of components that the laws need.
 class ContactStage {
 public:
@@ -33,8 +39,11 @@ public:
 
   /// The points after the step, from the present kinematics and forces; the turn of free rigid bodies.
   virtual void finish(State const& old, double dt, State& next) const = 0;
-  /// The last problem handed to a solver, for saving.
+  /// The last problem handed to a solver, without points where none was in reach; the forces that the solver
+  /// left, and the contact point behind each of its rows.
   [[nodiscard]] virtual contact::Problem const& problem() const = 0;
+  [[nodiscard]] virtual Vector const& forces() const = 0;
+  [[nodiscard]] virtual ContactPlace place(Index row) const = 0;
 };
 
 /// Per point: one where all pairs are frictionless and bond along the normal alone, else as many as the model

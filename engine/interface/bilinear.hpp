@@ -53,6 +53,10 @@ struct Bilinear {
   [[nodiscard]] Scales scales() const {
     return {G_I, sigma_n, sigma_n / K, sigma_n / (2 * G_I / sigma_n - sigma_n / K), sigma_t / K};
   }
+  /// The falling branch is straight, whatever damage it starts from.
+  [[nodiscard]] double steepest_fall(BondStep const& step) const {
+    return step.old.beta > 0 ? scales().softening : 0;
+  }
 };
 
 /// Openings at which damage begins and ends, and their derivatives by the share of shear B.

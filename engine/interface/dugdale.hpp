@@ -37,6 +37,9 @@ struct Dugdale {
   [[nodiscard]] bool lasts() const { return memory == Memory::irreversible; }
   [[nodiscard]] Bond initial(double gap) const;
   [[nodiscard]] Scales scales() const { return {work(), sigma0, h0, sigma0 / rise(), 0}; }
+  [[nodiscard]] double steepest_fall(BondStep const& step) const {
+    return !lasts() || step.old.beta > 0 ? scales().softening : 0;
+  }
 };
 
 /// Traction at the opening d >= 0 by the undamaged law, its slope, and the work up to there.

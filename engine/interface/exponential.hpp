@@ -56,6 +56,15 @@ struct Exponential {
     double const steepest = phi_n / (delta_n() * delta_n()) * std::exp(-2.0); // of u exp(-u), at u = 2
     return {phi_n, sigma_max, delta_n(), steepest, q > 0 ? delta_t / std::numbers::sqrt2 : 0};
   }
+  /// Of K u exp(-u): at u = 2, or where the damage goes on that there is already.
+  [[nodiscard]] double steepest_fall(BondStep const& step) const {
+    if (!lasts())
+      return scales().softening;
+    if (!(step.old.beta > 0))
+      return 0;
+    double const u = std::max(2.0, -std::log(step.old.beta));
+    return phi_n / (delta_n() * delta_n()) * (u - 1) * std::exp(-u);
+  }
 };
 
 /// Without damage: slopes of the potential at the origin, N/m^3.

@@ -76,5 +76,9 @@ template<int D>
 [[nodiscard]] inline Scales scales(AdhesionLaw const& adhesion) {
   return std::visit([](auto const& law) { return law.scales(); }, adhesion);
 }
+/// Steepest fall of the normal traction with the opening that a bond without shear has in this step, N/m^3.
+[[nodiscard]] inline double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step) {
+  return std::visit([&](auto const& law) { return law.steepest_fall(step); }, adhesion);
+}
 
 } // namespace stiction::interface

@@ -33,6 +33,7 @@ struct Potential {
   [[nodiscard]] Scales scales() const {
     return {w, w / (std::numbers::e * delta), delta, w / (delta * delta) * std::exp(-2.0), 0};
   }
+  [[nodiscard]] double steepest_fall(BondStep const&) const { return scales().softening; }
 };
 
 template<int D> [[nodiscard]] Adhesion<D> adhere(Potential const& law, BondStep const&, Local<D> const& x) {

@@ -58,6 +58,20 @@ struct Rcc {
   [[nodiscard]] Scales scales() const {
     return {w, std::sqrt(w * C_n), std::sqrt(w / C_n), 3 * C_n, C_t > 0 ? std::sqrt(w / C_t) : 0};
   }
+  /// Largest beta that the step may reach.
+  [[nodiscard]] double largest_beta(BondStep const& step) const {
+    bool const may_grow = bonding == Bonding::proximity || (bonding == Bonding::contact && step.closed);
+    return may_grow ? 1 : step.old.beta;
+  }
+  /// With beta = N / (b + s), s = dt C_n x^2, the slope of C_n x beta^2 is - C_n N^2 (3 s - b) / (b + s)^3,
+  /// and steepest at s = b or where beta leaves its largest value B: 3 C_n B^2 for b = 0.
+  [[nodiscard]] double steepest_fall(BondStep const& step) const {
+    double const N = b * step.old.beta + step.dt * w, B = largest_beta(step);
+    if (!(N > 0 && B > 0))
+      return 0;
+    double const s = std::max(b, N / B - b);
+    return C_n * N * N * (3 * s - b) / std::pow(b + s, 3);
+  }
 };
 
 /// Diagonal of the bond's stiffness in the contact frame, N/m^3.
@@ -77,8 +91,7 @@ template<int D> [[nodiscard]] Local<D> bond_stiffness(Rcc const& law) {
   double const denominator = law.b + step.dt * q, numerator = law.b * step.old.beta + step.dt * law.w;
   double const beta =
       denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : (numerator > 0 ? 1.0 : step.old.beta);
-  bool const may_grow = law.bonding == Bonding::proximity || (law.bonding == Bonding::contact && step.closed);
-  return may_grow ? beta : std::min(beta, step.old.beta);
+  return std::min(beta, law.largest_beta(step));
 }
 
 /// (19), (21): rtilde = - C x beta^2, with beta of the step's end.

@@ -3,6 +3,7 @@
 // /adhesions [laws, columns] and /C_t2 [laws].
 #include "record/problem_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -18,10 +19,26 @@ namespace {
 constexpr hsize_t point_columns = 8;    // area, mu, law, beta, stretch 1, stretch 2, dt, closed
 constexpr hsize_t adhesion_columns = 8; // w, C_n, C_t, b, beta0, bonding, friction, damage_power
 
+constexpr hsize_t least_compressed = 512;  // numbers
+constexpr hsize_t chunk_numbers = 1 << 17; // 1 MiB
+
+/// Row by row in chunks, bytes shuffled and deflated, if there are enough of them.
+hdf5::Handle compression(std::vector<hsize_t> shape, std::size_t count) {
+  hdf5::Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  if (count < least_compressed || H5Zfilter_avail(H5Z_FILTER_DEFLATE) <= 0)
+    return list;
+  shape[0] = std::clamp<hsize_t>(chunk_numbers * shape[0] / count, 1, shape[0]);
+  H5Pset_chunk(list, static_cast<int>(shape.size()), shape.data());
+  H5Pset_shuffle(list);
+  H5Pset_deflate(list, 6);
+  return list;
+}
+
 bool write(hid_t file, char const* name, std::vector<hsize_t> const& shape,
            std::vector<double> const& values) {
   hdf5::Handle const space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-  hdf5::Handle const set(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  hdf5::Handle const set(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                    compression(shape, values.size()), H5P_DEFAULT),
                          H5Dclose);
   return set.valid() && (values.empty() ||
                          H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
@@ -183,8 +200,9 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
   auto const part = part_name(path);
   bool written = false;
   {
-    hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5::file_access()),
-                            H5Fclose);
+    auto const access = hdf5::file_access();
+    H5Pset_small_data_block_size(access, 0); // a small file, written once
+    hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
     auto const n = static_cast<hsize_t>(problem.free.size());
     std::vector<double> const W(problem.W.data(), problem.W.data() + problem.W.size()); // column by column
     std::vector<double> const free(problem.free.data(), problem.free.data() + problem.free.size());

@@ -15,6 +15,7 @@
 #include "record/problem_file.hpp"
 #include "scene/frame.hpp"
 #include "scene/probes.hpp"
+#include "scene/remarks.hpp"
 #include "scene/work.hpp"
 
 namespace stiction::scene {
@@ -129,7 +130,7 @@ class Run {
 public:
   Run(Scene const& scene, RunOptions const& options)
       : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
-        state_(stepper_.initial()) {}
+        state_(stepper_.initial()), remarks_(scene) {}
 
   RunResult go() {
     recorder_.step(state_, 0, 0);
@@ -152,6 +153,7 @@ public:
   RunResult finish() {
     auto const& cost = stepper_.cost();
     result_.seconds = seconds_since(began_);
+    result_.remarks = remarks_.texts();
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
     result_.phases = {{"assembly", cost.assembly},
@@ -267,6 +269,8 @@ private:
   bool halve(dynamics::Outcome const& outcome, double dt, int floor) {
     ++result_.cuts;
     successes_ = 0;
+    if (outcome.verdict == dynamics::StepVerdict::contact_failed)
+      remarks_.look(stepper_.contact(), state_.t + dt, contact::Look::all);
     if (++halved_ <= floor)
       return true;
     result_.verdict = "not converged";
@@ -282,6 +286,7 @@ private:
     state_ = std::move(outcome.state);
     if (++result_.steps == 1)
       blocks_ = linear::blocks_from_system();
+    remarks_.look(stepper_.contact(), state_.t, contact::Look::bearing);
     Timed const timed(*this);
     recorder_.step(state_, dt, outcome.iterations);
     int const every = scene_->part.output.problems_every;
@@ -316,6 +321,7 @@ private:
   dynamics::Stepper stepper_;
   Recorder recorder_;
   dynamics::State state_;
+  Remarks remarks_;
   RunResult result_;
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
@@ -332,10 +338,16 @@ void validate(core::Input const& scene) {
 RunResult run(core::Input const& input, RunOptions const& options) {
   auto const scene = build(input);
   record::prepare_output(options.out);
-  record::write_manifest(options.out / "manifest.json", manifest_of(input, scene, options));
+  auto manifest = manifest_of(input, scene, options);
+  record::write_manifest(options.out / "manifest.json", manifest);
   Run running(scene, options);
   try {
-    return running.go();
+    auto result = running.go();
+    if (!result.remarks.empty()) {
+      manifest["remarks"] = result.remarks;
+      record::write_manifest(options.out / "manifest.json", manifest);
+    }
+    return result;
   } catch (core::RunError const& error) {
     auto result = running.finish();
     result.verdict = "output failed";

@@ -1,14 +1,33 @@
-// Replays a saved contact problem against a solver.
+// Replays a saved contact problem against its solvers.
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "core/types.hpp"
 
 namespace stiction::scene {
 
-/// What came of it, as a few lines of text.
+/// One solver's answer, judged.
+struct SolverAnswer {
+  std::string solver;
+  bool converged = false;
+  long iterations = 0;
+  double work = 0;                   ///< in products W p
+  double residual = 0, relative = 0; ///< Pa; over the largest traction
+  double seconds = 0;
+  Vector force, displacement; ///< [components contacts], N and m
+};
+
+/// What came of it, as numbers and as a few lines of text.
 struct SolveReport {
   std::string text;
-  bool converged = false;
+  bool converged = false; ///< every solver
+  Index contacts = 0;
+  int components = 0;
+  Vector free; ///< displacement without force, [components contacts], m
+  std::vector<SolverAnswer> answers;
+  std::vector<std::string> doubts; ///< where theory promises no single answer
 };
 
 /// `solver` is a kind of the catalog's category "solver" or "all". Throws InputError for an unknown solver or

@@ -82,6 +82,7 @@ void push(lua_State* lua, scene::RunResult const& result) {
   lua_newtable(lua);
   set(lua, "verdict", result.verdict);
   set(lua, "reason", result.reason);
+  set(lua, "remarks", result.remarks);
   set(lua, "steps", result.steps);
   set(lua, "iterations", result.iterations);
   set(lua, "factorizations", result.factorizations);

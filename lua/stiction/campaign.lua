@@ -3,6 +3,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
 local output = require "stiction.output"
+local problem = require "stiction.problem"
 
 local campaign = {}
 
@@ -17,10 +18,19 @@ function campaign.survey(plan)
   return rows
 end
 
---- Validates the scene of every case to come, so that bad input is told before anything runs.
-local function validate(study, cases)
+--- Bad input if the case's scene, or the problem in its place, cannot be.
+function campaign.validate(study, case)
+  if study.problem then
+    problem.read(study, case.p)
+  else
+    engine.validate(study.scene(case.p))
+  end
+end
+
+--- Validates every case to come, so that bad input is told before anything runs.
+local function validate_all(study, cases)
   for _, case in ipairs(cases) do
-    local held, value = engine.call(function() engine.validate(study.scene(case.p)) end)
+    local held, value = engine.call(campaign.validate, study, case)
     if not held then
       if value.kind == "input" and #cases > 1 then
         fault.input("%s\n  (in case %s)", value.message, case.id)
@@ -57,7 +67,7 @@ function campaign.run(plan, rows)
   for _, row in ipairs(rows) do
     row_of[row.case.id] = row
   end
-  validate(plan.study, pending)
+  validate_all(plan.study, pending)
   output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,

@@ -3,6 +3,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
+local problem = require "stiction.problem"
 local units = require "stiction.units"
 
 local output = {}
@@ -46,13 +47,15 @@ function output.plain(parameters)
   return plain
 end
 
---- Function giving the fingerprint of a case: of the study's files, the library, the program, the parameters.
+--- Function giving the fingerprint of a case: of the study's files, the library, the program, the parameters, and
+--- the file of a saved problem.
 function output.fingerprinter(study)
   local library = engine.list(engine.library_root() .. "/stiction", true)
   local fixed = hash_of_files(loader.contents(study.source)) .. hash_of_files(library)
     .. hash_of_files { engine.program() }
   return function(case)
-    return engine.hash(fixed .. case.id .. engine.encode_json(output.plain(case.p)))
+    local own = study.problem and problem.identity(study, case.p) or ""
+    return engine.hash(fixed .. case.id .. engine.encode_json(output.plain(case.p)) .. own)
   end
 end
 

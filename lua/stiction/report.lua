@@ -78,6 +78,9 @@ function report.cases(study, rows)
     if row.result.verdict ~= "finished" then
       report.line("%s: %s: %s", row.case.id, row.result.verdict, row.result.reason or "")
     end
+    for _, remark in ipairs(row.result.remarks or {}) do
+      report.line("%s: remark: %s", row.case.id, remark)
+    end
   end
 end
 

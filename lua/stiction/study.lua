@@ -10,9 +10,9 @@ local study = {}
 
 local keys = {
   title = "string", question = "string", given = "table", chosen = "table", sweep = "table", case_id = "function",
-  scene = "function", results = "table", quick = "table", check = "function", figures = "function", trade = "table",
+  scene = "function", problem = "function", results = "table", quick = "table", check = "function", figures = "function",
+  trade = "table",
 }
-local needed = { "title", "scene" }
 
 local function names_of(t)
   return ordered.keys(t)
@@ -28,10 +28,11 @@ local function check_keys(t)
       fault.script("study.%s must be a %s, not a %s", key, want, type(t[key]))
     end
   end
-  for _, key in ipairs(needed) do
-    if t[key] == nil then
-      fault.script("study.%s is missing", key)
-    end
+  if t.title == nil then
+    fault.script("study.title is missing")
+  elseif not t.scene == not t.problem then
+    fault.script(t.scene and "study has scene and problem; it takes one of them"
+      or "study.scene is missing (or study.problem, where a case is a saved contact problem)")
   end
 end
 
@@ -124,7 +125,7 @@ function study.define(t)
   check_distinct(given, chosen)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
-    sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene,
+    sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene, problem = t.problem,
     results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, definition = t,
   }, study_mark)
 end

@@ -18,6 +18,7 @@ return {
   "bouncing_bar",
   "sliding_block",
   "sphere_impact",
+  "solvers",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }

@@ -12,15 +12,16 @@ using namespace stiction::test;
 namespace {
 
 Problem saved(std::string const& name) {
-  return record::load_problem(std::filesystem::path(__FILE__).parent_path() / "data" / (name + ".h5"));
+  return record::load_problem(std::filesystem::path(__FILE__).parent_path() / "problems" / (name + ".h5"));
 }
 
 } // namespace
 
 TEST_SUITE("contact") {
   TEST_CASE("saved problems of a plate sliding on a cylinder, and of a 3D block: all solvers agree") {
-    for (auto const* name : {"mu00_descent", "mu00_slide", "mu04_descent", "mu04_slide", "mu04_end",
-                             "mu08_descent", "mu08_slide", "flat_3d"}) {
+    for (auto const* name :
+         {"plate_mu00_descent", "plate_mu00_slide", "plate_mu04_descent", "plate_mu04_slide",
+          "plate_mu04_end", "plate_mu08_descent", "plate_mu08_slide", "block_3d_flat"}) {
       auto const problem = saved(name);
       REQUIRE(problem.size() > 5);
       auto const newton = solve(BipotentialNewton{}, problem);
@@ -36,13 +37,13 @@ TEST_SUITE("contact") {
   }
 
   TEST_CASE("the saved problems hold what they are named for") {
-    CHECK(saved("mu00_slide").points[0].mu == 0);
-    CHECK(saved("mu04_slide").points[0].mu == 0.4);
-    CHECK(saved("mu08_slide").points[0].mu == 0.8);
-    CHECK(saved("mu04_slide").dim == 2);
-    CHECK(saved("flat_3d").dim == 3);
-    CHECK(std::get<interface::Rcc>(saved("mu04_slide").adhesions.at(0)).w == 20);
-    auto const sliding = saved("mu04_end");
+    CHECK(saved("plate_mu00_slide").points[0].mu == 0);
+    CHECK(saved("plate_mu04_slide").points[0].mu == 0.4);
+    CHECK(saved("plate_mu08_slide").points[0].mu == 0.8);
+    CHECK(saved("plate_mu04_slide").dim == 2);
+    CHECK(saved("block_3d_flat").dim == 3);
+    CHECK(std::get<interface::Rcc>(saved("plate_mu04_slide").adhesions.at(0)).w == 20);
+    auto const sliding = saved("plate_mu04_end");
     auto const answer = solve(BipotentialNewton{}, sliding);
     int slides = 0;
     Vector const x = displacement(sliding, answer.force);
@@ -52,7 +53,7 @@ TEST_SUITE("contact") {
   }
 
   TEST_CASE("an indefinite W: an answer is judged, its absence admitted, and nothing overflows") {
-    for (auto const* name : {"mu08_indefinite", "mu08_indefinite_late"}) {
+    for (auto const* name : {"plate_mu08_indefinite", "plate_mu08_indefinite_late"}) {
       auto const problem = saved(name);
       int answered = 0;
       for (auto const& [solver, choice] : all_solvers()) {

@@ -3,6 +3,7 @@ local case_module = require "stiction.case"
 local engine = require "stiction.engine"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
+local problem = require "stiction.problem"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
@@ -53,10 +54,16 @@ local function run(options)
   local case = sweep.find(cases, options.case)
   local folder = output.case_folder(options.out, case)
   engine.remove(output.result_file(options.out, case))
-  local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
-  local result = engine.run(study.scene(case.p), settings, progress_teller())
+  local result, answers
+  if study.problem then
+    output.prepare(folder)
+    result, answers = problem.solve(study, case)
+  else
+    local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
+    result = engine.run(study.scene(case.p), settings, progress_teller())
+  end
   if result.verdict == "finished" then
-    result.results = case_module.compute(study, case_module.new(case.id, case.p, folder))
+    result.results = case_module.compute(study, answers or case_module.new(case.id, case.p, folder))
   end
   result.case, result.parameters = case.id, output.plain(case.p)
   result.fingerprint = output.fingerprinter(study)(case)

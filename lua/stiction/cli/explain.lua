@@ -1,5 +1,6 @@
 -- stiction explain: what a study asks, assumes and models, what it will cost and what to change, without running it.
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local report = require "stiction.report"
@@ -87,6 +88,9 @@ end
 
 return function(options)
   local study = study_module.load(options.study, options.trust)
+  if study.problem then
+    fault.input("%s solves saved contact problems; there is no scene to explain", study.name)
+  end
   local cases, names = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
   local explanation = engine.explain(study.scene(case.p))

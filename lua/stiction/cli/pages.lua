@@ -11,7 +11,7 @@ run STUDY      run the cases of a study, check them, draw its figures; a folder 
 figures STUDY  draw the figures again from the output
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
-solve FILE     solve a saved contact problem again, with any solver
+solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
 bench [STUDY]  time one case, phase by phase
 help [TOPIC]   this help
 test [--all]   build and run the tests
@@ -19,7 +19,12 @@ test [--all]   build and run the tests
 STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.
 Exit codes: 0 all held; 1 a case failed, a check did not hold, or the run was stopped; 2 bad input.
 Output of run, below out/<study> or --out DIR: summary.csv, checks.json, figures.json, figures/, and a
-folder per case with series.h5, fields.pvd, manifest.json, result.json.]]
+folder per case with series.h5, fields.pvd, manifest.json, result.json.
+
+A remark at the end of a case (also in its result.json and manifest.json) tells where theory promises no single
+answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
+of a pulled bond's force (bonds snap; RCC without viscosity: 3 C beta^2 A). Each kind is told once, at its first step,
+with the number of steps. W: the displacements of a contact point for unit forces on it.]]
 
 pages.units = [[
 local units = stiction.units; local mm, ms = units.mm, units.ms
@@ -38,7 +43,8 @@ return stiction.study {
   sweep = { mu = {0, 0.2} },                          -- all combinations; or {{"v", {...}}, {"mu", {...}}} to fix
                                                       -- the order; or a list of cases {{mu = 0}, {mu = 0.2}}
   case_id = function(p) return "..." end,             -- optional; else like mu0.2
-  scene = function(p) return stiction.scene{ ... } end,         -- p: all values above by name
+  scene = function(p) return stiction.scene{ ... } end,         -- p: all values above by name; or in its place
+                                                      -- problem = function(p) return {file = "...h5"} end
   results = {                                         -- by name, or a list of {name = ..., ...} to fix the order
     peak = { unit = "Pa", meaning = "Largest pressure",
       function(run, p) return run:max("crown", "pressure") end },
@@ -53,6 +59,9 @@ return stiction.study {
 run:  id, p, time (list, s); series(group, name, component) -> list, unit; max(group, name) and min -> value,
       time; at(time, group, name). All numbers SI. stiction.numeric: max, min, extreme, argmax, argmin,
       interpolate(xs, ys, x), first_where(list, test, start), integral(xs, ys), map(list, f).
+      Of a saved contact problem (problem: file relative to the study, solver = "all", tolerance = 1e-8): contacts,
+      components, doubts, free, and for each solver a table like run.newton: converged, iterations, work (in products W p),
+      residual, relative, seconds, force, displacement. output{problems_every = n} saves such files.
 cases: a list; cases:find{mu = 0} (nil if absent), cases:where{...}, cases:values("peak"), cases.quick;
       each case is a run with results by name.
 check: equal(name, value, expected, tolerance), close(name, value, expected, relative), within(name, value,

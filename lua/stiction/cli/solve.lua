@@ -9,7 +9,7 @@ return function(options)
   if engine.kind_of_path(options.file) ~= "file" then
     fault.input("solve: there is no file '%s'", options.file)
   end
-  local text, converged = engine.solve(options.file, options.with or "all", options.tolerance or default_tolerance)
-  report.line("%s", (text:gsub("%s+$", "")))
-  return converged and 0 or 1
+  local answer = engine.solve(options.file, options.with or "all", options.tolerance or default_tolerance)
+  report.line("%s", (answer.text:gsub("%s+$", "")))
+  return answer.converged and 0 or 1
 end

@@ -81,7 +81,7 @@ local function run_round(trade, wanted)
 end
 
 local function is_valid(study, case)
-  return (engine.call(function() engine.validate(study.scene(case.p)) end))
+  return (engine.call(campaign.validate, study, case))
 end
 
 --- Judges all runs so far against the reference made of them.

@@ -1,0 +1,133 @@
+// One node has a single answer iff W_nn > mu |W_nt|, one bond iff 1 / W_nn exceeds the fall of its force.
+#include "contact/uniqueness.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace stiction::contact {
+
+namespace {
+
+constexpr double bearing_part = 0.01; // of the strength, above which a bond counts as pulled
+constexpr int rounds = 30;            // of the power iteration
+
+/// A bond that may snap: its row of W and how steeply its force may fall with the opening, N/m.
+struct Bonded {
+  Index point;
+  double fall;
+};
+
+template<int D> class Judge {
+public:
+  Judge(Problem const& problem, Look look) : problem_(problem), look_(look) {}
+
+  Doubts operator()(Vector const& force, Vector const& x) {
+    for (Index i = 0; i < problem_.size(); ++i) {
+      Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
+      auto const state = evaluate<D>(problem_, i, p, at, natural_scale(problem_, i));
+      if (state.mu > 0 && (look_ == Look::all || state.status != interface::Status::open))
+        look_at_friction(i, state.mu);
+      if (problem_.points[ix(i)].law >= 0)
+        look_at_bond(i, (p - state.dry)[0]);
+    }
+    doubts_.softening.together = together();
+    return doubts_;
+  }
+
+private:
+  void look_at_friction(Index i, double mu) {
+    auto const block = problem_.W.block<D, D>(D * i, D * i);
+    double const W_nt = block.row(0).template tail<D - 1>().norm(), W_nn = block(0, 0);
+    if (W_nn > mu * W_nt || W_nt == 0)
+      return;
+    auto& worst = doubts_.friction;
+    ++worst.points;
+    double const ratio = W_nn > 0 ? mu * W_nt / W_nn : std::numeric_limits<double>::infinity();
+    if (worst.worst >= 0 && ratio <= steepest_)
+      return;
+    steepest_ = ratio;
+    worst = {worst.points, i, mu, W_nn, W_nt};
+  }
+
+  /// `pull`: the bond's normal force, negative where it pulls, N.
+  void look_at_bond(Index i, double pull) {
+    auto const& point = problem_.points[ix(i)];
+    auto const& law = problem_.adhesions[ix(point.law)];
+    if (look_ == Look::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
+      return;
+    double const fall = point.area * interface::steepest_fall(law, point.bond),
+                 W_nn = problem_.W(D * i, D * i);
+    if (!(fall > 0 && W_nn > 0))
+      return;
+    bonded_.push_back({i, fall});
+    auto& worst = doubts_.softening;
+    worst.points += W_nn * fall >= 1 ? 1 : 0;
+    if (worst.worst < 0 || W_nn * fall * worst.stiffness > worst.fall) {
+      worst.worst = i;
+      worst.stiffness = 1 / W_nn;
+      worst.fall = fall;
+    }
+  }
+
+  /// Rayleigh quotients of sqrt(fall) W_nn sqrt(fall): they rise to the largest eigenvalue.
+  [[nodiscard]] double together() const {
+    auto const n = static_cast<Index>(bonded_.size());
+    if (n == 0)
+      return 0;
+    Dense matrix(n, n);
+    for (Index a = 0; a < n; ++a)
+      for (Index b = 0; b < n; ++b)
+        matrix(a, b) = std::sqrt(bonded_[ix(a)].fall * bonded_[ix(b)].fall) *
+                       problem_.W(D * bonded_[ix(a)].point, D * bonded_[ix(b)].point);
+    Vector v = Vector::Ones(n).normalized(), next(n);
+    double quotient = matrix.diagonal().maxCoeff(); // a lower bound as well
+    for (int k = 0; k < rounds; ++k) {
+      next.noalias() = matrix * v;
+      quotient = std::max(quotient, v.dot(next));
+      if (!(next.norm() > 0))
+        break;
+      v = next.normalized();
+    }
+    return quotient;
+  }
+
+  Problem const& problem_;
+  Look look_;
+  Doubts doubts_;
+  std::vector<Bonded> bonded_;
+  double steepest_ = 0; ///< largest mu |W_nt| / W_nn
+};
+
+} // namespace
+
+Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Look look) {
+  return by_dimension(problem.dim, [&]<int D>() { return Judge<D>(problem, look)(force, x); });
+}
+
+std::string words(FrictionDoubt const& doubt) {
+  std::string text = fmt::format("W_nn = {:.3g} m/N <= mu |W_nt| = {:.3g} x {:.3g} m/N: with friction there "
+                                 "is more than one answer, or none",
+                                 doubt.W_nn, doubt.mu, doubt.W_nt);
+  if (doubt.W_nn > 0)
+    text += fmt::format(
+        "; mu below {:.3g} makes it single, for deformable bodies with inertia also a smaller step",
+        doubt.W_nn / doubt.W_nt);
+  return text;
+}
+
+std::string words(SofteningDoubt const& doubt) {
+  std::string const remedy = "a less stiff law, a smaller area per point or stiffer bodies make it single, "
+                             "with inertia also a smaller step";
+  if (doubt.points > 0)
+    return fmt::format(
+        "1/W_nn = {:.3g} N/m <= {:.3g} N/m by which the bond's force may fall per opening: at some loads "
+        "there is more than one answer, and the bond snaps from one to another; {}",
+        doubt.stiffness, doubt.fall, remedy);
+  return fmt::format(
+      "the bonds together may weaken {:.3g} times as fast as what they hold follows: at some loads there "
+      "may be more than one answer, and bonds snap from one to another; {}",
+      doubt.together, remedy);
+}
+
+} // namespace stiction::contact

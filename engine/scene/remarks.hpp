@@ -1,0 +1,28 @@
+// What a run has to say about its own answers: where theory promises no single one.
+#pragma once
+#include "contact/uniqueness.hpp"
+#include "dynamics/contact_stage.hpp"
+#include "scene/build.hpp"
+
+namespace stiction::scene {
+
+/// Looks at steps; keeps one remark of each kind, of the step that was first, and counts the rest.
+class Remarks {
+public:
+  explicit Remarks(Scene const& scene) : scene_(&scene) {}
+  /// A step to time t, accepted, or without an answer to its contact problem: then all points are looked at.
+  void look(dynamics::ContactStage const& contact, double t, contact::Look look);
+  /// In the order in which they are made; empty where nothing is in doubt.
+  [[nodiscard]] std::vector<std::string> texts() const;
+
+private:
+  struct Remark {
+    std::string text;
+    long steps = 0;
+  };
+  Scene const* scene_;
+  Remark friction_, softening_;
+  long steps_ = 0;
+};
+
+} // namespace stiction::scene
