@@ -1,6 +1,7 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
 #include <Eigen/LU>
 
+#include "contact/descent.hpp"
 #include "contact/point_newton.hpp"
 #include "contact/solver.hpp"
 
@@ -114,10 +115,20 @@ class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+    if (may_snap(problem) && !(judge(problem, guess).relative() <= settings_.tolerance))
+      if (auto const start = descend(problem, guess, 5L * settings_.iterations)) {
+        Solution solution = polish(problem, start->force);
+        solution.iterations += start->iterations;
+        if (solution.converged)
+          return solution;
+      }
+    return polish(problem, guess);
   }
 
 private:
+  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess) const {
+    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+  }
   template<int D> Solution run(Problem const& problem, Vector const& guess) const {
     NewtonRun<D> newton(problem, guess);
     Solution solution;
