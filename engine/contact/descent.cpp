@@ -26,7 +26,7 @@ public:
   [[nodiscard]] bool sound() const { return sound_; }
 
   [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
-    x_ = displacement(problem_, guess);
+    x_ = problem_.start.size() > 0 ? problem_.start : displacement(problem_, guess);
     for (Index i = 0; i < problem_.size(); ++i)
       x_[D * i] = std::max(x_[D * i], shift(i));
     for (long k = 0; k < iterations; ++k) {

@@ -17,8 +17,8 @@ struct Descended {
 
 /// Forces at the minimum of
 ///   1/2 (x - free)^T W^-1 (x - free) + sum of the bonds' energies, x_n >= shift_n,
-/// reached downhill from x = free + W guess in steps that leap over no bond's opening. Nothing where W is
-/// singular or the iterations do not suffice. The problem has no friction.
+/// reached downhill from the problem's start, or else from x = free + W guess, in steps that leap over no
+/// bond's opening. Nothing where W is singular or the iterations do not suffice. The problem has no friction.
 [[nodiscard]] std::optional<Descended> descend(Problem const& problem, Vector const& guess, long iterations);
 
 } // namespace stiction::contact

@@ -51,7 +51,8 @@ TEST_SUITE("contact") {
           auto const answer = make_solver(BipotentialNewton{})->solve(problem, force);
           REQUIRE(answer.converged);
           force = answer.force;
-          double const opening = displacement(problem, force)[0];
+          problem.start = displacement(problem, force);
+          double const opening = problem.start[0];
           if (problem.free[0] < 0.999 * fold)
             CHECK(opening == doctest::Approx(problem.free[0] / (1 + softness)).epsilon(1e-9));
           else if (softness > 1)
@@ -73,7 +74,7 @@ TEST_SUITE("contact") {
         REQUIRE(answer.converged);
         CHECK(judge(problem, answer.force).relative() <= 1e-10);
         force = answer.force;
-        Vector const x = displacement(problem, force);
+        Vector const x = problem.start = displacement(problem, force);
         int now = 0;
         for (int i = 0; i < n; ++i) {
           now += x[i] > u0 ? 1 : 0;
