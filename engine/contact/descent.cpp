@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stiction::contact {
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr double enough = 1e-11;       // projected gradient over the largest force
 constexpr double least_descent = 1e-4; // of the descent that the gradient foretells
+constexpr double longest = 0.5;        // stride of a step, see `stride`
+constexpr double harmless = 1e-5;      // step over the least opening of a law
 constexpr int panels = 4;              // of Simpson's rule for the work of a bond in one step
 
 /// The unknown is x; the gradient of the potential is p - A rtilde(x) with p = W^-1 (x - free).
@@ -22,21 +25,24 @@ public:
     stiffness_ = inner_.solve(Dense::Identity(problem.W.rows(), problem.W.cols()));
     stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
     sound_ = stiffness_.allFinite();
+    for (auto const& law : problem.adhesions)
+      opening_ = std::min(opening_, interface::scales(law).opening);
   }
   [[nodiscard]] bool sound() const { return sound_; }
 
-  [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
+  [[nodiscard]] Descended run(Vector const& guess, long iterations) {
     x_ = problem_.start.size() > 0 ? problem_.start : displacement(problem_, guess);
     for (Index i = 0; i < problem_.size(); ++i)
       x_[D * i] = std::max(x_[D * i], shift(i));
-    for (long k = 0; k < iterations; ++k) {
+    long k = 0;
+    for (; k < iterations; ++k) {
       differentiate();
       if (projected_gradient() <= enough * p_.template lpNorm<Eigen::Infinity>() + rounding())
-        return Descended{p_, k};
+        return {p_, k, true};
       if (!(find_direction() && walk()))
         break;
     }
-    return std::nullopt;
+    return {p_, k, false};
   }
 
 private:
@@ -113,17 +119,17 @@ private:
     return H;
   }
 
-  /// The part of the direction that moves no attracted point by more than half its bond's opening.
-  [[nodiscard]] double longest() const {
-    double length = 1;
+  /// The largest part of any bond's opening that a step moves an attracted point.
+  [[nodiscard]] double stride(Vector const& step) const {
+    double largest = 0;
     for (Index i = 0; i < problem_.size(); ++i) {
       auto const& data = problem_.points[ix(i)];
       if (data.law < 0 || bond(i, x_.segment<D>(D * i)).traction.isZero(0))
         continue;
-      double const reach = 0.5 * interface::scales(problem_.adhesions[ix(data.law)]).opening;
-      length = std::min(length, reach / std::max(reach, direction_.segment<D>(D * i).norm()));
+      double const opening = interface::scales(problem_.adhesions[ix(data.law)]).opening;
+      largest = std::max(largest, step.segment<D>(D * i).norm() / opening);
     }
-    return length;
+    return largest;
   }
 
   /// What the potential gains between x_ and next, J.
@@ -144,14 +150,15 @@ private:
     return sum;
   }
 
-  /// Goes along the direction, stopped at the bounds, as far as the potential falls.
+  /// Goes along the direction, stopped at the bounds, as far as the potential falls; a step too small to leap
+  /// over anything is taken at once, as rounding would judge it.
   bool walk() {
-    double const noise = 1e-13 * std::abs(p_.dot(x_ - problem_.free));
-    for (double length = longest(); length > 1e-6; length *= 0.5) {
+    for (double length = std::min(1.0, longest / stride(direction_)); length > 1e-6; length *= 0.5) {
       Vector next = x_ + length * direction_;
       for (Index i = 0; i < problem_.size(); ++i)
         next[D * i] = std::max(next[D * i], shift(i));
-      if (gain(next) <= least_descent * gradient_.dot(next - x_) + noise) {
+      if (length * direction_.template lpNorm<Eigen::Infinity>() < harmless * opening_ ||
+          gain(next) <= least_descent * gradient_.dot(next - x_)) {
         x_ = next;
         return true;
       }
@@ -163,20 +170,21 @@ private:
   Eigen::LLT<Dense> inner_;
   Dense stiffness_; ///< W^-1, N/m
   bool sound_ = false;
+  double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m
   Vector x_, p_, gradient_, direction_;
   std::vector<LocalMatrix<D>> softening_; ///< second derivative of the bonds' energies, N/m
   std::vector<Index> free_;               ///< components that may move
 };
 
-bool has_friction(Problem const& problem) {
-  return std::any_of(problem.points.begin(), problem.points.end(),
-                     [](auto const& point) { return point.mu > 0 || point.friction >= 0; });
-}
-
 } // namespace
 
+bool frictionless(Problem const& problem) {
+  return std::none_of(problem.points.begin(), problem.points.end(),
+                      [](auto const& point) { return point.mu > 0 || point.friction >= 0; });
+}
+
 bool may_snap(Problem const& problem) {
-  if (problem.size() == 0 || has_friction(problem))
+  if (problem.size() == 0 || !frictionless(problem))
     return false;
   double steepest = 0;
   for (auto const& point : problem.points)
@@ -189,7 +197,9 @@ bool may_snap(Problem const& problem) {
 std::optional<Descended> descend(Problem const& problem, Vector const& guess, long iterations) {
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
     Descent<D> descent(problem);
-    return descent.sound() ? descent.run(guess, iterations) : std::nullopt;
+    if (!descent.sound())
+      return std::nullopt;
+    return descent.run(guess, iterations);
   });
 }
 

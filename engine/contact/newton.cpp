@@ -115,17 +115,35 @@ class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    if (may_snap(problem) && !(judge(problem, guess).relative() <= settings_.tolerance))
-      if (auto const start = descend(problem, guess, 5L * settings_.iterations)) {
-        Solution solution = polish(problem, start->force);
-        solution.iterations += start->iterations;
-        if (solution.converged)
-          return solution;
-      }
-    return polish(problem, guess);
+    bool const downhill_first = may_snap(problem) && !solved(problem, guess);
+    if (downhill_first)
+      if (auto answer = downhill(problem, guess))
+        return *std::move(answer);
+    Solution solution = polish(problem, guess);
+    if (!solution.converged && !downhill_first && frictionless(problem))
+      if (auto answer = downhill(problem, guess); answer && answer->converged)
+        return *std::move(answer);
+    return solution;
   }
 
 private:
+  [[nodiscard]] bool solved(Problem const& problem, Vector const& force) const {
+    return judge(problem, force).relative() <= settings_.tolerance;
+  }
+
+  /// Nothing where there is no potential. A descent that does not settle is no answer: from the middle of it
+  /// Newton would go to any branch.
+  [[nodiscard]] std::optional<Solution> downhill(Problem const& problem, Vector const& guess) const {
+    auto const end = descend(problem, guess, 20L * settings_.iterations);
+    if (!end)
+      return std::nullopt;
+    Solution solution{end->force, 0, judge(problem, end->force), false};
+    if (end->settled)
+      solution = polish(problem, end->force);
+    solution.iterations += end->iterations;
+    return solution;
+  }
+
   [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess) const {
     return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
   }

@@ -3,6 +3,8 @@ return {
   "greco_block",
   "hertz_2d",
   "jkr_sphere",
+  "jkr_cylinder",
+  "maugis_dugdale",
   "materials",
   "bar_impact",
   "../paper/plate_on_cylinder",
