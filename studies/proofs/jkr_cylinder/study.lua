@@ -109,29 +109,27 @@ return stiction.study {
         }
       end
     end
-    check.increasing("from 0.1 to 0.3 of 1.04e12 N/m^3 the pull-off comes nearer to JKR", { nearer[1], nearer[2] })
+    if #nearer > 1 then
+      check.increasing("from 0.1 to 0.3 of 1.04e12 N/m^3 the pull-off comes nearer to JKR", { nearer[1], nearer[2] })
+    end
   end,
 
   figures = function(cases)
     local p, curves = cases[1].p, {}
     for _, c in ipairs(cases) do
       if c.p.cells == cases[#cases].p.cells then
-        local x, y, force, closed = {}, {}, c:series("contact", "force_y"), c:series("contact", "closed_area")
+        local x, y, force = {}, {}, c:series("contact", "force_y")
         for k, t in ipairs(c.time) do
-          if t > 1 and closed[k] > 0 then x[#x + 1], y[#y + 1] = closed[k], -2 * force[k] end
+          if t > 1 then x[#x + 1], y[#y + 1] = (2 - t) * p.depth.si, -2 * force[k] end
         end
         curves[#curves + 1] = { label = string.format("C = %.2g N/m³", c.p.stiffness * full), x = x, y = y,
           colour = #curves + 1 }
       end
     end
-    local a, force = {}, {}
-    for i = 0, 60 do
-      a[#a + 1] = (0.02 + 0.24 * i / 60) * 1e-3
-      force[#force + 1] = jkr.cylinder.force(modulus(p), p.radius.si, p.w.si, a[#a])
-    end
-    curves[#curves + 1] = { label = "JKR", colour = 4, x = a, y = force, style = "dash" }
+    curves[#curves + 1] = { label = "pull-off by JKR", colour = 4, x = { -p.above.si, p.depth.si },
+      y = { -exact(p), -exact(p) }, style = "dash" }
     return { stiction.figure.lines {
-      name = "pull_off", title = "pulling a cylinder off", x = { label = "half width that presses", unit = "mm" },
+      name = "pull_off", title = "pulling a cylinder off", x = { label = "approach", unit = "um" },
       y = { label = "force per length, pressing > 0", unit = "N/m" }, curves = curves, legend = "below",
     } }
   end,
