@@ -1,6 +1,7 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
 #include <Eigen/LU>
 
+#include "contact/descent.hpp"
 #include "contact/point_newton.hpp"
 #include "contact/solver.hpp"
 
@@ -126,10 +127,38 @@ class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+    bool const downhill_first = may_snap(problem) && !solved(problem, guess);
+    if (downhill_first)
+      if (auto answer = downhill(problem, guess))
+        return *std::move(answer);
+    Solution solution = polish(problem, guess);
+    if (!solution.converged && !downhill_first && frictionless(problem))
+      if (auto answer = downhill(problem, guess); answer && answer->converged)
+        return *std::move(answer);
+    return solution;
   }
 
 private:
+  [[nodiscard]] bool solved(Problem const& problem, Vector const& force) const {
+    return judge(problem, force).relative() <= settings_.tolerance;
+  }
+
+  /// Nothing where there is no potential. A descent that does not settle is no answer: from the middle of it
+  /// Newton would go to any branch.
+  [[nodiscard]] std::optional<Solution> downhill(Problem const& problem, Vector const& guess) const {
+    auto const end = descend(problem, guess, 20L * settings_.iterations);
+    if (!end)
+      return std::nullopt;
+    Solution solution{end->force, 0, judge(problem, end->force), false};
+    if (end->settled)
+      solution = polish(problem, end->force);
+    solution.iterations += end->iterations;
+    return solution;
+  }
+
+  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess) const {
+    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+  }
   template<int D> Solution run(Problem const& problem, Vector const& guess) const {
     NewtonRun<D> newton(problem, guess);
     Solution solution;

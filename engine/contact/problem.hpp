@@ -29,6 +29,7 @@ struct Problem {
   std::vector<ProblemPoint> points; ///< [n]
   std::vector<interface::AdhesionLaw> adhesions;
   std::vector<interface::FrictionLaw> frictions{}; ///< those whose coefficient follows pressure or speed
+  Vector start{}; ///< x at the last accepted state, [dim n], m, to tell answers apart; or empty
   [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
 };
 

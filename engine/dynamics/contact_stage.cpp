@@ -395,12 +395,14 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   problem_.dim = C;
   reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
   Vector guess(C * static_cast<Index>(active_.size()));
+  problem_.start.setZero(guess.size());
   for (std::size_t row = 0; row < active_.size(); ++row) {
     auto& point = points_[ix(active_[row])];
     auto const first = C * static_cast<Index>(row);
     problem_.free.segment<C>(first) += point.x();
     problem_.points.push_back(point.law);
     guess.segment<C>(first) = point.force;
+    problem_.start[first] = old_->contacts[ix(point.pair)][ix(point.index)].gap;
     if (model_->pairs[ix(point.pair)].self)
       tell_apart(first, point.force);
   }
@@ -414,6 +416,8 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   auto solution = solve_from(guess);
   if (!solution.converged) // the last forces may be a bad start: once more from none
     solution = solve_from(Vector::Zero(guess.size()));
+  rows_ = active_;
+  forces_ = std::move(solution.force);
   if (!solution.converged)
     return false;
   for (std::size_t row = 0; row < active_.size(); ++row) {

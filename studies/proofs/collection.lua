@@ -13,6 +13,8 @@ return {
   "cohesive_laws",
   "friction_laws",
   "jkr_sphere",
+  "jkr_cylinder",
+  "maugis_dugdale",
   "time_schemes",
   "bar_impact",
   "bouncing_bar",

@@ -1,0 +1,111 @@
+// Softening bonds without friction: the Newton solver stays on the branch of its start.
+#include <doctest/doctest.h>
+
+#include "contact/descent.hpp"
+#include "contact/solvers.hpp"
+
+using namespace stiction;
+using namespace stiction::contact;
+using namespace stiction::test;
+
+namespace {
+
+constexpr double C = 1e9, w = 1, u0 = 3.1622776601683795e-5; // N/m^3, J/m^2, sqrt(w/C) in m
+
+/// n bonded points of area 1e-6 m^2, each on a spring of its own of the compliance softness/(C area), and
+/// tied to each other by a common compliance.
+Problem bonded(int dim, int n, double softness, double common) {
+  Problem problem;
+  problem.dim = dim;
+  interface::Rcc law;
+  law.w = w;
+  law.C_n = law.C_t = law.C_t2 = C;
+  problem.adhesions = {law};
+  double const unit = 1 / (C * 1e-6);
+  problem.W = softness * unit * Dense::Identity(dim * n, dim * n);
+  problem.W += common * unit * Dense::Ones(dim * n, dim * n);
+  problem.free.setZero(dim * n);
+  for (int i = 0; i < n; ++i) {
+    ProblemPoint point{1e-6, 0, 0, {}};
+    point.bond.old.beta = 1;
+    point.bond.dt = 1;
+    problem.points.push_back(point);
+  }
+  return problem;
+}
+
+} // namespace
+
+TEST_SUITE("contact") {
+  TEST_CASE("a bond on a soft spring holds up to the fold of its branch and no further") {
+    for (int const dim : {1, 2, 3})
+      for (double const softness :
+           {0.5, 2.0, 20.0}) { // x = f - W p has its fold at x = u0, f = (1 + softness) u0
+        INFO("dim " << dim << ", softness " << softness);
+        auto problem = bonded(dim, 1, softness, 0);
+        double const fold = (1 + softness) * u0;
+        CHECK(may_snap(problem));
+        Vector force = Vector::Zero(dim);
+        for (int step = 1; step <= 100; ++step) {
+          problem.free[0] = 0.011 * step * fold;
+          auto const answer = make_solver(BipotentialNewton{})->solve(problem, force);
+          REQUIRE(answer.converged);
+          force = answer.force;
+          problem.start = displacement(problem, force);
+          double const opening = problem.start[0];
+          if (problem.free[0] < 0.999 * fold)
+            CHECK(opening == doctest::Approx(problem.free[0] / (1 + softness)).epsilon(1e-9));
+          else if (softness > 1)
+            CHECK(opening > 2 * u0);
+        }
+      }
+  }
+
+  TEST_CASE("a row that opens like a wedge breaks from its end, and the answers are those of the judge") {
+    int const n = 30;
+    for (double const common : {0.0, 0.5}) {
+      auto problem = bonded(1, n, 3, common);
+      Vector force = Vector::Zero(n);
+      int broken = 0;
+      for (int step = 1; step <= 60; ++step) {
+        for (int i = 0; i < n; ++i)
+          problem.free[i] = 0.21 * step * u0 * i / n;
+        auto const answer = make_solver(BipotentialNewton{})->solve(problem, force);
+        REQUIRE(answer.converged);
+        CHECK(judge(problem, answer.force).relative() <= 1e-10);
+        force = answer.force;
+        Vector const x = problem.start = displacement(problem, force);
+        int now = 0;
+        for (int i = 0; i < n; ++i) {
+          now += x[i] > u0 ? 1 : 0;
+          CHECK((common > 0 || i == 0 || x[i] >= x[i - 1] - 1e-9 * u0));
+        }
+        if (common == 0) { // each on its own: the branch ends at (1 + softness) u0
+          for (int i = 0; i < n; ++i)
+            CHECK((x[i] > u0) == (problem.free[i] > 4 * u0));
+        }
+        CHECK(now >= broken);
+        broken = now;
+      }
+      CHECK(broken > 10);
+    }
+  }
+
+  TEST_CASE("only what may have several answers is searched downhill") {
+    CHECK_FALSE(may_snap(bonded(2, 4, 0.3, 0)));
+    CHECK(may_snap(bonded(2, 4, 0.4, 0)));
+    auto rubbing = bonded(2, 4, 3, 0);
+    rubbing.points[2].mu = 0.1;
+    CHECK_FALSE(may_snap(rubbing));
+    auto dry = bonded(2, 4, 3, 0);
+    for (auto& point : dry.points)
+      point.law = -1;
+    CHECK_FALSE(may_snap(dry));
+  }
+
+  TEST_CASE("a singular W has no potential in x") {
+    auto problem = bonded(1, 3, 3, 0);
+    problem.W.setOnes();
+    CHECK_FALSE(descend(problem, Vector::Zero(3), 100).has_value());
+  }
+}
