@@ -5,6 +5,7 @@ return {
   "jkr_sphere",
   "jkr_cylinder",
   "maugis_dugdale",
+  "dcb",
   "materials",
   "bar_impact",
   "../paper/plate_on_cylinder",
