@@ -149,10 +149,16 @@ private:
     auto const end = descend(problem, guess, 20L * settings_.iterations);
     if (!end)
       return std::nullopt;
-    Solution solution{end->force, 0, judge(problem, end->force), false};
-    if (end->settled)
+    Solution solution;
+    if (end->settled) {
       solution = polish(problem, end->force);
+    } else {
+      solution.force = end->force;
+      solution.verdict = judge(problem, end->force);
+    }
     solution.iterations += end->iterations;
+    auto const descents = static_cast<double>(end->iterations), n = static_cast<double>(problem.free.size());
+    solution.work += descents * (1 + n / 6); // a product and a symmetric factorization each
     return solution;
   }
 

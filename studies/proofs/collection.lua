@@ -15,6 +15,7 @@ return {
   "jkr_sphere",
   "jkr_cylinder",
   "maugis_dugdale",
+  "dcb",
   "time_schemes",
   "bar_impact",
   "bouncing_bar",

@@ -73,13 +73,13 @@ return stiction.study {
     depth = { 16*um, "contact radius 0.28 mm by Hertz" },
     above = { 7*um, "beyond the largest force" },
     size = { 5*mm, "20 contact radii wide and deep; less at the finest cells" },
-    fine = { 0.3*mm, "a little more than the largest contact radius" },
+    fine = { 0.34*mm, "more than the largest contact radius" },
     growth = { 1.25, "of the cells outside the fine zone" },
     coarsest = { 40*um, "so many cells lie at least in this length" },
     steps_down = { 10, "no bond breaks on the way down" },
     steps_up = { 150, "0.15 um a step; with 8 cells twice as many change 0.4 %" },
   },
-  sweep = { { "stiffness", { 0.03, 0.1, 0.3 } }, { "cells", { 4, 8 } } },
+  sweep = { { "stiffness", { 0.03, 0.1, 0.3, 1 } }, { "cells", { 4, 8 } } },
   quick = { sweep = { { "stiffness", { 0.03, 0.1 } }, { "cells", { 4, 8 } } } },
   scene = scene,
   results = {
@@ -94,7 +94,7 @@ return stiction.study {
       function(run) return math.sqrt(run:max("contact", "closed_area") / math.pi) end },
   },
   check = function(cases, check)
-    for _, stiffness in ipairs { 0.1, 0.3 } do
+    for _, stiffness in ipairs { 0.1, 0.3, 1 } do
       local values, finest = {}, nil
       for _, c in ipairs(cases:where { stiffness = stiffness }) do
         values[#values + 1], finest = { cell(c.p), c.results.pull_off }, c
