@@ -186,9 +186,8 @@ TEST_CASE("nearly incompressible plain cells lock") {
 TEST_CASE("points at the nodes of quadratic cells in space are advised against") {
   auto input = foot_on_floor();
   at(input, "kinematics") = text("three_dimensional");
-  at(input, "bodies.foot.mesh") =
-      make("mesh.block",
-           {{"size", values({1, 1, 1}, "m")}, {"cells", values({1, 1, 1})}, {"kind", text("hex20")}});
+  at(input, "bodies.foot.mesh") = make(
+      "mesh.box", {{"size", values({1, 1, 1}, "m")}, {"cells", values({1, 1, 1})}, {"kind", text("hex20")}});
   at(input, "motions") = list({});
   auto const found = warnings(input, "contact points at the nodes of hex20 cells");
   REQUIRE(found.size() == 1);
