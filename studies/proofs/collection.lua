@@ -3,7 +3,7 @@ return {
   "patch",
   "ironing",
   "nonmatching_slide",
-  "locking",
+  "cook_membrane",
   "greco_block",
   "hertz_2d",
   "hertz_3d",
@@ -21,7 +21,7 @@ return {
   "bouncing_bar",
   "sliding_block",
   "sphere_impact",
-  "solvers",
+  "solver_agreement",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }

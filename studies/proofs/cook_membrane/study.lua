@@ -15,7 +15,7 @@
 -- nu' = nu/(1 + nu) and E' = E (1 + 2 nu)/(1 + nu)^2. "nearly_incompressible": E = 240.565, nu = 0.4999, 100 over the end.
 -- Strains are small (`linear_elastic`), so the unit of E and of the force only scales the answer.
 --
---     ./stiction run studies/proofs/locking
+--     ./stiction run studies/proofs/cook_membrane
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa

@@ -8,7 +8,7 @@
 -- adds with W and in factorizations, over those of one product W p: a sweep is 1, a Newton iteration up to a third of the
 -- number of unknowns).
 --
---     ./stiction run studies/proofs/solvers
+--     ./stiction run studies/proofs/solver_agreement
 local stiction = require "stiction"
 
 local folder = "../../../tests/contact/problems/"

@@ -1,6 +1,6 @@
 -- What accuracy costs where meshes do not match: a die sliding over a slab by node to segment and by mortar.
 --
---     ./stiction trade studies/trade/slide
+--     ./stiction trade studies/trade/sliding_die
 local stiction = require "stiction"
 local proof = require "../../proofs/ironing"
 local mm = stiction.units.mm
