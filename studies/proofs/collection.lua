@@ -1,6 +1,6 @@
 -- The order of the report: statics, laws, adhesion, dynamics, then the cases of the paper.
 return {
-  "patch",
+  "patch_test",
   "ironing",
   "nonmatching_slide",
   "cook_membrane",

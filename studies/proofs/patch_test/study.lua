@@ -13,7 +13,7 @@
 -- Poisson's ratio is zero and both blocks have the same modulus, so nothing slides and no friction is needed.
 -- "matching": nodes face nodes. "nonmatching": 3 cells below, 4 above (2 and 3 in space), times `level`.
 --
---     ./stiction run studies/proofs/patch
+--     ./stiction run studies/proofs/patch_test
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa
