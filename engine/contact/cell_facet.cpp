@@ -1,6 +1,8 @@
 // Lagrange and serendipity functions of facets, written out for speed, and their reference domains.
 #include "contact/cell_facet.hpp"
 
+#include <utility>
+
 #include "contact/facet.hpp"
 #include "core/error.hpp"
 #include "mesh/quadrature.hpp"
@@ -53,10 +55,10 @@ FacetShape tri6(Vec2 const& at) {
     for (int a = 0; a < 2; ++a) {
       s.by[ix(a)][k] = (4 * L.N[k] - 1) * slope(a, k);
       s.by[ix(a)][m] = 4 * (L.N[k] * slope(a, next) + L.N[next] * slope(a, k));
-      for (int b = a; b < 2; ++b) {
-        s.by2[ix(a + b)][k] = 4 * slope(a, k) * slope(b, k);
-        s.by2[ix(a + b)][m] = 4 * (slope(a, k) * slope(b, next) + slope(a, next) * slope(b, k));
-      }
+    }
+    for (auto const [a, b] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
+      s.by2[ix(a + b)][k] = 4 * slope(a, k) * slope(b, k);
+      s.by2[ix(a + b)][m] = 4 * (slope(a, k) * slope(b, next) + slope(a, next) * slope(b, k));
     }
   }
   return s;
