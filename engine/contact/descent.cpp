@@ -153,7 +153,8 @@ private:
   /// Goes along the direction, stopped at the bounds, as far as the potential falls; a step too small to leap
   /// over anything is taken at once, as rounding would judge it.
   bool walk() {
-    for (double length = std::min(1.0, longest / stride(direction_)); length > 1e-6; length *= 0.5) {
+    double length = std::min(1.0, longest / stride(direction_));
+    while (length > 1e-6) {
       Vector next = x_ + length * direction_;
       for (Index i = 0; i < problem_.size(); ++i)
         next[D * i] = std::max(next[D * i], shift(i));
@@ -162,6 +163,7 @@ private:
         x_ = next;
         return true;
       }
+      length *= 0.5;
     }
     return false;
   }

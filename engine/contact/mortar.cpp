@@ -74,6 +74,7 @@ template<int D> std::vector<int> Mortar<D>::candidates(int facet, Positions x) c
 
 template<int D> void Mortar<D>::cut(Positions x) {
   std::vector<Box<D>> boxes;
+  boxes.reserve(static_cast<std::size_t>(primary_->size()));
   for (int f = 0; f < primary_->size(); ++f)
     boxes.push_back(box_of<D>(*primary_, f, x));
   grid_.build(boxes);
@@ -177,6 +178,16 @@ template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obst
   }
 }
 
+template<int D> Mat<D>& Mortar<D>::PointMean::column_of(Index node) {
+  auto& nodes = kinematics.nodes;
+  auto const place = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+  if (place == nodes.size()) {
+    nodes.push_back(node);
+    columns.emplace_back(Mat<D>::Zero());
+  }
+  return columns[place];
+}
+
 template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
   auto const& pairing = pairings_[s];
   auto const [nodes, H] = rows(s, x);
@@ -194,15 +205,8 @@ template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
       mean.foot = pairing.foot;
       mean.frame = pairing.frame;
     }
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      auto const place = std::find(mean.nodes.begin(), mean.nodes.end(), nodes[j]) - mean.nodes.begin();
-      if (ix(static_cast<Index>(place)) == mean.nodes.size()) {
-        mean.nodes.push_back(nodes[j]);
-        point.columns.emplace_back(Mat<D>::Zero());
-      }
-      point.columns[static_cast<std::size_t>(place)] +=
-          c * H.template middleCols<D>(D * static_cast<Index>(j));
-    }
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      point.column_of(nodes[j]) += c * H.template middleCols<D>(D * static_cast<Index>(j));
   }
 }
 

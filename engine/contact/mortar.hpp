@@ -67,6 +67,8 @@ private:
     double heaviest = 0;
     PointKinematics<D> kinematics;
     std::vector<Mat<D>> columns; ///< of H, node by node
+    /// That of a node, a new one of zeros where it has none.
+    [[nodiscard]] Mat<D>& column_of(Index node);
   };
   /// Rows of one sample over its nodes.
   struct RowsOfSample {

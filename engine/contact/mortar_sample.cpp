@@ -190,6 +190,26 @@ SampleRows<D> sample_rows(Faced<D> const& faced, Sample const& sample, SamplePai
   return H;
 }
 
+/// What acts on the opposite facet: the force, the normal, and the lever of the tangential force.
+template<int D> struct Loading {
+  Vec<D> F, n;
+  Local<D - 1> levered;
+};
+
+/// How the force on node j of the opposite facet turns with the inputs.
+template<int D>
+By<D> opposite_row(Opposite<D> const& other, Turning<D> const& by, Loading<D> const& load, int j) {
+  By<D> row = -other.shape.N[j] * by.force;
+  for (int b = 0; b < D - 1; ++b) {
+    double const slope = other.shape.by[ix(b)][j];
+    row += -slope * load.F * by.place.row(b) + slope * load.n * by.levered.row(b) +
+           load.levered[b] * slope * by.normal;
+    for (int a = 0; a < D - 1; ++a)
+      row += load.levered[b] * other.shape.second(a, b)[j] * load.n * by.place.row(a);
+  }
+  return row;
+}
+
 template<int D>
 SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
                                     SamplePairing<D> const& pairing, Local<D> const& force) {
@@ -197,23 +217,12 @@ SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
   Opposite<D> const other(faced, pairing);
   auto const& facet = faced.secondary.facet(sample.facet);
   int const own = facet.count(), all = own + other.facet.count();
-  Vec<D> const F = pairing.frame * force, n = pairing.frame.col(0);
-  Local<D - 1> const levered = pairing.gap * other.lever * force.template tail<D - 1>();
+  Loading<D> const load{pairing.frame * force, pairing.frame.col(0),
+                        pairing.gap * other.lever * force.template tail<D - 1>()};
   SampleStiffness<D> K{Dense(D * all, D * all), Dense(D * all, D * facet.corners())};
   for (int k = 0; k < all; ++k) {
-    By<D> row;
-    if (k < own) {
-      row = sample.shape.N[k] * by.force;
-    } else {
-      int const j = k - own;
-      row = -other.shape.N[j] * by.force;
-      for (int b = 0; b < D - 1; ++b) {
-        double const slope = other.shape.by[ix(b)][j];
-        row += -slope * F * by.place.row(b) + slope * n * by.levered.row(b) + levered[b] * slope * by.normal;
-        for (int a = 0; a < D - 1; ++a)
-          row += levered[b] * other.shape.second(a, b)[j] * n * by.place.row(a);
-      }
-    }
+    By<D> const row =
+        k < own ? By<D>(sample.shape.N[k] * by.force) : opposite_row<D>(other, by, load, k - own);
     for (int i = 0; i < own; ++i) {
       auto block = K.by_nodes.template block<D, D>(D * k, D * i);
       block = sample.shape.N[i] * row.template middleCols<D>(D * own_place);
