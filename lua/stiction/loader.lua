@@ -48,12 +48,23 @@ local function run_file(source, path, name)
   return value
 end
 
---- `require` as scripts see it: "stiction", and modules beside the study.
+--- Another study named by its path from this one, in a sandbox of its own; its files count as this study's.
+local function load_other(source, path)
+  local value, other = loader.load(source.folder .. "/" .. path, source.trust)
+  for _, file in ipairs(loader.contents(other)) do
+    source.files[#source.files + 1] = file
+  end
+  return value
+end
+
+--- `require` as scripts see it: "stiction", modules beside the study, and other studies by their path ("../other").
 local function make_require(source)
   local loaded = {}
   return function(name)
     if name == "stiction" then
       return require "stiction"
+    elseif name:find("/", 1, true) then
+      return load_other(source, name)
     elseif name:find("^stiction%.") then
       fault.script("'%s' is internal; scripts use require 'stiction'", name)
     elseif loaded[name] == nil then
@@ -98,22 +109,28 @@ end
 --- Runs the script; its value, and the source with the files read so far.
 function loader.load(path, trust)
   local source = loader.find(path)
-  source.files = {}
+  source.files, source.trust = {}, trust
   source.environment = loader.environment(trust)
   source.environment.require = make_require(source)
   return run_file(source, source.file, source.name), source
 end
 
---- Files whose content decides a study's results: all in its own folder but prose, else those it has read.
+--- Files whose content decides a study's results: all in its own folder but prose and its trade, else those it has
+--- read; and those of other studies that it has read.
 function loader.contents(source)
-  if not source.whole then
-    return source.files
-  end
-  local files = {}
-  for _, file in ipairs(engine.list(source.folder, true)) do
-    if not file:find("%.md$") then
-      files[#files + 1] = file
+  local files, known = {}, {}
+  local function add(file)
+    if not known[file] then
+      files[#files + 1], known[file] = file, true
     end
+  end
+  for _, file in ipairs(source.whole and engine.list(source.folder, true) or {}) do
+    if not file:find("%.md$") and not file:find("/trade%.json$") then
+      add(file)
+    end
+  end
+  for _, file in ipairs(source.files) do
+    add(file)
   end
   return files
 end

@@ -1,4 +1,5 @@
 -- The study table a script returns: its keys checked, its parameters gathered.
+local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
@@ -9,7 +10,7 @@ local study = {}
 
 local keys = {
   title = "string", question = "string", given = "table", chosen = "table", sweep = "table", case_id = "function",
-  scene = "function", results = "table", quick = "table", check = "function", figures = "function",
+  scene = "function", results = "table", quick = "table", check = "function", figures = "function", trade = "table",
 }
 local needed = { "title", "scene" }
 
@@ -109,7 +110,8 @@ local function check_distinct(given, chosen)
   end
 end
 
-local study_mark = {}
+local methods = {}
+local study_mark = { __index = methods }
 
 --- stiction.study{ ... }
 function study.define(t)
@@ -123,8 +125,27 @@ function study.define(t)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
     sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene,
-    results = read_results(t.results), check = t.check, figures = t.figures,
+    results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, definition = t,
   }, study_mark)
+end
+
+local merged = { given = true, chosen = true }
+
+--- The same study with some keys replaced, or left out where they are false; given and chosen entry by entry.
+function methods.variant(self, changes)
+  local t = copy(self.definition)
+  for _, key in ipairs(ordered.keys(changes)) do
+    local new = changes[key]
+    if merged[key] and t[key] then
+      t[key] = copy(t[key])
+      for name, entry in pairs(new) do
+        t[key][name] = entry
+      end
+    else
+      t[key] = new or nil
+    end
+  end
+  return study.define(t)
 end
 
 --- Loads the study at `path`; it knows its source and its name for output folders.
