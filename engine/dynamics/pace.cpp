@@ -11,7 +11,6 @@ namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double safety = 0.9;
-constexpr double proportional = 0.35, integral = 0.2; ///< exponents for an error of order dt^2
 constexpr double worthwhile = 1.3, needless = 0.8; ///< between these factors the step, and a factor, is kept
 constexpr double fastest = 2, deepest = 0.1;       ///< growth and cut at most
 constexpr int first_share = 8; ///< the first step, of whose error nothing is known, is so much smaller
@@ -41,18 +40,18 @@ bool Pace::at_smallest(double dt) const {
 }
 
 double Pace::next(State const& old, double left) const {
-  double dt = std::min(wanted_, once_);
+  double const dt = std::min(wanted_, once_);
   if (accuracy_.events > 0 && !retry_) {
     double const expected = history_.next_event(old);
-    if (expected > accuracy_.events && expected < dt)
-      dt = std::max(expected - 0.5 * accuracy_.events, smallest_);
+    if (expected > accuracy_.events && expected < std::min(dt, left))
+      return std::max(expected - 0.5 * accuracy_.events, smallest_);
   }
   if (dt >= left * (1 - rounding))
     return left;
   return left < 2 * dt ? 0.5 * left : dt; // no sliver is left over
 }
 
-Judgement Pace::judge(State const& old, Outcome const& outcome, double dt) {
+Judgement Pace::judge(State const& old, Outcome& outcome, double dt) {
   Judgement judgement;
   if (!outcome.converged()) {
     judgement.cut = Cut::not_converged;
@@ -69,7 +68,10 @@ Judgement Pace::judge(State const& old, Outcome const& outcome, double dt) {
   }
   if (!judgement.accepted())
     return judgement;
+  State advanced = outcome.state;
+  history_.advance_bonds(old, advanced);
   history_.accept(old, outcome.state, accuracy_.events);
+  outcome.state = std::move(advanced);
   grow(judgement, dt);
   return judgement;
 }
@@ -107,10 +109,14 @@ void Pace::shorten(double dt, double factor) {
   retry_ = true;
 }
 
-/// PI control (Gustafsson 1991); a step that was shorter than wanted may lengthen the wanted one only.
+/// The step that would just meet the tolerance, from an error of u that goes with dt^3 and one of beta with
+/// dt^2. Small changes are left out: they would cost a factorization each. (An integral term beside such a
+/// dead band holds the error at a tenth of the tolerance.) A step that was shorter than wanted may lengthen
+/// the wanted one only.
 void Pace::grow(Judgement& judgement, double dt) {
-  double const part = std::max(judgement.error.largest() / accuracy_.tolerance, 1e-4);
-  double factor = safety * std::pow(part, -proportional) * std::pow(last_error_, integral);
+  double const least = 1e-4, u = std::max(judgement.error.displacement / accuracy_.tolerance, least),
+               bond = std::max(judgement.error.bond / accuracy_.tolerance, least);
+  double factor = safety * std::min(1 / std::cbrt(u), 1 / std::sqrt(bond));
   if (judgement.error.beta_change > 0)
     factor = std::min(factor, safety * accuracy_.beta_change / judgement.error.beta_change);
   if (retry_)
@@ -124,7 +130,6 @@ void Pace::grow(Judgement& judgement, double dt) {
   judgement.grown = wanted_ > before;
   if (judgement.grown && judgement.reason.empty())
     judgement.reason = fmt::format("the local error is {:.1e}", judgement.error.largest());
-  last_error_ = part;
   retry_ = false;
   once_ = no_bound;
 }

@@ -23,7 +23,7 @@ struct Judgement {
   [[nodiscard]] bool accepted() const { return cut == Cut::none; }
 };
 
-/// Proportional-integral control of the step by its error, bounds on beta's change, and aim at events.
+/// Control of the step by its error, bounds on beta's change, and aim at events.
 class Pace {
 public:
   Pace(Accuracy const& accuracy, Structure const& structure, Model const& model);
@@ -33,8 +33,8 @@ public:
   /// The size of the next attempt from `old`, when `left` remains to a moment that must be met; equal to
   /// `left` for the last. s
   [[nodiscard]] double next(State const& old, double left) const;
-  /// Judges an attempt of that size; an accepted one becomes part of the history.
-  [[nodiscard]] Judgement judge(State const& old, Outcome const& outcome, double dt);
+  /// Judges an attempt of that size; an accepted one becomes part of the history, and its bonds are advanced.
+  [[nodiscard]] Judgement judge(State const& old, Outcome& outcome, double dt);
   [[nodiscard]] double wanted() const { return wanted_; } ///< size without aim at moments or events, s
 
 private:
@@ -47,7 +47,6 @@ private:
   History history_;
   double wanted_ = 0, smallest_ = 0, largest_ = 0;        ///< s
   double once_ = std::numeric_limits<double>::infinity(); ///< bound of this step alone, s
-  double last_error_ = 1;                                 ///< of the last accepted step, over the tolerance
   bool retry_ = false;                                    ///< the last attempt was cut
 };
 

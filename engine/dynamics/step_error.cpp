@@ -30,10 +30,13 @@ constexpr std::array<EventSign, 5> signs = {{
     {[](ContactState const& a, ContactState const& b) { return closed(a) && !closed(b); },
      [](ContactState const& a) { return closed(a); }, [](ContactState const& a) { return a.dry[0]; }},
     {[](ContactState const& a, ContactState const& b) { return a.bond.beta < 1 && b.bond.beta >= 1; },
-     [](ContactState const& a) { return a.bond.beta > 0 && a.bond.beta < 1; },
+     [](ContactState const& a) { return a.bond.beta < 1; },
      [](ContactState const& a) { return 1 - a.bond.beta; }},
     {[](ContactState const& a, ContactState const& b) { return a.bond.beta >= 1 && b.bond.beta < 1; },
-     [](ContactState const&) { return false; }, [](ContactState const&) { return 0.0; }},
+     [](ContactState const& a) { return a.bond.beta >= 1; },
+     [](ContactState const& a) { // of RCC: w - q; other laws may yield elsewhere
+       return a.adhesion.dot(interface::opening_of(a.bond, a.gap));
+     }},
     {[](ContactState const& a, ContactState const& b) { return a.bond.beta > 0 && b.bond.beta <= 0; },
      [](ContactState const& a) { return a.bond.beta > 0; },
      [](ContactState const& a) { return a.bond.beta; }},
@@ -61,25 +64,61 @@ char const* name_of(EventKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+/// Where everything moves with the farthest motion.
+History::History(Structure const& structure, Model const& model) : structure_(&structure), model_(&model) {
+  if (!weights(model.scheme).inertia)
+    return;
+  double farthest = 0;
+  auto reach = [&](Path const& path) {
+    for (double const value : path.values)
+      farthest = std::max(farthest, std::abs(value));
+  };
+  for (auto const& motion : model.motions)
+    if (motion.nodes.empty() || motion.nodes.front() < model.first_node.back())
+      reach(motion.path);
+  for (auto const& rigid : model.rigids)
+    std::ranges::for_each(rigid.shift, reach);
+  Vector u = Vector::Zero(model.dofs());
+  for (Index node = 0; node < model.first_node.back(); ++node)
+    u[model.dim() * node] = farthest;
+  scale_ = mean_square(u);
+}
+
 double History::mean_square(Vector const& u) const {
   Vector momentum;
   structure_->mass().times(u, momentum);
   return u.dot(momentum);
 }
 
+double History::bond_error(State const& old, State const& next, std::size_t p, std::size_t i) const {
+  double const dt = next.t - old.t, beta = next.contacts[p][i].bond.beta;
+  if (dt_ == 0 || beta <= 0 || beta >= 1 || fresh_[p][i])
+    return 0;
+  return 0.5 * (beta - old.contacts[p][i].bond.beta - rates_[p][i] * dt);
+}
+
 StepError History::error(State const& old, State const& next) const {
   StepError error;
   error.displacement = displacement_error(old, next);
-  double const dt = next.t - old.t;
   each_point(next, [&](std::size_t p, std::size_t i) {
-    double const beta = next.contacts[p][i].bond.beta, change = beta - old.contacts[p][i].bond.beta;
+    double const change = next.contacts[p][i].bond.beta - old.contacts[p][i].bond.beta;
     error.beta_change = std::max(error.beta_change, std::abs(change));
-    if (dt_ == 0 || beta <= 0 || beta >= 1 || fresh_[p][i])
-      return;
-    double const before = (old.contacts[p][i].bond.beta - contacts_[p][i].bond.beta) / dt_;
-    error.bond = std::max(error.bond, 0.5 * std::abs(change - before * dt));
+    error.bond = std::max(error.bond, std::abs(bond_error(old, next, p, i)));
   });
   return error;
+}
+
+void History::advance_bonds(State const& old, State& next) const {
+  each_point(next, [&](std::size_t p, std::size_t i) {
+    auto const& adhesion = model_->pairs[p].law.adhesion;
+    auto const* rcc = adhesion ? std::get_if<interface::Rcc>(&*adhesion) : nullptr;
+    if (rcc == nullptr || rcc->b <= 0)
+      return;
+    double const error = bond_error(old, next, p, i), before = old.contacts[p][i].bond.beta;
+    double& beta = next.contacts[p][i].bond.beta;
+    double const share = before > 0 ? std::min(1.0, beta / before) : 1;
+    beta = std::clamp(beta - share * share * error, 0.0, std::max(before, beta));
+  });
 }
 
 double History::displacement_error(State const& old, State const& next) const {
@@ -100,7 +139,10 @@ double History::after(EventKind kind, State const& old, std::size_t p, std::size
   auto const& point = old.contacts[p][i];
   if (dt_ == 0 || !sign_of(kind).possible(point) || !sign_of(kind).possible(contacts_[p][i]))
     return never;
-  double const now = sign_of(kind).distance(point), fall = sign_of(kind).distance(contacts_[p][i]) - now;
+  double now = sign_of(kind).distance(point);
+  double const fall = sign_of(kind).distance(contacts_[p][i]) - now;
+  if (kind == EventKind::bond_yields)
+    now += interface::scales(*model_->pairs[p].law.adhesion).work;
   return fall > 0 ? std::max(now, 0.0) * dt_ / fall : never;
 }
 
@@ -131,16 +173,20 @@ double History::next_event(State const& old) const {
 }
 
 void History::accept(State const& old, State const& next, double within) {
-  bool const located = within > 0;
-  fresh_.resize(next.contacts.size());
-  for (std::size_t p = 0; p < next.contacts.size(); ++p)
-    fresh_[p].assign(next.contacts[p].size(), false);
   dt_ = next.t - old.t;
+  fresh_.resize(next.contacts.size());
+  rates_.resize(next.contacts.size());
+  for (std::size_t p = 0; p < next.contacts.size(); ++p) {
+    fresh_[p].assign(next.contacts[p].size(), false);
+    rates_[p].resize(next.contacts[p].size());
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i)
+      rates_[p][i] = (next.contacts[p][i].bond.beta - old.contacts[p][i].bond.beta) / dt_;
+  }
   v_ = old.v;
   contacts_ = old.contacts;
   if (weights(model_->scheme).inertia)
     scale_ = std::max(scale_, mean_square(next.u));
-  if (!located)
+  if (within == 0)
     return;
   // a rate that ends or begins at this very moment is not to be compared with the next
   each_point(next, [&](std::size_t p, std::size_t i) {

@@ -10,9 +10,10 @@ namespace stiction::dynamics {
 
 /// The local error of one step.
 struct StepError {
-  double displacement = 0; ///< root mean square over the mass, over the largest that u has been
-  double bond = 0;         ///< largest of any beta
-  double beta_change = 0;  ///< largest of any beta
+  double displacement =
+      0; ///< root mean square over the mass, over the largest u that motions ask for or that has been
+  double bond = 0;        ///< largest of any beta
+  double beta_change = 0; ///< largest of any beta
   [[nodiscard]] double largest() const { return std::max(displacement, bond); }
 };
 
@@ -37,9 +38,13 @@ struct Event {
 /// not compared with across an event that was located at its start.
 class History {
 public:
-  History(Structure const& structure, Model const& model) : structure_(&structure), model_(&model) {}
+  History(Structure const& structure, Model const& model);
 
   [[nodiscard]] StepError error(State const& old, State const& next) const;
+  /// Takes the local error of beta out of an accepted step, where RCC integrates it: the pair advances with
+  /// its trapezoidal member, damped by (beta_1 / beta_0)^2 so that a fast loss never turns about. Tractions
+  /// and energies of the step stay those of implicit Euler; global errors become of second order.
+  void advance_bonds(State const& old, State& next) const;
   /// The events between the states that lie farther than `within` from both ends, or in a step longer than
   /// it.
   [[nodiscard]] std::optional<Event> unlocated(State const& old, State const& next, double within) const;
@@ -52,6 +57,9 @@ public:
 private:
   [[nodiscard]] double displacement_error(State const& old, State const& next) const;
   [[nodiscard]] double mean_square(Vector const& u) const;
+  /// dt (beta'_1 - beta'_0) / 2 of implicit Euler; 0 where it is exact or the rate before is not known.
+  [[nodiscard]] double bond_error(State const& old, State const& next, std::size_t pair,
+                                  std::size_t point) const;
   [[nodiscard]] double after(EventKind kind, State const& old, std::size_t pair, std::size_t point) const;
 
   Structure const* structure_;
@@ -59,9 +67,10 @@ private:
   double dt_ = 0;                                   ///< of the step before, s; 0: there was none
   Vector v_;                                        ///< at its start, m/s
   std::vector<std::vector<ContactState>> contacts_; ///< at its start
+  std::vector<std::vector<double>> rates_; ///< [pairs][points] beta' of implicit Euler at its end, 1/s
   std::vector<std::vector<bool>>
       fresh_;        ///< [pairs][points] has the located event of a point just ended its rate?
-  double scale_ = 0; ///< largest mean square of u so far, kg m^2
+  double scale_ = 0; ///< largest mean square of u so far, or of what motions ask for, kg m^2
 };
 
 } // namespace stiction::dynamics

@@ -36,6 +36,7 @@ test::Input peeled(double b) {
   test::at(table, "pairs.sole.adhesion") = test::rcc(1, 1e3, b);
   test::at(table, "pairs.sole.adhesion.beta0") = test::value(0.9);
   test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1}, {0, 0}, {0, 0.1})});
+  test::at(table, "schedule") = test::schedule({{1, 1}});
   return table;
 }
 
@@ -70,7 +71,7 @@ double bond_distance(test::State const& a, test::State const& b) {
 /// After `steps` steps of dt, so that a step before is known.
 Compared compare(test::Input const& table, double dt, int steps) {
   auto const scene = scene::build(table);
-  scene.model->control.force_tolerance = 1e-12;
+  scene.model->control.force_tolerance = 1e-10;
   dynamics::Stepper stepper(*scene.model);
   History history(stepper.structure(), *scene.model);
   double scale = 0;
@@ -135,6 +136,35 @@ TEST_CASE("a bond at rest grows without error and so it is thought") {
   CHECK(compared.real.bond < 1e-12);
   CHECK(compared.estimate.bond < 1e-12);
   CHECK(compared.estimate.beta_change == doctest::Approx(0.05 / 4));
+}
+
+TEST_CASE("bonds that are advanced by their error converge with the second order instead of the first") {
+  auto last_beta = [](int steps, bool advance) {
+    auto const scene = scene::build(peeled(0.5));
+    scene.model->control.force_tolerance = 1e-10;
+    dynamics::Stepper stepper(*scene.model);
+    History history(stepper.structure(), *scene.model);
+    auto state = stepper.initial();
+    for (int k = 0; k < steps; ++k) {
+      auto outcome = stepper.step(state, 0.8 / steps);
+      REQUIRE(outcome.converged());
+      auto next = outcome.state;
+      if (advance)
+        history.advance_bonds(state, next);
+      history.accept(state, outcome.state, 0);
+      state = std::move(next);
+    }
+    return state.contacts[0][0].bond.beta;
+  };
+  double const exact = last_beta(12800, true);
+  CHECK(exact > 0.05);
+  CHECK(exact < 0.85);
+  for (bool const advance : {false, true}) {
+    CAPTURE(advance);
+    double const coarse = std::abs(last_beta(50, advance) - exact),
+                 fine = std::abs(last_beta(200, advance) - exact);
+    CHECK(std::log2(coarse / fine) / 2 == doctest::Approx(advance ? 2 : 1).epsilon(0.15));
+  }
 }
 
 TEST_CASE("statics have no error of u beside that of the bonds") {
