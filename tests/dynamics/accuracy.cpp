@@ -118,7 +118,7 @@ TEST_CASE("the estimate for u is the local error of the scheme and has its order
 
 TEST_CASE("the estimate for a breaking bond is its local error and of second order") {
   double last = 0;
-  for (double const dt : {0.02, 0.01, 0.005}) {
+  for (double const dt : {0.01, 0.005, 0.0025}) {
     auto const compared = compare(peeled(0.5), dt, static_cast<int>(std::lround(0.6 / dt)));
     double const estimate = compared.estimate.bond;
     CAPTURE(dt);
@@ -138,7 +138,8 @@ TEST_CASE("a bond at rest grows without error and so it is thought") {
   CHECK(compared.estimate.beta_change == doctest::Approx(0.05 / 4));
 }
 
-TEST_CASE("bonds that are advanced by their error converge with the second order instead of the first") {
+TEST_CASE(
+    "bonds that are advanced by their error converge with the second order at least instead of the first") {
   auto last_beta = [](int steps, bool advance) {
     auto const scene = scene::build(peeled(0.5));
     scene.model->control.force_tolerance = 1e-10;
@@ -156,14 +157,17 @@ TEST_CASE("bonds that are advanced by their error converge with the second order
     }
     return state.contacts[0][0].bond.beta;
   };
-  double const exact = last_beta(12800, true);
+  double const exact = last_beta(6400, true);
   CHECK(exact > 0.05);
   CHECK(exact < 0.85);
   for (bool const advance : {false, true}) {
     CAPTURE(advance);
-    double const coarse = std::abs(last_beta(50, advance) - exact),
-                 fine = std::abs(last_beta(200, advance) - exact);
-    CHECK(std::log2(coarse / fine) / 2 == doctest::Approx(advance ? 2 : 1).epsilon(0.15));
+    double const coarse = std::abs(last_beta(100, advance) - exact),
+                 fine = std::abs(last_beta(400, advance) - exact);
+    double const order = std::log2(coarse / fine) / 2;
+    CAPTURE(order);
+    CHECK(order > (advance ? 1.8 : 0.85));
+    CHECK((advance || order < 1.15));
   }
 }
 

@@ -58,7 +58,7 @@ local cases = {}
 for _, size in ipairs { 1*mm, 0.5*mm, 0.4*mm, 0.25*mm, 0.2*mm, 0.1*mm } do
   cases[#cases + 1] = { size = size, target = 0 }
 end
-for _, target in ipairs { 0.1, 0.05, 0.03 } do cases[#cases + 1] = { size = 1*mm, target = target } end
+for _, target in ipairs { 0.4, 0.3, 0.2, 0.1 } do cases[#cases + 1] = { size = 1*mm, target = target } end
 
 return stiction.study {
   title = "A mesh made anew from its error against ladders of equal cells",
