@@ -114,6 +114,18 @@ void check_refinement(Complaints& complaints, std::string const& path, GmshGeome
          fmt::format("is {:g} m; it must be > within = {:g} m", refinement.until, refinement.within)});
 }
 
+void check_sizes(Complaints& complaints, GmshGeometry const& geometry) {
+  auto const& sizes = geometry.sizes;
+  if (sizes.size() % 3 != 0)
+    complaints.push_back(
+        {"", "gmsh.sizes",
+         fmt::format("has {} numbers; {{x1, y1, size1, x2, ...}} are wanted", sizes.size())});
+  for (std::size_t i = 2; i < sizes.size(); i += 3)
+    if (!(sizes[i] > 0))
+      return complaints.push_back(
+          {"", "gmsh.sizes", fmt::format("asks for a size of {:g} m; it must be > 0 m", sizes[i])});
+}
+
 /// Refuses sizes that would keep the mesher busy for hours.
 void check_cell_number(Complaints& complaints, GmshGeometry const& geometry) {
   constexpr double most_cells_across = 2000;
@@ -122,6 +134,8 @@ void check_cell_number(Complaints& complaints, GmshGeometry const& geometry) {
     extent = std::max(extent, distance(geometry.start, edge.to));
   for (auto const& refinement : geometry.refine)
     finest = std::min(finest, refinement.size);
+  for (std::size_t i = 2; i < geometry.sizes.size(); i += 3)
+    finest = std::min(finest, geometry.sizes[i]);
   if (finest * most_cells_across < extent)
     complaints.push_back(
         {"", "gmsh.size",
@@ -137,6 +151,7 @@ void check(GmshGeometry const& geometry) {
     check_outline(complaints, fmt::format("gmsh.holes[{}]", i + 1), geometry.holes[i]);
   for (std::size_t i = 0; i < geometry.refine.size(); ++i)
     check_refinement(complaints, fmt::format("gmsh.refine[{}]", i + 1), geometry, geometry.refine[i]);
+  check_sizes(complaints, geometry);
   if (complaints.empty())
     check_cell_number(complaints, geometry);
   if (!complaints.empty())
@@ -165,11 +180,16 @@ Json to_json(GmshGeometry const& geometry) {
   Json refine = Json::array();
   for (auto const& r : geometry.refine)
     refine.push_back({{"near", r.near}, {"size", r.size}, {"within", r.within}, {"until", r.until}});
-  return {{"task", "geometry"},
-          {"kind", info(geometry.kind).name},
-          {"size", geometry.size},
-          {"outlines", curves},
-          {"refine", refine}};
+  Json request{{"task", "geometry"},
+               {"kind", info(geometry.kind).name},
+               {"size", geometry.size},
+               {"outlines", curves},
+               {"refine", refine}};
+  if (!geometry.sizes.empty()) {
+    request["sizes"] = geometry.sizes;
+    request["growth"] = geometry.growth;
+  }
+  return request;
 }
 
 } // namespace
@@ -229,6 +249,10 @@ core::Schema const& GmshGeometry::schema() {
                   "list of edges {to=, centre=, through=, name=}, back to the start")
           .nested("holes", "outline", Need::optional, "list of outlines {start=, edges=} cut out")
           .nested("refine", "refinement", Need::optional, "list of {near=, size=, within=, until=}")
+          .numbers("sizes", &GmshGeometry::sizes, "m", Need::optional,
+                   "cells of these sizes at points, {x1, y1, size1, x2, ...}; larger away from them")
+          .number("growth", &GmshGeometry::growth, "1", core::positive, Need::optional,
+                  "of the cell size over the distance from such a point")
           .build();
   return result;
 }

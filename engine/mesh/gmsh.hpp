@@ -43,6 +43,8 @@ struct GmshGeometry {
   std::vector<Outline> holes;
   double size = 0; ///< cell size, m
   std::vector<Refinement> refine;
+  core::Numbers sizes; ///< {x1, y1, size1, x2, ...}, m: cells there, growing from there by `growth` per metre
+  double growth = 0.3; ///< of the cell size over the distance
   CellKind kind = CellKind::quad4;
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);

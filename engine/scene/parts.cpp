@@ -67,6 +67,7 @@ core::Schema const& BodyPart::schema() {
                   "mean_dilatation: volume change averaged over each cell, against locking of quad4 and hex8 "
                   "near nu = 1/2")
           .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
+          .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .build();
   return made;
 }
@@ -78,6 +79,29 @@ void BodyPart::read_nested(Reader& reader) {
     damping = std::get<material::KelvinVoigt>(
         nested_choice<std::variant<material::KelvinVoigt>>(reader, "damping", Need::optional));
   static_cast<void>(reader.at("damping", Need::optional));
+  if (reader.has("remesh")) {
+    remesh = reader.child("remesh", Need::optional).record<RemeshPart>();
+    if (!std::holds_alternative<mesh::GmshGeometry>(mesh))
+      reader.complain_at("remesh", "needs a mesh that gmsh makes from outlines; give the body a mesh.gmsh");
+  }
+  static_cast<void>(reader.at("remesh", Need::optional));
+}
+
+core::Schema const& RemeshPart::schema() {
+  static auto const made =
+      Describe<RemeshPart>{"remesh",
+                           "the run is repeated with other cell sizes until the stress is exact enough",
+                           "Zienkiewicz, Zhu, Int. J. Numer. Meth. Engng 24, 1987"}
+          .number("target", &RemeshPart::target, "1", {0, 1, true, true}, Need::optional,
+                  "error of the stress over its size, from the jumps between cells, at every end of a stage")
+          .integer("passes", &RemeshPart::passes, {1, 20, false, false}, Need::optional,
+                   "meshes at most; the last one counts")
+          .number("cohesive_cells", &RemeshPart::cohesive_cells, "1", core::non_negative, Need::optional,
+                  "cells over the cohesive length E* / C, where a surface adheres; 0: any size")
+          .number("smallest", &RemeshPart::smallest, "m", core::non_negative, Need::optional,
+                  "no cell is asked to be smaller")
+          .build();
+  return made;
 }
 
 core::Schema const& ObstaclePart::schema() {
@@ -231,6 +255,8 @@ core::Schema const& SchedulePart::schema() {
           .nested("stages", "stage", Need::required, "list of stages")
           .integer("halvings", &SchedulePart::halvings, {0, 20, false, false}, Need::optional,
                    "how often a step may be halved before the run stops")
+          .nested("accuracy", "accuracy", Need::optional,
+                  "steps chosen from their error, a stage's own for a start; none: equal steps")
           .build();
   return made;
 }
@@ -238,6 +264,9 @@ core::Schema const& SchedulePart::schema() {
 void SchedulePart::read_nested(Reader& reader) {
   for (auto& stage : reader.children("stages"))
     stages.push_back(stage.record<StagePart>());
+  if (reader.has("accuracy"))
+    accuracy = reader.child("accuracy", Need::optional).record<dynamics::Accuracy>();
+  static_cast<void>(reader.at("accuracy", Need::optional));
   if (stages.empty() && reader.has("stages"))
     reader.complain_at("stages", "is empty; give at least one stage{to = ..., steps = ...}");
   for (std::size_t k = 1; k < stages.size(); ++k)

@@ -7,6 +7,7 @@
 #include "contact/obstacle.hpp"
 #include "contact/solver.hpp"
 #include "core/reader.hpp"
+#include "dynamics/accuracy.hpp"
 #include "dynamics/scheme.hpp"
 #include "dynamics/stepper.hpp"
 #include "interface/law.hpp"
@@ -17,6 +18,15 @@ namespace stiction::scene {
 
 using core::Numbers;
 
+/// A body's mesh made anew until it is fine enough.
+struct RemeshPart {
+  double target = 0.05;      ///< error of the stress, relative
+  int passes = 5;            ///< meshes at most
+  double cohesive_cells = 3; ///< over the cohesive length, on surfaces that adhere
+  double smallest = 0;       ///< m
+  static core::Schema const& schema();
+};
+
 struct BodyPart {
   mesh::Generator mesh;
   material::Material material;
@@ -24,6 +34,7 @@ struct BodyPart {
   Numbers velocity;   ///< m/s; empty: at rest
   solid::Interpolation interpolation = solid::Interpolation::plain;
   std::optional<material::KelvinVoigt> damping;
+  std::optional<RemeshPart> remesh; ///< only with mesh.gmsh
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };
@@ -95,7 +106,8 @@ struct StagePart {
 };
 struct SchedulePart {
   std::vector<StagePart> stages;
-  int halvings = 10; ///< the floor of the step: its nominal size / 2^halvings
+  int halvings = 10;                          ///< the floor of the step: its nominal size / 2^halvings
+  std::optional<dynamics::Accuracy> accuracy; ///< none: steps are equal but for halving
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };

@@ -7,15 +7,18 @@
 #include <sys/resource.h>
 
 #include "dynamics/critical_step.hpp"
+#include "dynamics/pace.hpp"
 #include "dynamics/timer.hpp"
 #include "linear/recycling.hpp"
 #include "mesh/quality.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "record/problem_file.hpp"
+#include "record/step_log.hpp"
 #include "scene/frame.hpp"
 #include "scene/probes.hpp"
 #include "scene/remarks.hpp"
+#include "scene/remesh.hpp"
 #include "scene/work.hpp"
 
 namespace stiction::scene {
@@ -47,14 +50,22 @@ double peak_memory() {
 class Recorder {
 public:
   Recorder(Scene const& scene, RunOptions const& options)
-      : scene_(&scene), folder_(options.out), series_(options.out / "series.h5"), fields_(options.out) {
+      : scene_(&scene), folder_(options.out), series_(options.out / "series.h5"), fields_(options.out),
+        log_(options.out) {
     series_.add("step", "dt", "s", "step size");
     series_.add("step", "iterations", "1", "Newton iterations");
+    if (controlled()) {
+      series_.add("step", "error_u", "1", "estimated local error of u over the largest u so far");
+      series_.add("step", "error_beta", "1", "largest estimated local error of any beta");
+      series_.add("step", "beta_change", "1", "largest change of any beta in the step");
+    }
     samplers_ = add_probes(scene, series_);
   }
-  void step(dynamics::State const& state, double dt, int iterations) {
+  void step(dynamics::State const& state, double dt, int iterations, dynamics::StepError const& error = {}) {
     row_.clear();
     row_.insert(row_.end(), {dt, static_cast<double>(iterations)});
+    if (controlled())
+      row_.insert(row_.end(), {error.displacement, error.bond, error.beta_change});
     for (auto const& sampler : samplers_)
       sampler(state, row_);
     series_.append(state.t, row_);
@@ -69,13 +80,28 @@ public:
     record::save_problem(folder / (name + ".h5"), problem);
     return (folder / (name + ".h5")).string();
   }
-  void close() { series_.flush(); }
+  void change(record::StepChange const& change) {
+    log_.add(change);
+    ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
+  }
+  /// How often the step was changed, and why it was cut.
+  [[nodiscard]] std::map<std::string, double> const& changes() const { return changes_; }
+  void close() {
+    series_.flush();
+    log_.write();
+  }
 
 private:
+  [[nodiscard]] bool controlled() const { return scene_->part.schedule.accuracy.has_value(); }
+
   Scene const* scene_;
   std::filesystem::path folder_;
   record::Series series_;
   record::FieldSeries fields_;
+  record::StepLog log_;
+  std::map<std::string, double> changes_ = {
+      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0},
+      {"cut_event", 0},         {"grown", 0},     {"at_floor", 0}};
   std::vector<Sampler> samplers_;
   std::vector<double> row_;
 };
@@ -130,7 +156,10 @@ class Run {
 public:
   Run(Scene const& scene, RunOptions const& options)
       : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
-        state_(stepper_.initial()), remarks_(scene) {}
+        state_(stepper_.initial()), remarks_(scene), judge_(scene, state_) {
+    if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
+      pace_.emplace(*accuracy, stepper_.structure(), *scene.model);
+  }
 
   RunResult go() {
     recorder_.step(state_, 0, 0);
@@ -143,12 +172,15 @@ public:
     for (auto const& stage : scene_->part.schedule.stages) {
       if (!run_stage(stage, start))
         break;
+      judge_.look(state_);
       start = stage.until;
     }
     Timed const timed(*this);
     recorder_.close();
     return finish();
   }
+
+  [[nodiscard]] MeshJudge const& judge() const { return judge_; }
 
   RunResult finish() {
     auto const& cost = stepper_.cost();
@@ -181,6 +213,7 @@ public:
         {"cpu_seconds", cpu_seconds()},
         {"unknowns", static_cast<double>(stepper_.structure().unknowns())},
         {"peak_memory", peak_memory()}};
+    result_.counters.insert(recorder_.changes().begin(), recorder_.changes().end());
     return result_;
   }
 
@@ -213,22 +246,63 @@ private:
 
   bool run_stage(StagePart const& stage, double start) {
     double const nominal = (stage.until - start) / stage.steps;
+    if (pace_)
+      pace_->begin(nominal, scene_->part.schedule.halvings);
     for (int k = 0; k < stage.steps; ++k) {
-      if (!run_interval(start + k * nominal, k + 1 == stage.steps ? stage.until : start + (k + 1) * nominal,
-                        nominal)) {
-        if (scene_->part.output.frames > 0)
+      bool const last = k + 1 == stage.steps;
+      double const to = last ? stage.until : start + (k + 1) * nominal;
+      int const frames = scene_->part.output.frames;
+      // frame j of the stage comes after step ceil(j * steps / frames)
+      bool const framed = frames > 0 && static_cast<long>(k + 1) * frames / stage.steps >
+                                            static_cast<long>(k) * frames / stage.steps;
+      if (pace_ && !framed && !last)
+        continue;
+      if (pace_ ? !run_controlled(to) : !run_interval(start + k * nominal, to, nominal)) {
+        if (frames > 0)
           recorder_.frame(state_);
         return false;
       }
-      int const frames = scene_->part.output.frames;
-      // frame j of the stage comes after step ceil(j * steps / frames)
-      if (frames > 0 &&
-          static_cast<long>(k + 1) * frames / stage.steps > static_cast<long>(k) * frames / stage.steps) {
+      if (framed) {
         Timed const timed(*this);
         recorder_.frame(state_);
       }
     }
     return true;
+  }
+
+  /// On to a time that must be met, in steps that follow from their error.
+  bool run_controlled(double to) {
+    while (state_.t < to) {
+      if (stopped())
+        return false;
+      double const left = to - state_.t, dt = pace_->next(state_, left);
+      auto outcome = stepper_.step(state_, dt);
+      auto const judgement = pace_->judge(state_, outcome, dt);
+      note(judgement, dt);
+      if (judgement.failed)
+        return give_up(outcome, dt);
+      if (!judgement.accepted())
+        continue;
+      if (dt >= left)
+        outcome.state.t = to;
+      accept(std::move(outcome), dt, judgement.error);
+    }
+    return true;
+  }
+
+  void note(dynamics::Judgement const& judgement, double dt) {
+    char const* const cause = name_of(judgement.cut);
+    auto tell = [&](char const* what) {
+      recorder_.change({state_.t, dt, pace_->wanted(), what, cause, judgement.reason});
+    };
+    if (!judgement.accepted()) {
+      ++result_.cuts;
+      tell("cut");
+    } else if (judgement.at_floor) {
+      tell("at_floor");
+    } else if (judgement.grown) {
+      tell("grown");
+    }
   }
 
   /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
@@ -253,6 +327,7 @@ private:
       if (halved_ > 0 && ++successes_ >= 2 && done % (2 * size) == 0) {
         --halved_;
         successes_ = 0;
+        recorder_.change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged"});
       }
     }
     return true;
@@ -271,8 +346,12 @@ private:
     successes_ = 0;
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       remarks_.look(stepper_.contact(), state_.t + dt, contact::Look::all);
-    if (++halved_ <= floor)
-      return true;
+    recorder_.change({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason});
+    return ++halved_ <= floor || give_up(outcome, dt);
+  }
+
+  /// Always false.
+  bool give_up(dynamics::Outcome const& outcome, double dt) {
     result_.verdict = "not converged";
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
@@ -282,13 +361,13 @@ private:
     return false;
   }
 
-  void accept(dynamics::Outcome outcome, double dt) {
+  void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
     state_ = std::move(outcome.state);
     if (++result_.steps == 1)
       blocks_ = linear::blocks_from_system();
     remarks_.look(stepper_.contact(), state_.t, contact::Look::bearing);
     Timed const timed(*this);
-    recorder_.step(state_, dt, outcome.iterations);
+    recorder_.step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;
     if (every > 0 && result_.steps % every == 0)
       recorder_.problem(stepper_.contact().problem(), fmt::format("{:06}", result_.steps));
@@ -319,15 +398,29 @@ private:
   Scene const* scene_;
   RunOptions const* options_;
   dynamics::Stepper stepper_;
+  std::optional<dynamics::Pace> pace_; ///< none: equal steps
   Recorder recorder_;
   dynamics::State state_;
   Remarks remarks_;
+  MeshJudge judge_;
   RunResult result_;
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
   std::size_t blocks_ = 0; ///< that SuiteSparse had taken from the system after the first step
 };
+
+/// One run into the folder, on the meshes that the scene has.
+RunResult run_once(Run& running) {
+  try {
+    return running.go();
+  } catch (core::RunError const& error) {
+    auto result = running.finish();
+    result.verdict = "output failed";
+    result.reason = error.what();
+    return result;
+  }
+}
 
 } // namespace
 
@@ -336,23 +429,29 @@ void validate(core::Input const& scene) {
 }
 
 RunResult run(core::Input const& input, RunOptions const& options) {
-  auto const scene = build(input);
-  record::prepare_output(options.out);
-  auto manifest = manifest_of(input, scene, options);
-  record::write_manifest(options.out / "manifest.json", manifest);
-  Run running(scene, options);
-  try {
-    auto result = running.go();
+  core::Input asked = input;
+  double cells_evaluated = 0;
+  for (int pass = 1;; ++pass) {
+    auto const scene = build(asked);
+    record::prepare_output(options.out);
+    auto manifest = manifest_of(asked, scene, options);
+    record::write_manifest(options.out / "manifest.json", manifest);
+    Run running(scene, options);
+    auto result = run_once(running);
     if (!result.remarks.empty()) {
       manifest["remarks"] = result.remarks;
       record::write_manifest(options.out / "manifest.json", manifest);
     }
-    return result;
-  } catch (core::RunError const& error) {
-    auto result = running.finish();
-    result.verdict = "output failed";
-    result.reason = error.what();
-    return result;
+    auto const& judge = running.judge();
+    if (!judge.wanted())
+      return result;
+    cells_evaluated += result.counters["cells_evaluated"];
+    result.counters["mesh_passes"] = pass;
+    result.counters["mesh_error"] = judge.error();
+    result.counters["cells_evaluated_in_all_passes"] = cells_evaluated;
+    if (result.verdict != "finished" || judge.fine_enough() || pass >= judge.passes())
+      return result;
+    asked = judge.finer(std::move(asked));
   }
 }
 

@@ -50,11 +50,11 @@ local lazy = {
   end,
   cost = function(case)
     local result = engine.decode_json(engine.read_file(case.folder .. "/result.json"))
-    return {
-      seconds = result.seconds, steps = result.steps, iterations = result.iterations,
-      factorizations = result.factorizations, unknowns = result.counters.unknowns,
-      cells_evaluated = result.counters.cells_evaluated,
-    }
+    local cost = result.counters
+    for _, name in ipairs { "seconds", "steps", "iterations", "factorizations", "cuts" } do
+      cost[name] = result[name]
+    end
+    return cost
   end,
 }
 

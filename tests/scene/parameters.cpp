@@ -115,7 +115,8 @@ template<class Choice> void check_choice() {
 TEST_CASE("each parameter of each kind of the catalog is read into its own member") {
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
                               scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
-                              mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt>;
+                              mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt,
+                              scene::RemeshPart, dynamics::Accuracy>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();

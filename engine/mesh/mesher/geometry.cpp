@@ -1,4 +1,6 @@
 // From outlines to a meshed model: points, curves, size fields, recombination, order.
+#include <algorithm>
+#include <cmath>
 #include <gmsh.h>
 #include <map>
 
@@ -49,6 +51,20 @@ int add_outline(Json const& outline, Names& names) {
   return gmsh::model::geo::addCurveLoop(curves);
 }
 
+/// Sizes at points, growing with the distance from them.
+void set_sizes_at_points(Json const& request) {
+  if (!request.contains("sizes"))
+    return;
+  auto const sizes = request.at("sizes").get<std::vector<double>>();
+  auto const growth = request.at("growth").get<double>(), most = request.at("size").get<double>();
+  gmsh::model::mesh::setSizeCallback([=](int, int, double x, double y, double) {
+    double least = most;
+    for (std::size_t i = 0; i + 2 < sizes.size(); i += 3)
+      least = std::min(least, sizes[i + 2] + growth * std::hypot(x - sizes[i], y - sizes[i + 1]));
+    return least;
+  });
+}
+
 /// Sizes that grow from near named edges, the smallest of all taken.
 void set_sizes(Json const& request, Names const& names) {
   namespace field = gmsh::model::mesh::field;
@@ -90,6 +106,7 @@ void build_geometry(Json const& request) {
   for (auto const& [name, curves] : names)
     gmsh::model::setPhysicalName(1, gmsh::model::addPhysicalGroup(1, curves), name);
   set_sizes(request, names);
+  set_sizes_at_points(request);
 
   auto const kind = mesh::kind_named(request.at("kind").get<std::string>());
   core::expect(kind.has_value(), "the engine to ask for a known kind of cells");

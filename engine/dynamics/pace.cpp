@@ -1,0 +1,137 @@
+// Judges attempts and sets the size of the next one.
+#include "dynamics/pace.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stiction::dynamics {
+
+namespace {
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double safety = 0.9;
+constexpr double worthwhile = 1.3, needless = 0.8; ///< between these factors the step, and a factor, is kept
+constexpr double fastest = 2, deepest = 0.1;       ///< growth and cut at most
+constexpr int first_share = 8; ///< the first step, of whose error nothing is known, is so much smaller
+constexpr double rounding = 1e-9;
+
+} // namespace
+
+char const* name_of(Cut cut) {
+  constexpr std::array<char const*, 5> names = {"none", "not_converged", "error", "beta_change", "event"};
+  return names[static_cast<std::size_t>(cut)];
+}
+
+Pace::Pace(Accuracy const& accuracy, Structure const& structure, Model const& model)
+    : accuracy_(accuracy), history_(structure, model) {}
+
+void Pace::begin(double nominal, int halvings) {
+  largest_ = accuracy_.largest > 0 ? accuracy_.largest : 10 * nominal;
+  smallest_ = accuracy_.smallest > 0 ? accuracy_.smallest : std::ldexp(nominal, -halvings);
+  smallest_ = std::min(smallest_, largest_);
+  if (wanted_ == 0)
+    wanted_ = nominal / first_share;
+  wanted_ = std::clamp(wanted_, smallest_, largest_);
+}
+
+bool Pace::at_smallest(double dt) const {
+  return dt <= smallest_ * (1 + rounding);
+}
+
+double Pace::next(State const& old, double left) const {
+  double const dt = std::min(wanted_, once_);
+  if (accuracy_.events > 0 && !retry_) {
+    double const expected = history_.next_event(old);
+    if (expected > accuracy_.events && expected < std::min(dt, left))
+      return std::max(expected - 0.5 * accuracy_.events, smallest_);
+  }
+  if (dt >= left * (1 - rounding))
+    return left;
+  return left < 2 * dt ? 0.5 * left : dt; // no sliver is left over
+}
+
+Judgement Pace::judge(State const& old, Outcome& outcome, double dt) {
+  Judgement judgement;
+  if (!outcome.converged()) {
+    judgement.cut = Cut::not_converged;
+    judgement.reason = outcome.reason;
+    judgement.failed = at_smallest(dt);
+    shorten(dt, 0.5);
+    return judgement;
+  }
+  judgement.error = history_.error(old, outcome.state);
+  look_for_cut(old, outcome.state, judgement);
+  if (!judgement.accepted() && at_smallest(dt)) {
+    judgement.cut = Cut::none;
+    judgement.at_floor = true;
+  }
+  if (!judgement.accepted())
+    return judgement;
+  State advanced = outcome.state;
+  history_.advance_bonds(old, advanced);
+  history_.accept(old, outcome.state, accuracy_.events);
+  outcome.state = std::move(advanced);
+  grow(judgement, dt);
+  return judgement;
+}
+
+void Pace::look_for_cut(State const& old, State const& next, Judgement& judgement) {
+  double const dt = next.t - old.t;
+  auto const& error = judgement.error;
+  double const part = error.largest() / accuracy_.tolerance,
+               change = error.beta_change / accuracy_.beta_change;
+  if (change > 1 + rounding) {
+    judgement.cut = Cut::beta_change;
+    judgement.reason = fmt::format("beta would change by {:.3g}", error.beta_change);
+    shorten(dt, safety / change);
+  } else if (part > 1) {
+    judgement.cut = Cut::error;
+    judgement.reason = fmt::format("the local error of {} is {:.2e}",
+                                   error.bond > error.displacement ? "beta" : "u", error.largest());
+    shorten(dt, safety / std::sqrt(part));
+  } else if (accuracy_.events > 0) {
+    auto const event = history_.unlocated(old, next, accuracy_.events);
+    if (!event)
+      return;
+    judgement.cut = Cut::event;
+    judgement.reason =
+        fmt::format("point {} of pair {} {}", event->point + 1, event->pair + 1, name_of(event->kind));
+    // the rates of old tell when, once; where they are wrong, halves of halves do
+    once_ = std::max(retry_ ? 0.5 * dt : event->after - 0.5 * accuracy_.events, deepest * dt);
+    once_ = std::max(once_, smallest_);
+    retry_ = true;
+  }
+}
+
+void Pace::shorten(double dt, double factor) {
+  wanted_ = std::max(dt * std::clamp(factor, deepest, safety), smallest_);
+  retry_ = true;
+}
+
+/// The step that would just meet the tolerance, from an error of u that goes with dt^3 and one of beta with
+/// dt^2. Small changes are left out: they would cost a factorization each. (An integral term beside such a
+/// dead band holds the error at a tenth of the tolerance.) A step that was shorter than wanted may lengthen
+/// the wanted one only.
+void Pace::grow(Judgement& judgement, double dt) {
+  double const least = 1e-4, u = std::max(judgement.error.displacement / accuracy_.tolerance, least),
+               bond = std::max(judgement.error.bond / accuracy_.tolerance, least);
+  double factor = safety * std::min(1 / std::cbrt(u), 1 / std::sqrt(bond));
+  if (judgement.error.beta_change > 0)
+    factor = std::min(factor, safety * accuracy_.beta_change / judgement.error.beta_change);
+  if (retry_)
+    factor = std::min(factor, 1.0);
+  factor = std::clamp(factor, deepest, fastest);
+  double const before = wanted_;
+  if (factor > worthwhile)
+    wanted_ = std::clamp(dt * factor, wanted_, largest_);
+  else if (factor < needless)
+    wanted_ = std::max(std::min(wanted_, dt * factor), smallest_);
+  judgement.grown = wanted_ > before;
+  if (judgement.grown && judgement.reason.empty())
+    judgement.reason = fmt::format("the local error is {:.1e}", judgement.error.largest());
+  retry_ = false;
+  once_ = no_bound;
+}
+
+} // namespace stiction::dynamics

@@ -1,0 +1,66 @@
+// Meshes made anew: the target is met, where the stress asks for it, and only with meshes that gmsh makes.
+#include "scene/remesh.hpp"
+
+#include <doctest/doctest.h>
+
+#include "folder.hpp"
+#include "mesh/mesher_process.hpp"
+#include "scene/run.hpp"
+#include "scene/scenes.hpp"
+
+using namespace stiction;
+
+namespace {
+
+test::Input edge(double x, double y, std::string const& name) {
+  return test::make("edge", {{"to", test::values({x, y}, "m")}, {"name", test::text(name)}});
+}
+
+/// The foot stands fixed and its top goes sideways: the corners below are bent.
+test::Input bent(double target) {
+  auto table = test::foot_on_floor();
+  for (char const* part : {"pairs", "obstacles"})
+    test::remove(table, part);
+  test::at(table, "bodies.foot.mesh") =
+      test::make("mesh.gmsh", {{"start", test::values({0, 0}, "m")},
+                               {"size", test::value(0.25, "m")},
+                               {"edges", test::list({edge(1, 0, "bottom"), edge(1, 1, "right"),
+                                                     edge(0, 1, "top"), edge(0, 0, "left")})}});
+  test::at(table, "bodies.foot.remesh") =
+      test::make("remesh", {{"target", test::value(target)}, {"smallest", test::value(0.01, "m")}});
+  test::at(table, "motions") =
+      test::list({test::fix("foot.bottom"), test::drive("foot.top", {0, 1}, {0, 0.01}, {0, 0})});
+  test::at(table, "schedule") = test::schedule({{1, 1}});
+  return table;
+}
+
+scene::RunResult run(test::Input const& table) {
+  test::Folder const folder;
+  scene::RunOptions options;
+  options.out = folder / "case";
+  options.case_id = "one";
+  return scene::run(table, options);
+}
+
+} // namespace
+
+TEST_CASE("a mesh is made anew until the error of its stress is as small as asked") {
+  if (mesh::find_mesher().empty()) {
+    MESSAGE("the mesher was not built: nothing tested");
+    return;
+  }
+  auto const loose = run(bent(0.9)), tight = run(bent(0.2));
+  REQUIRE(tight.verdict == "finished");
+  CHECK(loose.counters.at("mesh_passes") == 1);
+  CHECK(tight.counters.at("mesh_passes") > 1);
+  CHECK(loose.counters.at("mesh_error") > 0.2);
+  CHECK(tight.counters.at("mesh_error") <= 0.2);
+  CHECK(tight.counters.at("cells") > loose.counters.at("cells"));
+  CHECK(tight.counters.at("cells_evaluated_in_all_passes") > tight.counters.at("cells_evaluated"));
+}
+
+TEST_CASE("only a mesh that gmsh makes from outlines can be made anew") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.remesh") = test::make("remesh");
+  CHECK_THROWS_WITH_AS(scene::validate(table), doctest::Contains("mesh.gmsh"), core::InputError);
+}

@@ -1,0 +1,55 @@
+// The error of recovered stress: none of a uniform state, of first order in the cell size of a bent one.
+#include "solid/stress_error.hpp"
+
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+
+#include "mesh/generators.hpp"
+
+using namespace stiction;
+
+namespace {
+
+/// Relative error on n by n cells of the unit square under the displacement u(x, y).
+template<class Field> double relative(Index n, Field&& u) {
+  mesh::BlockOptions options;
+  options.origin = {0, 0};
+  options.size = {1, 1};
+  options.cells = {static_cast<double>(n), static_cast<double>(n)};
+  material::LinearElastic law;
+  law.young = 1000;
+  law.poisson = 0.3;
+  solid::Body const body{"body", mesh::block(options), law, 1};
+  std::vector<double> values;
+  for (Eigen::Index i = 0; i < body.mesh.nodes.rows(); ++i) {
+    auto const at = u(body.mesh.nodes(i, 0), body.mesh.nodes(i, 1));
+    values.insert(values.end(), {at[0], at[1]});
+  }
+  auto const error = solid::stress_error(body, solid::Kinematics::plane_strain, values);
+  REQUIRE(error.error.size() == static_cast<std::size_t>(n * n));
+  double volume = 0;
+  for (double const part : error.volume)
+    volume += part;
+  CHECK(volume == doctest::Approx(1));
+  return error.relative();
+}
+
+} // namespace
+
+TEST_CASE("a uniform stress is recovered without error") {
+  CHECK(relative(4, [](double x, double y) {
+          return std::array<double, 2>{1e-3 * x + 2e-3 * y, -1e-3 * y};
+        }) < 1e-12);
+}
+
+TEST_CASE("the error of a bent square falls with the size of its cells") {
+  auto const bent = [](double x, double y) { return std::array<double, 2>{1e-3 * x * y, -0.5e-3 * x * x}; };
+  double last = relative(4, bent);
+  CHECK(last > 0.05);
+  for (Index const n : {8, 16, 32}) {
+    double const error = relative(n, bent);
+    CHECK(std::log2(last / error) == doctest::Approx(1).epsilon(0.25));
+    last = error;
+  }
+}
