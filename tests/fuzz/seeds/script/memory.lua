@@ -1,0 +1,2 @@
+local x = "ab"
+for _ = 1, 60 do x = x .. x end
