@@ -94,8 +94,7 @@ double slack(scene::Scene const& scene, std::size_t pair) {
   if (!scene.model->pairs[pair].law.adhesion)
     return 1e-9;
   bool const explicit_forces = dynamics::weights(scene.model->scheme).explicit_forces;
-  return explicit_forces ? std::numeric_limits<double>::infinity()
-                         : 10 * scene.model->control.force_tolerance;
+  return explicit_forces ? std::numeric_limits<double>::max() : 10 * scene.model->control.force_tolerance;
 }
 
 void check_state(scene::Scene const& scene, State const& state, double scale) {
