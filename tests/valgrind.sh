@@ -8,7 +8,7 @@ command -v valgrind >/dev/null || { echo "apt-get install valgrind" >&2; exit 2;
 [ -x "$build/tests/stiction_tests" ] || { echo "no tests are built: run ./stiction test first" >&2; exit 2; }
 export OPENBLAS_NUM_THREADS=1 OPENBLAS_CORETYPE=Haswell # valgrind knows no AVX-512
 check() {
-  valgrind --quiet --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite \
+  valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \
     --suppressions="$here/valgrind.supp" "$@"
 }
 check "$build/tests/stiction_tests" --test-case="${1:-*}"
