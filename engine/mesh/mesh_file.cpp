@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
@@ -73,7 +72,11 @@ template<class T> Array<T> read(hid_t parent, char const* name) {
   Array<T> array;
   array.shape.resize(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
   H5Sget_simple_extent_dims(space, array.shape.data(), nullptr);
-  array.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  auto const count = H5Sget_simple_extent_npoints(space);
+  if (count < 0 ||
+      static_cast<hsize_t>(count) * sizeof(T) > H5Dget_storage_size(set)) // never written in full
+    throw core::RunError(what);
+  array.values.resize(static_cast<std::size_t>(count));
   if (!array.values.empty() &&
       H5Dread(set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) < 0)
     throw core::RunError(what);
@@ -116,14 +119,35 @@ Set read_set(hid_t group) {
   Set set{read<Index>(group, "nodes").values, {}};
   auto const nodes = read<Index>(group, "facet_nodes").values;
   auto const sizes = read<Index>(group, "facet_sizes").values;
-  if (std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) != nodes.size())
-    throw core::RunError("the mesh file has facets that do not add up");
   auto next = nodes.begin();
   for (Index const size : sizes) {
+    if (size < 1 || size > nodes.end() - next)
+      throw core::RunError("the mesh file has facets that do not add up");
     set.facets.push_back({Indices(next, next + size)});
     next += size;
   }
   return set;
+}
+
+void refuse_unless_there(Indices const& nodes, Mesh const& mesh) {
+  for (Index const node : nodes)
+    if (node < 0 || node >= mesh.node_count())
+      throw core::RunError("the mesh file has sets or cells of nodes that it lacks");
+}
+
+/// What mesh::check takes for granted: whole cells of the mesh's dimension, and only nodes that are there.
+void refuse_unless_whole(Mesh const& mesh) {
+  for (auto const& block : mesh.blocks) {
+    auto const& cell = info(block.kind);
+    if (cell.dim != mesh.dim || block.nodes.size() % static_cast<std::size_t>(cell.nodes) != 0)
+      throw core::RunError("the mesh file has cells of another dimension, or parts of cells");
+    refuse_unless_there(block.nodes, mesh);
+  }
+  for (auto const& [name, set] : mesh.sets) {
+    refuse_unless_there(set.nodes, mesh);
+    for (auto const& facet : set.facets)
+      refuse_unless_there(facet.nodes, mesh);
+  }
 }
 
 } // namespace
@@ -161,7 +185,7 @@ StoredMesh read_mesh(std::filesystem::path const& file) {
   StoredMesh result;
   result.request = read_text(in, "request");
   auto const nodes = read<double>(in, "nodes");
-  if (nodes.shape.size() != 2)
+  if (nodes.shape.size() != 2 || (nodes.shape[1] != 2 && nodes.shape[1] != 3))
     throw core::RunError(fmt::format("mesh file {} has no table of nodes", file.string()));
   auto const rows = static_cast<Eigen::Index>(nodes.shape[0]),
              dim = static_cast<Eigen::Index>(nodes.shape[1]);
@@ -180,6 +204,7 @@ StoredMesh read_mesh(std::filesystem::path const& file) {
     Handle const group = open_group(sets, std::to_string(i));
     result.mesh.sets[read_text(group, "name")] = read_set(group);
   }
+  refuse_unless_whole(result.mesh);
   return result;
 }
 

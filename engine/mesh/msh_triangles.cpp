@@ -12,7 +12,8 @@ namespace {
 /// Reads the sections of a .msh text file word by word.
 class MshText {
 public:
-  MshText(std::string const& content, std::string path) : in_(content), path_(std::move(path)) {}
+  MshText(std::string const& content, std::string path)
+      : in_(content), path_(std::move(path)), size_(content.size()) {}
 
   Triangles read() {
     double version = 0;
@@ -40,6 +41,14 @@ private:
       refuse_surface(path_, "is truncated, or has words where numbers belong; write it anew");
     return value;
   }
+  /// A number of things that follow; each takes a byte at least.
+  std::size_t count() {
+    auto const announced = next<std::size_t>();
+    if (announced > size_)
+      refuse_surface(path_,
+                     fmt::format("announces {} nodes, cells or tags, more than it has bytes", announced));
+    return announced;
+  }
   double read_format() {
     double const version = next<double>();
     bool const known = (version >= 2 && version < 3) || version == 4.1;
@@ -52,15 +61,15 @@ private:
       refuse_surface(path_, fmt::format("node {} lacks a coordinate; the file may be truncated", tag));
   }
   void read_nodes_2() {
-    for (auto left = next<std::size_t>(); left > 0; --left)
+    for (auto left = count(); left > 0; --left)
       read_place(next<std::size_t>());
   }
   void read_nodes_4() {
-    auto blocks = next<std::size_t>();
+    auto blocks = count();
     skip(3);
     for (; blocks > 0; --blocks) {
       skip(3); // dimension, tag, parametric: no parameters are written for such files by default
-      std::vector<std::size_t> tags(next<std::size_t>());
+      std::vector<std::size_t> tags(count());
       for (auto& tag : tags)
         tag = next<std::size_t>();
       for (auto const tag : tags)
@@ -69,7 +78,7 @@ private:
   }
   void read_elements_2() {
     std::string line;
-    auto left = next<std::size_t>();
+    auto left = count();
     std::getline(in_, line);
     for (; left > 0; --left) {
       if (!std::getline(in_, line))
@@ -78,18 +87,18 @@ private:
       std::size_t number = 0, tags = 0, ignored = 0;
       int type = 0;
       words >> number >> type >> tags;
-      for (std::size_t i = 0; i < tags; ++i)
+      for (std::size_t i = 0; i < tags && words; ++i)
         words >> ignored;
       add(type, words);
     }
   }
   void read_elements_4() {
-    auto blocks = next<std::size_t>();
+    auto blocks = count();
     skip(3);
     for (; blocks > 0; --blocks) {
       skip(2);
       int const type = next<int>();
-      auto left = next<std::size_t>();
+      auto left = count();
       std::string line;
       std::getline(in_, line);
       for (; left > 0; --left) {
@@ -125,6 +134,7 @@ private:
 
   std::istringstream in_;
   std::string path_;
+  std::size_t size_; ///< bytes
   std::map<std::size_t, Eigen::RowVector3d> nodes_;
   Triangles triangles_;
 };

@@ -15,10 +15,19 @@ namespace stiction::mesh {
 
 namespace {
 
-/// Nodes by their cell in a grid as coarse as the weld distance; neighbouring cells are looked through.
+constexpr double weld_distance = 1e-7; // over the extent
+
+/// The axis-parallel box of all vertices.
+struct Span {
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  [[nodiscard]] double extent() const { return (high - low).maxCoeff(); }
+};
+
+/// Nodes by their cell in a grid as coarse as the weld distance, counted from the low corner; neighbouring
+/// cells are looked through.
 class Welder {
 public:
-  explicit Welder(double distance) : distance_(distance) {}
+  explicit Welder(Span const& span) : origin_(span.low), distance_(weld_distance * span.extent()) {}
 
   Index node(Eigen::RowVector3d const& place) {
     Key const key = key_of(place);
@@ -42,28 +51,32 @@ private:
   [[nodiscard]] Key key_of(Eigen::RowVector3d const& place) const {
     Key key{};
     for (std::size_t d = 0; d < 3; ++d)
-      key[d] = std::llround(place[static_cast<Eigen::Index>(d)] / distance_);
+      key[d] = std::llround((place - origin_)[static_cast<Eigen::Index>(d)] / distance_);
     return key;
   }
+  Eigen::RowVector3d origin_;
   double distance_;
   std::vector<Eigen::RowVector3d> nodes_;
   std::map<Key, Index> grid_;
 };
 
 /// Refuses numbers that are not finite and files without a triangle of a size.
-double checked_extent(Triangles const& triangles, std::string const& path) {
-  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+Span checked_span(Triangles const& triangles, std::string const& path) {
+  Span span;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (auto const& vertex : triangles[i]) {
       if (!vertex.allFinite())
         refuse_surface(path, fmt::format("triangle {} has a coordinate that is not a finite number", i + 1));
-      low = low.cwiseMin(vertex);
-      high = high.cwiseMax(vertex);
+      span.low = span.low.cwiseMin(vertex);
+      span.high = span.high.cwiseMax(vertex);
     }
-  double const extent = triangles.empty() ? 0.0 : (high - low).maxCoeff();
-  if (!(extent > 0))
-    refuse_surface(path, triangles.empty() ? "holds no triangle" : "holds only triangles without an area");
-  return extent;
+  if (triangles.empty())
+    refuse_surface(path, "holds no triangle");
+  if (!(span.extent() > 0))
+    refuse_surface(path, "holds only triangles without an area");
+  if (!(weld_distance * span.extent() >= std::numeric_limits<double>::min() && std::isfinite(span.extent())))
+    refuse_surface(path, fmt::format("spans {:g} of its lengths, which no surface does", span.extent()));
+  return span;
 }
 
 } // namespace
@@ -97,8 +110,7 @@ bool read_vertex(std::istream& in, Eigen::RowVector3d& vertex) {
 }
 
 SurfaceMesh weld(Triangles const& triangles, double scale, std::string const& path) {
-  double const extent = checked_extent(triangles, path);
-  Welder welder(1e-7 * extent);
+  Welder welder(checked_span(triangles, path));
   SurfaceMesh surface;
   for (auto const& triangle : triangles) {
     Indices nodes;

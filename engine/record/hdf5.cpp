@@ -77,6 +77,9 @@ std::string read_attribute(hid_t object, char const* name) {
   Handle const type(H5Aget_type(attribute), H5Tclose);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
     return {};
+  Handle const space(H5Aget_space(attribute), H5Sclose);
+  if (!space.valid() || H5Sget_simple_extent_npoints(space) != 1)
+    return {}; // an array of texts
   std::string text(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, text.data()) < 0)
     return {};

@@ -42,7 +42,7 @@ bool set(core::Parameter const& parameter, json const& value, void* law) {
 
 /// Fills `law` if it is of the entry's kind; "" or what is wrong.
 template<class T, class Laws> bool read_kind(json const& entry, Laws& laws, std::string& why) {
-  if (!entry.is_object() || entry.value("kind", "") != T::schema().name)
+  if (!entry.is_object() || !entry.contains("kind") || entry["kind"] != T::schema().name)
     return false;
   T law;
   for (auto const& parameter : T::schema().parameters)

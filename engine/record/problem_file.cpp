@@ -17,6 +17,7 @@ namespace stiction::record {
 namespace {
 
 constexpr hsize_t point_columns = 8;    // area, mu, law, beta, stretch 1, stretch 2, dt, closed
+constexpr hsize_t most_packed = 200;    // numbers that a byte of a compressed dataset may stand for
 constexpr hsize_t adhesion_columns = 8; // w, C_n, C_t, b, beta0, bonding, friction, damage_power
 
 constexpr hsize_t least_compressed = 512;  // numbers
@@ -87,7 +88,8 @@ public:
     hdf5::Handle const set(H5Dopen2(file_, name, H5P_DEFAULT), H5Dclose);
     hdf5::Handle const space(set.valid() ? H5Dget_space(set) : H5I_INVALID_HID, H5Sclose);
     auto const count = space.valid() ? H5Sget_simple_extent_npoints(space) : -1;
-    if (count < 0 || count > 400'000'000)
+    if (count < 0 || count > 400'000'000 ||
+        static_cast<hsize_t>(count) > most_packed * H5Dget_storage_size(set))
       refuse(fmt::format("dataset \"{}\" has no usable size", name));
     std::vector<double> values(static_cast<std::size_t>(count));
     if (count > 0 && H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
@@ -107,6 +109,12 @@ public:
       refuse(fmt::format("does not fit together: {}", what));
   }
 
+  /// The number of one of `count` laws, or -1 for none.
+  [[nodiscard]] int index(double value, std::size_t count) const {
+    require(value >= -1 && value < static_cast<double>(count), "a point's law is out of range");
+    return static_cast<int>(value);
+  }
+
 private:
   std::filesystem::path path_;
   hdf5::Handle file_;
@@ -116,10 +124,10 @@ contact::ProblemPoint point_of(double const* row, ProblemReader const& reader, s
   contact::ProblemPoint point;
   point.area = row[0];
   point.mu = row[1];
-  point.law = static_cast<int>(row[2]);
+  point.law = reader.index(row[2], laws);
   point.bond = {{row[3], {row[4], row[5]}}, row[6], row[7] != 0};
-  reader.require(point.area > 0 && point.mu >= 0 && point.law >= -1 && point.law < static_cast<int>(laws) &&
-                     point.bond.old.beta >= 0 && point.bond.old.beta <= 1 && point.bond.dt >= 0,
+  reader.require(point.area > 0 && point.mu >= 0 && point.bond.old.beta >= 0 && point.bond.old.beta <= 1 &&
+                     point.bond.dt >= 0,
                  "a point's area, mu, law or bond is out of range");
   return point;
 }
@@ -164,11 +172,9 @@ void load_frictions(ProblemReader const& reader, contact::Problem& problem) {
   auto const values = reader.read("friction");
   reader.require(values.size() == problem.points.size(), "sizes of friction and points");
   for (std::size_t k = 0; k < values.size(); ++k) {
-    problem.points[k].friction = static_cast<int>(values[k]);
-    reader.require(values[k] >= -1 &&
-                       problem.points[k].friction < static_cast<int>(problem.frictions.size()) &&
-                       (values[k] < 0 || problem.points[k].bond.dt > 0),
-                   "a point's friction law is out of range");
+    problem.points[k].friction = reader.index(values[k], problem.frictions.size());
+    reader.require(values[k] < 0 || problem.points[k].bond.dt > 0,
+                   "a point's friction law needs a time step");
   }
 }
 

@@ -12,6 +12,8 @@ namespace stiction::bind {
 
 namespace {
 
+constexpr std::size_t deepest = 100; // tables in tables; a scene needs about ten
+
 class Converter {
 public:
   explicit Converter(lua_State* lua) : lua_(lua) {}
@@ -94,6 +96,8 @@ void Converter::table(core::Input& input, int index, std::string const& path) {
   void const* const identity = lua_topointer(lua_, index);
   if (std::find(open_.begin(), open_.end(), identity) != open_.end())
     return complain(input, path, "this table contains itself");
+  if (open_.size() == deepest)
+    return complain(input, path, fmt::format("tables are nested more than {} deep here", deepest));
   luaL_checkstack(lua_, 8, "scene");
   open_.push_back(identity);
   input.tag = text_field(index, "tag");

@@ -1,7 +1,9 @@
 // JSON text from Lua values and back; keys are sorted, numbers keep every digit.
 #include "bind/engine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bind/push.hpp"
@@ -77,6 +79,17 @@ Json to_json(lua_State* lua, int index, int depth) {
   }
 }
 
+/// Whole, but more than an integer of Lua's holds.
+bool beyond_integers(Json const& json) {
+  return json.is_number_unsigned() && json.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
+}
+
+bool nests_deeper(Json const& json, int depth) {
+  return depth < 0 || (json.is_structured() && std::any_of(json.begin(), json.end(), [&](Json const& part) {
+                         return nests_deeper(part, depth - 1);
+                       }));
+}
+
 void push(lua_State* lua, Json const& json) {
   luaL_checkstack(lua, 4, "JSON");
   if (json.is_object()) {
@@ -95,7 +108,7 @@ void push(lua_State* lua, Json const& json) {
     bind::push(lua, json.get_ref<std::string const&>());
   } else if (json.is_boolean()) {
     bind::push(lua, json.get<bool>());
-  } else if (json.is_number_integer()) {
+  } else if (json.is_number_integer() && !beyond_integers(json)) {
     bind::push(lua, json.get<long>());
   } else if (json.is_number()) {
     bind::push(lua, json.get<double>());
@@ -112,10 +125,11 @@ int encode(lua_State* lua) {
   return 1;
 }
 
-/// decode(text) -> value; nil if the text is not JSON, as a file cut short is not
+/// decode(text) -> value; nil if the text is not JSON, as a file cut short is not, or nests too deeply to be
+/// ours
 int decode(lua_State* lua) {
   auto const json = Json::parse(text_at(lua, 1), nullptr, false);
-  if (json.is_discarded())
+  if (json.is_discarded() || nests_deeper(json, deepest))
     return 0;
   push(lua, json);
   return 1;

@@ -49,7 +49,10 @@ local lazy = {
     return engine.series_time(case.history)
   end,
   cost = function(case)
-    local result = engine.decode_json(engine.read_file(case.folder .. "/result.json"))
+    local result = engine.decode_json(engine.read_file(case.folder .. "/result.json") or "")
+    if type(result) ~= "table" or type(result.counters) ~= "table" then
+      fault.input("%s/result.json is damaged; run the case again", case.folder)
+    end
     local cost = result.counters
     for _, name in ipairs { "seconds", "steps", "iterations", "factorizations", "cuts" } do
       cost[name] = result[name]

@@ -63,10 +63,19 @@ function output.result_file(folder, case)
   return output.case_folder(folder, case) .. "/result.json"
 end
 
---- What a case left behind, nil if it never ended.
+local function is_result(value)
+  local function may_be(kind, name)
+    return value[name] == nil or type(value[name]) == kind
+  end
+  return type(value) == "table" and type(value.verdict) == "string" and may_be("string", "reason")
+    and may_be("table", "results")
+end
+
+--- What a case left behind, nil if it never ended or its file is damaged.
 function output.read_result(folder, case)
   local text = engine.read_file(output.result_file(folder, case))
-  return text and engine.decode_json(text)
+  local result = text and engine.decode_json(text)
+  return is_result(result) and result or nil
 end
 
 function output.write_result(folder, case, result)

@@ -83,21 +83,47 @@ local function read_results(t)
   return results
 end
 
+local function is_table(x)
+  return type(x) == "table" and not units.is_quantity(x)
+end
+
+local function check_values(name, values)
+  if not is_table(values) or #values == 0 then
+    fault.script("study.sweep.%s must be a list of values", tostring(name))
+  end
+  for i = 1, #values do
+    if not study.is_value(values[i]) then
+      fault.script("study.sweep.%s: value %d is a %s; it must be a number, a quantity, a text or a flag",
+        tostring(name), i, type(values[i]))
+    end
+  end
+end
+
+local function check_cases(cases)
+  for i = 1, #cases do
+    if not is_table(cases[i]) then
+      fault.script("study.sweep: case %d must be a table of values by name, not a %s", i, type(cases[i]))
+    end
+  end
+  return cases
+end
+
 --- An axis per swept name, or one list of explicit cases: {axes =} or {cases =}.
 function study.read_sweep(t)
   local sweep = { axes = {} }
   local first = t[1]
-  if first and type(first) == "table" and type(first[1]) ~= "string" then
-    return { cases = t }
+  if is_table(first) and type(first[1]) ~= "string" then
+    return { cases = check_cases(t) }
   end
   for _, key in ipairs(names_of(t)) do
     local name, values = key, t[key]
     if type(key) == "number" then
-      name, values = values[1], values[2]
+      name, values = key, nil
+      if is_table(t[key]) then
+        name, values = t[key][1], t[key][2]
+      end
     end
-    if type(values) ~= "table" or units.is_quantity(values) or #values == 0 then
-      fault.script("study.sweep.%s must be a list of values", tostring(name))
-    end
+    check_values(name, values)
     sweep.axes[#sweep.axes + 1] = { name = name, values = values }
   end
   return sweep

@@ -1,0 +1,42 @@
+// Scripts and what cases leave behind, through the Lua library as the program uses it.
+#include "fuzz/lua_state.hpp"
+#include "fuzz/scratch.hpp"
+#include "fuzz/targets.hpp"
+
+namespace stiction::fuzz {
+
+/// Loads the study, makes its cases and validates the scenes of the first ones.
+void script(std::string_view bytes) {
+  constexpr char const* driver = R"(
+    local path, validate = ...
+    local study = require("stiction.study").load(path)
+    for _, quick in ipairs { false, true } do
+      local cases = require("stiction.sweep").cases(study, { quick = quick })
+      for i = 1, math.min(3, #cases) do
+        validate(study.scene(cases[i].p))
+      end
+    end)";
+  run_lua(driver, scratch_file("study.lua", bytes));
+}
+
+/// Reads result.json as a sweep does that goes on from what is there, and as a check does.
+void result(std::string_view bytes) {
+  constexpr char const* driver = R"(
+    local output = require "stiction.output"
+    local folder = ...
+    local case = { id = "case", p = {} }
+    local result = output.read_result(folder, case)
+    output.is_done(result, "0")
+    if result then
+      local study = { results = { { name = "peak" } } }
+      output.write_summary(folder, study, {}, { { case = case, result = result } })
+      if result.verdict == "finished" then
+        local _ = require("stiction.case").new("case", {}, folder .. "/case").cost
+      end
+    end)";
+  std::filesystem::create_directories(scratch_folder() / "case");
+  scratch_file("case/result.json", bytes);
+  run_lua(driver, scratch_folder().string());
+}
+
+} // namespace stiction::fuzz

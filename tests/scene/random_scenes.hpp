@@ -1,0 +1,177 @@
+// Scenes drawn at random from all that a script can ask for, small and valid.
+#pragma once
+#include <random>
+
+#include "dynamics/all_schemes.hpp"
+#include "interface/laws.hpp"
+
+namespace stiction::test {
+
+/// Draws that depend on the seed alone, on every machine.
+class Dice {
+public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+  bool one_in(int count) { return below(count) == 0; }
+  double between(double low, double high) { return low + (high - low) * below(1'000'001) / 1e6; }
+  template<class T> T const& pick(std::vector<T> const& all) {
+    return all[ix(below(static_cast<int>(all.size())))];
+  }
+
+private:
+  static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+  std::mt19937 engine_;
+};
+
+/// A scene's table, and the size and number of the steps it should be marched with.
+struct RandomScene {
+  Input table;
+  std::string words; ///< what it is, for messages
+  double dt = 0;     ///< s
+  int steps = 6;
+};
+
+/// A law as a table, its dimensional numbers times factors from 0.7 to 1.4.
+template<class... Laws>
+Input table_of(Dice& dice, std::string const& category, std::variant<Laws...> const& choice) {
+  return std::visit(
+      [&](auto const& law) {
+        core::Table table;
+        for (auto const& p : law.schema().parameters) {
+          auto const given = p.get(&law);
+          if (auto const* number = std::get_if<double>(&given))
+            table[p.name] = value(
+                p.unit.empty() || p.unit == "1" ? *number : *number * std::exp2(dice.between(-0.5, 0.5)),
+                p.unit.empty() ? "1" : p.unit);
+          else if (auto const* word = std::get_if<std::string>(&given))
+            table[p.name] = text(*word);
+        }
+        return make(category + "." + law.schema().name, std::move(table));
+      },
+      choice);
+}
+
+/// About 1000 Pa stiff.
+inline Input random_material(Dice& dice) {
+  auto const stiffness = [&] { return value(dice.between(500, 2000), "Pa"); };
+  auto const bulk = [&] { return value(dice.between(1000, 5000), "Pa"); };
+  switch (dice.below(6)) {
+  case 0:
+    return make("material.blatz_ko", {{"shear_modulus", stiffness()}});
+  case 1:
+    return make("material.mooney_rivlin",
+                {{"C10", stiffness()}, {"C01", value(100, "Pa")}, {"bulk_modulus", bulk()}});
+  case 2:
+    return make(
+        "material.yeoh",
+        {{"C10", stiffness()}, {"C20", value(-10, "Pa")}, {"C30", value(5, "Pa")}, {"bulk_modulus", bulk()}});
+  default:
+    return make(dice.pick<std::string>(
+                    {"material.linear_elastic", "material.neo_hookean", "material.st_venant_kirchhoff"}),
+                {{"young", stiffness()}, {"poisson", value(dice.between(0, 0.45))}});
+  }
+}
+
+/// Draws the parts of one scene.
+class RandomScenes {
+public:
+  explicit RandomScenes(unsigned seed) : dice_(seed) {}
+
+  RandomScene draw() {
+    kinematics_ =
+        dice_.pick<std::string>({"plane_strain", "plane_strain", "axisymmetric", "three_dimensional"});
+    dim_ = kinematics_ == "three_dimensional" ? 3 : 2;
+    sample_ = dice_.pick(scheme_samples());
+    RandomScene scene{make("scene"), kinematics_ + ", " + sample_.label};
+    at(scene.table, "kinematics") = text(kinematics_);
+    at(scene.table, "scheme") = sample_.table;
+    add_bodies(scene);
+    add_pair(scene);
+    scene.dt = sample_.name == "central_difference" ? 5e-4 : sample_.order == 0 ? 0.25 : 0.02;
+    add_motions(scene);
+    at(scene.table, "schedule") = schedule({{scene.dt * scene.steps, scene.steps}});
+    if (dice_.one_in(4))
+      at(scene.table, "solver") =
+          make("solver.gauss_seidel", {{"iterations", value(300)}}); // of a second or less
+    return scene;
+  }
+
+private:
+  Input body(double low) {
+    std::vector<double> origin(static_cast<std::size_t>(dim_), 0), size(origin.size(), 1), cells;
+    origin.back() = low;
+    size[0] = dice_.between(0.5, 1.5);
+    for (int i = 0; i < dim_; ++i)
+      cells.push_back(1 + dice_.below(dim_ == 2 ? 4 : 2));
+    auto const kind = dim_ == 2 ? dice_.pick<std::string>({"quad4", "quad4", "quad8", "tri3", "tri6"})
+                                : dice_.pick<std::string>({"hex8", "tet4"});
+    core::Table mesh{{"origin", values(origin, "m")},
+                     {"size", values(size, "m")},
+                     {"cells", values(cells)},
+                     {"kind", text(kind)}};
+    core::Table parts{{"mesh", make(dim_ == 2 ? "mesh.block" : "mesh.box", std::move(mesh))},
+                      {"material", random_material(dice_)},
+                      {"density", value(dice_.between(0.5, 2), "kg/m^3")}};
+    if ((kind == "quad4" || kind == "hex8") && dice_.one_in(3))
+      parts["interpolation"] = text("mean_dilatation");
+    if (sample_.order > 0 && sample_.name != "central_difference" && dice_.one_in(3))
+      parts["damping"] =
+          make("damping.kelvin_voigt", {{"shear_viscosity", value(dice_.between(0, 5), "Pa s")}});
+    return make("body", std::move(parts));
+  }
+  void add_bodies(RandomScene& scene) {
+    two_bodies_ = dice_.one_in(2);
+    double const gap = dice_.one_in(3) ? 0.004 : 0;
+    at(scene.table, "bodies.upper") = body(gap);
+    if (two_bodies_)
+      at(scene.table, "bodies.lower") = body(-1);
+    else if (dice_.one_in(3) && dim_ == 2 && kinematics_ != "axisymmetric")
+      at(scene.table, "obstacles.lower.shape") =
+          make("rigid.circle", {{"centre", values({0.4, -2}, "m")}, {"radius", value(2, "m")}});
+    else
+      at(scene.table, "obstacles.lower.shape") = make("rigid.plane");
+  }
+  void add_pair(RandomScene& scene) {
+    auto joint = pair("upper.bottom", two_bodies_ ? "lower.top" : "lower");
+    if (two_bodies_ && dice_.one_in(2))
+      at(joint, "discretisation") = text("mortar");
+    else if (two_bodies_ && dim_ == 2)
+      at(joint, "smoothing") = text(dice_.pick<std::string>({"spline", "polyline"}));
+    at(joint, "reach") = value(1.5, "m");
+    if (!dice_.one_in(4)) {
+      auto const friction = dice_.pick(frictions());
+      scene.words += ", " + friction.name;
+      at(joint, "friction") = table_of(dice_, "friction", friction.law);
+    }
+    if (dice_.one_in(2)) {
+      auto const adhesion = dice_.pick(adhesions());
+      scene.words += ", " + adhesion.name;
+      at(joint, "adhesion") = table_of(dice_, "adhesion", adhesion.law);
+    }
+    at(scene.table, "pairs.joint") = std::move(joint);
+  }
+  /// The top sinks by up to a hundredth and goes sideways; a lower body stands on the ground.
+  void add_motions(RandomScene& scene) {
+    double const end = scene.dt * scene.steps;
+    double const down = dice_.between(0, 0.015),
+                 side = kinematics_ == "axisymmetric" ? 0 : dice_.between(-0.03, 0.03);
+    core::Table path{{"set", text("upper.top")},
+                     {"times", values({0, end / 2, end}, "s")},
+                     {"x", values({0, 0, side}, "m")}};
+    path[dim_ == 2 ? "y" : "z"] = values({0, -down, -0.7 * down}, "m");
+    if (dim_ == 3)
+      path["y"] = values({0, 0, 0.5 * side}, "m");
+    core::List all{make("motion.drive", std::move(path))};
+    if (two_bodies_)
+      all.push_back(make("motion.fix", {{"set", text("lower.bottom")}}));
+    at(scene.table, "motions") = list(std::move(all));
+  }
+
+  Dice dice_;
+  std::string kinematics_;
+  int dim_ = 2;
+  SchemeSample sample_;
+  bool two_bodies_ = false;
+};
+
+} // namespace stiction::test
