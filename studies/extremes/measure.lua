@@ -55,6 +55,17 @@ function measure.moves(case, q)
   return moves
 end
 
+--- Largest of all energies of the ledger and works.
+function measure.energy_scale(case)
+  local most = 0
+  for _, name in ipairs { "kinetic", "strain", "bond", "potential", "motion_work", "load_work" } do
+    for _, value in ipairs((case:series("energy", name))) do
+      most = math.max(most, math.abs(value))
+    end
+  end
+  return most
+end
+
 local function extreme(case, group, name)
   local most = 0
   for _, value in ipairs(component(case, group, name) or {}) do

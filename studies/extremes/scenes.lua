@@ -139,7 +139,7 @@ scenes.slide = {
 scenes.bar = {
   values = { E = 900, rho = 1, nu = 0, size = 10, cells = 40, speed = 3, gap = 0.5, courant = 1 },
   make = function(q, u)
-    local c, cell = math.sqrt(q.E / q.rho), q.size / q.cells
+    local c, cell = math.sqrt(q.E / math.max(q.rho, 1e-9)), q.size / q.cells
     local last = q.last or q.gap / q.speed + 3 * q.size / c
     q.whole, q.steps = q.whole, q.count or math.ceil(last / (q.courant * cell / c))
     return {
