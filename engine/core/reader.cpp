@@ -105,7 +105,7 @@ bool Reader::check_number(std::string_view key, Input const& given, std::string_
   double const in_unit = quantity->value / wanted->value;
   if (!range.contains(in_unit)) {
     complain_at(key,
-                fmt::format("is {:g}{}; it must be {}", in_unit,
+                fmt::format("is {}{}; it must be {}", range.outside(in_unit),
                             unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit), range.words(unit)));
     return false;
   }

@@ -31,7 +31,7 @@ core::Schema const& StepControl::schema() {
 
 Stepper::Stepper(Model const& model)
     : model_(&model), weights_(weights(model.scheme)), structure_(model, weights_),
-      contact_(make_contact_stage(model, structure_)), driver_(ix(model.dofs()), nullptr) {
+      contact_(make_contact_stage(model, structure_)), passage_(model), driver_(ix(model.dofs()), nullptr) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
@@ -291,6 +291,12 @@ Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
   }
   if (!weights_.explicit_forces || internal_forces(outcome))
     finish(old, dt, outcome);
+  if (!outcome.converged())
+    return outcome;
+  if (auto const pair = passage_.passed(old, outcome.state); !pair.empty()) {
+    outcome.verdict = StepVerdict::passed;
+    outcome.reason = fmt::format("a point of pair {} went through its counterpart within the step", pair);
+  }
   return outcome;
 }
 

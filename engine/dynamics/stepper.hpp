@@ -4,13 +4,22 @@
 #include <string>
 
 #include "dynamics/contact_stage.hpp"
+#include "dynamics/passage.hpp"
 #include "dynamics/state.hpp"
 #include "dynamics/structure.hpp"
 
 namespace stiction::dynamics {
 
 /// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing.
-enum class StepVerdict { converged, not_converged, inverted_cell, contact_failed, indefinite, unstable };
+enum class StepVerdict {
+  converged,
+  not_converged,
+  inverted_cell,
+  contact_failed,
+  indefinite,
+  unstable,
+  passed
+};
 
 /// A step's answer: the state it reached if converged, and how it went.
 struct Outcome {
@@ -59,6 +68,7 @@ private:
   StepWeights weights_;
   Structure structure_;
   std::unique_ptr<ContactStage> contact_;
+  Passage passage_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step

@@ -60,7 +60,9 @@ axis("overlap", "overlap before the first step, or made by it, in heights", { "p
   { "step_0.2", { press = 1e-3, steps = 1 } }, { "step_0.6", { press = 3e-3, steps = 1 } },
   { "step_2", { press = 1e-2, steps = 1 } }, { "step_2_rubber", { press = 1e-2, steps = 1, material = "neo_hookean" } },
 })
-axis("overlap", "overlap made by a step, in heights", { "slide", "slide_mortar" }, {
+axis("overlap", "overlap before the first step, or made by it, in heights", { "slide", "slide_mortar" }, {
+  { "start_1e-4", { sink = 3e-7 } }, { "start_0.1", { sink = 3e-4 }, want = "refused" },
+  { "start_0.5", { sink = 1.5e-3 }, want = "refused" }, { "start_1.5", { sink = 4.5e-3 }, want = "refused" },
   { "step_0.2", { press = 6e-4, steps = 1 } }, { "step_0.6", { press = 1.8e-3, steps = 1 } },
   { "step_2", { press = 6e-3, steps = 1 } },
 })

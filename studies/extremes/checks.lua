@@ -95,7 +95,7 @@ local function law(case, q, say)
   local got, traction, off, wrong, top = case:series("point", "beta"), case:series("point", "adhesion_n"), 0, 0, 0
   local C, w, b = (q.C or 0) * q.M / q.L ^ 2 / q.T ^ 2, q.w * q.M / q.T ^ 2, q.b * q.M / q.T
   for i = 2, #dt do
-    local opening = pull * math.max(0, case.time[i] / (q.pace * q.T) - 1 - 1e-12)
+    local opening = pull * math.max(0, case.time[i] / (q.pace * q.T) - q.until_pull) / (2 - q.until_pull)
     local energy, old = C * opening ^ 2, beta
     local top_of, below = b * old + dt[i] * w, b + dt[i] * energy
     beta = below > 0 and math.min(1, top_of / below) or (w > 0 and 1 or old)
@@ -140,6 +140,15 @@ local function above_floor(case, q, say)
     lowest = math.min(lowest, u[i] + (q.gap or -(q.sink or 0)) * q.L)
   end
   say("node below the floor over size", lowest / measure.scales(q).length, 1e-6)
+end
+
+--- The upper block stays on the lower one, told by their displacements and not by the contact.
+local function above_bed(case, q, say)
+  local sole, bed, lowest = case:series("sole", "u_y"), case:series("bed", "u_y"), 0
+  for i = 2, #sole do
+    lowest = math.min(lowest, sole[i] - bed[i] - q.sink * q.L)
+  end
+  say("node in the other body over its height", lowest / (q.height * q.L), 0.05)
 end
 
 --- Once nothing touches and no bond is left there is no force and no strain.
@@ -235,8 +244,8 @@ end
 local of_scene = {
   law = { law, driven, balance, closed_ledger },
   punch = { balance, complementarity, above_floor, symmetry, released, closed_ledger },
-  slide = { balance, complementarity, sliding, closed_ledger },
-  slide_mortar = { balance, complementarity, sliding, closed_ledger },
+  slide = { balance, complementarity, above_bed, sliding, closed_ledger },
+  slide_mortar = { balance, complementarity, above_bed, sliding, closed_ledger },
   bar = { above_floor, wave, no_gain, ledger },
   stack = { balance, complementarity, channel, closed_ledger }, stack_mortar = { balance, complementarity, channel, closed_ledger },
   drop = { complementarity, momentum, no_gain, ledger }, crowd = { lines_of_crowd, no_gain, ledger },

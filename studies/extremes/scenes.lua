@@ -81,12 +81,12 @@ local output = stiction.output { frames = 0 }
 
 --- One driven cell on a plane: bonds for 1 s, is drawn off by `pull`. The law alone.
 scenes.law = {
-  values = { size = 0.01, C = 1e9, w = 1, b = 2, pull = 2e-4, steps = 40 },
+  values = { size = 0.01, C = 1e9, w = 1, b = 2, pull = 2e-4, steps = 40, until_pull = 1.01 },
   make = function(q, u)
     return {
       bodies = { block = body_of(q, u, block(u, { 0, 0 }, { q.size, q.size }, { 1, 1 })) },
       obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
-      motions = { path(q, u, { set = "block.all", times = { 0, 1, 2 }, x = { 0, 0, 0 }, y = { 0, 0, q.pull } }) },
+      motions = { path(q, u, { set = "block.all", times = { 0, q.until_pull, 2 }, x = { 0, 0, 0 }, y = { 0, 0, q.pull } }) },
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
       probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, 0 }, u.m) },
         contact = stiction.probe.contact { pair = "touch" }, drive = stiction.probe.force { set = "block.all" },
@@ -117,12 +117,12 @@ scenes.punch = {
 --- Two blocks pressed together and slid: node to segment, and (slide_mortar) averaged.
 scenes.slide = {
   values = { size = 0.01, upper = 0.006, height = 0.003, cells = { 4, 2 }, below = { 8, 3 }, at = 0.0013, mu = 0.3,
-    press = 6e-5, slip = 6e-4, steps = 12, contrast = 1 },
+    press = 6e-5, slip = 6e-4, steps = 12, contrast = 1, sink = 0 },
   make = function(q, u)
     return {
       bodies = {
         lower = body_of(q, u, block(u, { 0, -q.height }, { q.size, q.height }, q.below)),
-        upper = body_of(q, u, block(u, { q.at, 0 }, { q.upper, q.height }, q.cells), { factor = q.contrast }),
+        upper = body_of(q, u, block(u, { q.at, -q.sink }, { q.upper, q.height }, q.cells), { factor = q.contrast }),
       },
       pairs = { touch = pair_of(q, u, "upper.bottom", "lower.top") },
       motions = { stiction.motion.fix { set = "lower.bottom" }, path(q, u, { set = "upper.top", times = { 0, 1, 2 },
@@ -130,6 +130,7 @@ scenes.slide = {
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
       probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
         drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.at, q.height }),
+        sole = node(u, "upper.bottom", { q.at + q.upper / 2, 0 }), bed = node(u, "lower.top", { q.at + q.upper / 2, 0 }),
         energy = stiction.probe.energy {} },
     }
   end,
