@@ -73,11 +73,11 @@ template<int D> bool near(Panel<D> const& panel, Index node, StepPath const& pat
 template<int D> bool crosses(Panel<D> const& panel, Index node, StepPath const& path) {
   for (int piece = 0; piece < pieces; ++piece) {
     double outer = static_cast<double>(piece) / pieces, inner = static_cast<double>(piece + 1) / pieces;
-    if (depth_at(panel, node, path, outer) > 0 || !(depth_at(panel, node, path, inner) > 0))
+    if (depth_at<D>(panel, node, path, outer) > 0 || !(depth_at<D>(panel, node, path, inner) > 0))
       continue;
     for (int k = 0; k < bisections; ++k) {
       double const middle = 0.5 * (outer + inner);
-      (depth_at(panel, node, path, middle) > 0 ? inner : outer) = middle;
+      (depth_at<D>(panel, node, path, middle) > 0 ? inner : outer) = middle;
     }
     if (Moment<D>(panel, node, path, inner).over())
       return true;
@@ -117,8 +117,8 @@ template<int D> std::vector<Panel<D>> panels_of(CellSurface const& surface) {
 
 template<int D> bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path) {
   return std::ranges::any_of(panels, [&](Panel<D> const& panel) {
-    return std::ranges::find(panel, node) == panel.end() && near(panel, node, path) &&
-           crosses(panel, node, path);
+    return std::ranges::find(panel, node) == panel.end() && near<D>(panel, node, path) &&
+           crosses<D>(panel, node, path);
   });
 }
 

@@ -14,11 +14,6 @@ bool Range::contains(double value) const {
   return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
 }
 
-std::string Range::outside(double value) const {
-  auto text = fmt::format("{:g}", value);
-  return contains(std::stod(text)) ? fmt::format("{}", value) : text;
-}
-
 std::string Range::words(std::string_view unit) const {
   std::string const tail = unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit);
   bool const below = std::isfinite(low), above = std::isfinite(high);

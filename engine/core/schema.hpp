@@ -18,8 +18,6 @@ struct Range {
   bool high_open = false;
   [[nodiscard]] bool contains(double value) const;              ///< false for NaN
   [[nodiscard]] std::string words(std::string_view unit) const; ///< "> 0 Pa", "in [0, 0.5) 1"
-  /// A value that is not contained, in as many digits as show it.
-  [[nodiscard]] std::string outside(double value) const;
 };
 inline constexpr Range any_number{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};

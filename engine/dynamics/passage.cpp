@@ -7,6 +7,8 @@ namespace stiction::dynamics {
 
 namespace {
 
+using contact::Vec;
+
 template<int D> std::vector<contact::Panel<D>> panels_of(Pair const& pair) {
   using Deformable = std::conditional_t<D == 2, contact::Curve, contact::Surface>;
   if (auto const* surface = std::get_if<Deformable>(&pair.primary))
@@ -54,6 +56,7 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
   Vector const step = next.u - old.u;
   Drift<D> const drift(panels, step);
   Vector from, to;
+  auto const count = static_cast<std::size_t>(model_->dofs());
   for (std::size_t i = 0; i < described.secondary.size(); ++i) {
     Index const node = described.secondary[i];
     // contact sees whatever ends within reach of where it was
@@ -64,7 +67,7 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
       from = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + old.u;
       to = from + step;
     }
-    if (contact::passes<D>(panels, node, {{from.data(), ix(from.size())}, {to.data(), ix(to.size())}}))
+    if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}}))
       return true;
   }
   return false;

@@ -46,6 +46,7 @@ public:
   [[nodiscard]] Structure& structure() { return structure_; }
 
 private:
+  [[nodiscard]] static bool gives_back(State const& old, State const& next);
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);

@@ -58,6 +58,7 @@ private:
     return value<std::string>(sub, "--case", "ID", "Only the case of this name");
   }
   void add_run();
+  void add_extremes();
   void add_others();
   void add_internal();
 
@@ -76,6 +77,19 @@ void Commands::add_run() {
   out(run);
   flag(run, "force", "Run finished cases again");
   flag(run, "no-figures", "Draw no figures");
+}
+
+void Commands::add_extremes() {
+  auto& extremes = command("extremes", "Drive small scenes to extremes; a map of how each ends");
+  study(extremes);
+  flag(extremes, "quick", "Without the cells that take long");
+  one_case(extremes);
+  flag(extremes, "list", "List the cells and how they ended; run nothing");
+  value<double>(extremes, "--jobs", "N", "Cells at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(extremes);
+  flag(extremes, "force", "Run cells again that have ended");
+  flag(extremes, "no-figures", "Draw no map");
 }
 
 void Commands::add_others() {
@@ -116,6 +130,7 @@ void Commands::add_internal() {
 
 void Commands::add_all() {
   add_run();
+  add_extremes();
   add_others();
   add_internal();
 }

@@ -16,7 +16,6 @@ local function of(key, values)
 end
 
 local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd" }
-local statics = { "law", "punch", "slide", "slide_mortar", "stack", "stack_mortar" }
 
 axis("base", "ordinary values", everything, { { "ordinary", {}, want = "converged" } })
 
@@ -72,7 +71,7 @@ axis("shape", "cells and aspect", { "punch" }, {
   { "slender_1e4", { size = 1e-4, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
 })
 axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
-  { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } }, { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 } } },
+  { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } }, { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
   { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
   { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
 })
@@ -84,8 +83,10 @@ axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
 axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" }, {
   { "node_on_node", { at = 0.00125, upper = 0.005 } }, { "node_on_middle", { at = 0.001875, upper = 0.005 } },
   { "flush_corners", { at = 0, upper = 0.01, slip = 0 } }, { "flush_one_side", { at = 0 } },
-  { "corner_on_corner", { at = 0.01, slip = -6e-4 } }, { "corner_nearly", { at = 0.01 - 1e-12, slip = -6e-4 } },
-  { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } }, { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
+  { "corner_on_corner", { at = 0.01, slip = -6e-4, tilts = true } },
+  { "corner_nearly", { at = 0.01 - 1e-12, slip = -6e-4, tilts = true } },
+  { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } },
+  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
 })
 axis("place", "where nodes meet the other surface", { "stack", "stack_mortar" }, {
   { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } }, { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },

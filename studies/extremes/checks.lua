@@ -60,7 +60,7 @@ local function complementarity(case, q, say, group)
 end
 
 --- The ledger makes no energy beyond the error of works taken at the ends of the steps, sum of |dF| |du|. A bond
---- that a step opens at once is let go without its work: then w may be missing.
+--- that a step opens at once is let go without its work: then w and its viscous loss, b beta^2/dt at most, are missing.
 local function closed_ledger(case, q, say)
   local loss, work = case:series("energy", "scheme_loss"), case:series("energy", "motion_work")
   local bound, moves = 0, measure.moves(case, q)
@@ -71,9 +71,14 @@ local function closed_ledger(case, q, say)
     end
   end
   if q.C and q.pull / q.steps > 0.25 * math.sqrt(q.w / q.C) then
-    bound = bound + q.w * q.M / q.T ^ 2 * measure.scales(q).length
+    local quickest = math.huge
+    for i, dt in ipairs((case:series("step", "dt"))) do
+      quickest = i > 1 and math.min(quickest, dt / q.T) or quickest
+    end
+    bound = bound + (q.w + q.b / quickest) * q.M / q.T ^ 2 * measure.scales(q).length
   end
-  local lowest, scale = 0, math.max(bound, largest(work), 1e-12 * measure.scales(q).energy)
+  local rounding = 1e-12 + (1e-13 * (q.pull or q.press) / q.size) ^ 2
+  local lowest, scale = 0, math.max(bound, largest(work), rounding * measure.scales(q).energy)
   for _, value in ipairs(loss) do
     lowest = math.min(lowest, value)
   end

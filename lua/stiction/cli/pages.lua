@@ -12,6 +12,7 @@ figures STUDY  draw the figures again from the output
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver
 bench [STUDY]  time one case, phase by phase
+extremes       drive small scenes to extremes; a map of how each ends
 help [TOPIC]   this help
 test [--all]   build and run the tests
 

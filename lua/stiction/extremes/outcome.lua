@@ -6,7 +6,7 @@ local words = {
   C = "converged", R = "refused", S = "stopped", X = "crashed", H = "hung", N = "not a number", W = "wrong",
   U = "unexpected",
 }
-local order = { "C", "R", "S", "X", "H", "N", "W", "U" }
+outcome.order = { "C", "R", "S", "X", "H", "N", "W", "U" }
 local good = { C = true, R = true, S = true }
 local letter_of = { finished = "C", crashed = "X", hung = "H", ["bad input"] = "R" }
 
@@ -57,15 +57,22 @@ function outcome.judge(row, checks)
   end
 end
 
+--- How many rows ended with each letter.
+function outcome.letters(rows)
+  local count = {}
+  for _, row in ipairs(rows) do
+    count[row.outcome.letter] = (count[row.outcome.letter] or 0) + 1
+  end
+  return count
+end
+
 --- "12 converged, 3 refused" and the rows that are failures.
 function outcome.count(rows)
-  local count, failures, parts = {}, {}, {}
+  local count, failures, parts = outcome.letters(rows), {}, {}
   for _, row in ipairs(rows) do
-    local letter = row.outcome.letter
-    count[letter] = (count[letter] or 0) + 1
-    failures[#failures + 1] = not good[letter] and row or nil
+    failures[#failures + 1] = not good[row.outcome.letter] and row or nil
   end
-  for _, letter in ipairs(order) do
+  for _, letter in ipairs(outcome.order) do
     if count[letter] then
       parts[#parts + 1] = ("%d %s"):format(count[letter], words[letter])
     end
