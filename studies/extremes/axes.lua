@@ -53,7 +53,8 @@ axis("speed", "speed over the wave speed", { "drop", "crowd" }, {
   { "3_rubber", { speed = 30, last = 4e-3, steps = 400, material = "neo_hookean" } },
 })
 axis("overlap", "overlap before the first step, or made by it, in heights", { "punch" }, {
-  { "start_1e-4", { sink = 5e-7 } }, { "start_0.01", { sink = 5e-5 } }, { "start_0.1", { sink = 5e-4 }, want = "refused" },
+  { "start_1e-4", { sink = 5e-7 } }, { "start_0.01", { sink = 5e-5 } },
+  { "start_0.1", { sink = 5e-4 }, want = "refused" },
   { "start_0.5", { sink = 2.5e-3 }, want = "refused" }, { "start_all", { sink = 5e-3 }, want = "refused" },
   { "start_beyond", { sink = 8e-3 }, want = "refused" },
   { "step_0.2", { press = 1e-3, steps = 1 } }, { "step_0.6", { press = 3e-3, steps = 1 } },
@@ -71,7 +72,8 @@ axis("shape", "cells and aspect", { "punch" }, {
   { "slender_1e4", { size = 1e-4, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
 })
 axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
-  { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } }, { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
+  { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } },
+  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
   { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
   { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
 })
@@ -89,7 +91,8 @@ axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" },
   { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
 })
 axis("place", "where nodes meet the other surface", { "stack", "stack_mortar" }, {
-  { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } }, { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },
+  { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } },
+  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },
   { "edge_on_edge", { shift = 0.01 } }, { "edge_beyond", { shift = 0.01 + 1e-9 } }, { "half_over", { shift = 0.005 } },
 })
 
@@ -104,11 +107,16 @@ axis("units", "the same problem in other units", everything, units)
 axis("steps", "tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
 axis("steps", "tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
 axis("apart", "pulled apart by so many lengths", { "law", "punch" }, {
-  { "1", { pull = 1e-2 } }, { "1e3", { pull = 10 } }, { "1e9", { pull = 1e7 } }, { "dry_1e9", { pull = 1e7, without = { "C" } } },
+  { "1", { pull = 1e-2 } }, { "1e3", { pull = 10 } }, { "1e9", { pull = 1e7 } },
+  { "dry_1e9", { pull = 1e7, without = { "C" } } },
 })
 axis("support", "nothing holds the body", { "drop", "crowd" }, {
   { "static", { static = true, without = { "eta" } }, want = "refused" }, { "no_floor", { gap = 1 } },
   { "flight", { gap = 1, g = 0, speed = 0.1 } },
+})
+axis("pairs", "which whole boundaries may touch which", { "crowd" }, {
+  { "one_way", { pairing = "one_way" } }, { "both_ways", { pairing = "both_ways" } },
+  { "everything", { pairing = "everything" } }, { "everything_dry", { pairing = "everything", without = { "mu" } } },
 })
 axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
   { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },

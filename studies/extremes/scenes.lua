@@ -204,7 +204,14 @@ scenes.drop = {
   end,
 }
 
---- The whole boundary of every block may touch that of every other one, itself and the floor.
+--- Whether block i is asked about block k, each a whole boundary.
+local asks = {
+  neighbours = function(i, k) return k == i + 1 end,
+  one_way = function(i, k) return k > i end,
+  both_ways = function(i, k) return k ~= i end,
+  everything = function() return true end,
+}
+
 local function crowd_pairs(q, u)
   local pairs, probes = {}, { energy = stiction.probe.energy {} }
   local function meet(name, secondary, primary)
@@ -215,7 +222,9 @@ local function crowd_pairs(q, u)
   for i = 1, 3 do
     meet(("floor_%d"):format(i), ("b%d.skin"):format(i), "floor")
     for k = 1, 3 do
-      meet(("b%d_b%d"):format(i, k), ("b%d.skin"):format(i), ("b%d.skin"):format(k))
+      if asks[q.pairing](i, k) then
+        meet(("b%d_b%d"):format(i, k), ("b%d.skin"):format(i), ("b%d.skin"):format(k))
+      end
     end
   end
   return pairs, probes
@@ -233,9 +242,10 @@ local function square(u, x, y, size)
   return stiction.mesh.gmsh { size = 0.4 * size * u.m, start = corner(0, 0), edges = edges }
 end
 
---- Three loose blocks fall onto each other; everything may touch everything.
+--- Three loose blocks fall onto each other; in the extreme everything may touch everything.
 scenes.crowd = {
-  values = { size = 0.01, E = 1e5, gap = 1e-4, g = 9.81, last = 0.03, steps = 100, eta = 3, mu = 0.3, speed = 0 },
+  values = { size = 0.01, E = 1e5, gap = 1e-4, g = 9.81, last = 0.03, steps = 100, eta = 3, mu = 0.3, speed = 0,
+    pairing = "neighbours" },
   make = function(q, u)
     local bodies = {}
     local pairs, probes = crowd_pairs(q, u)
