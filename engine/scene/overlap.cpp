@@ -9,6 +9,8 @@ namespace stiction::scene {
 
 namespace {
 
+using contact::Vec;
+
 std::string place(Matrix const& reference, Index node) {
   auto const X = reference.row(node);
   return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + X.size(), ", "));
