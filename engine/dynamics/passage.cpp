@@ -59,9 +59,10 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
   auto const count = static_cast<std::size_t>(model_->dofs());
   for (std::size_t i = 0; i < described.secondary.size(); ++i) {
     Index const node = described.secondary[i];
-    // contact sees whatever ends within reach of where it was
-    if (next.contacts[pair][i].in_reach ||
-        (step.segment<D>(D * node) - drift.mean).norm() + drift.spread <= described.reach)
+    // contact sees whatever ends within reach of where it was, but may lose what it held
+    auto const &before = old.contacts[pair][i], &after = next.contacts[pair][i];
+    bool const far = (step.segment<D>(D * node) - drift.mean).norm() + drift.spread > described.reach;
+    if (after.in_reach || !(far || before.in_reach))
       continue;
     if (from.size() == 0) {
       from = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + old.u;

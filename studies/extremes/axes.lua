@@ -85,8 +85,9 @@ axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
 axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" }, {
   { "node_on_node", { at = 0.00125, upper = 0.005 } }, { "node_on_middle", { at = 0.001875, upper = 0.005 } },
   { "flush_corners", { at = 0, upper = 0.01, slip = 0 } }, { "flush_one_side", { at = 0 } },
-  { "corner_on_corner", { at = 0.01, slip = -6e-4, tilts = true } },
-  { "corner_nearly", { at = 0.01 - 1e-12, slip = -6e-4, tilts = true } },
+  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true } },
+  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true } },
+  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true } },
   { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } },
   { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
 })
