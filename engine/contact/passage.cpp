@@ -9,9 +9,10 @@ namespace stiction::contact {
 
 namespace {
 
-constexpr int pieces = 16;            // of the step, in each of which a crossing is looked for
-constexpr int bisections = 40;        // to the time of a crossing
-constexpr double on_surface = 1e-6;   // of a panel's size: a point so near is on it, not through it
+constexpr int pieces = 16;     // of the step, in each of which a crossing is looked for
+constexpr int bisections = 40; // to the time of a crossing
+constexpr double on_surface =
+    0.1; // of a panel's size: as deep as a point may be behind the chord of a curved surface
 constexpr double border_width = 1e-9; // of a panel: how far beyond its border it still holds
 
 template<int D> Vec<D> at(std::span<double const> x, Index node) {

@@ -21,15 +21,21 @@ test::Input stamp(double depth, char const* discretisation) {
 } // namespace
 
 TEST_CASE("a step that carries a body through another is refused") {
+  auto const scene = scene::build(stamp(10, "node_to_segment"));
+  dynamics::Stepper stepper(*scene.model);
+  auto const outcome = stepper.step(stepper.initial(), 1);
+  CHECK(outcome.verdict == dynamics::StepVerdict::passed);
+  CHECK(outcome.reason.find("pair sole went through") != std::string::npos);
+}
+
+TEST_CASE("no step ends with bodies inside each other and no force between them") {
   for (auto const* discretisation : {"node_to_segment", "mortar"})
-    for (double const depth : {2.0, 10.0}) {
+    for (double const depth : {0.5, 1.0, 2.0, 3.0, 10.0}) {
       INFO(discretisation << ", depth " << depth);
       auto const scene = scene::build(stamp(depth, discretisation));
       dynamics::Stepper stepper(*scene.model);
       auto const outcome = stepper.step(stepper.initial(), 1);
-      CHECK_FALSE(outcome.converged());
-      CHECK(outcome.verdict == dynamics::StepVerdict::passed);
-      CHECK(outcome.reason.find("pair sole went through") != std::string::npos);
+      CHECK((!outcome.converged() || test::contact_force(scene, outcome.state).y() > 0));
     }
 }
 
