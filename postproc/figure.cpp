@@ -5,6 +5,7 @@
 
 #include "field.hpp"
 #include "lines.hpp"
+#include "map.hpp"
 
 namespace stiction::postproc {
 
@@ -29,6 +30,8 @@ Picture draw(FigureSpec const& figure) {
     return draw_lines(figure, *lines);
   if (auto const* field = std::get_if<FieldSpec>(&figure.content))
     return draw_field(figure, *field);
+  if (auto const* map = std::get_if<MapSpec>(&figure.content))
+    return draw_map(figure, *map);
   return draw_panel(figure, std::get<PanelSpec>(figure.content));
 }
 

@@ -210,6 +210,33 @@ FieldSpec read_field(Reader& reader, std::filesystem::path const& folder) {
   return field;
 }
 
+MapRow read_row(Reader& reader, MapSpec const& map) {
+  MapRow row{reader.text("group"), reader.text("label"), reader.text("cells")};
+  if (row.cells.size() != map.columns.size())
+    reader.complain_at("cells",
+                       fmt::format("has {} letters for {} columns", row.cells.size(), map.columns.size()));
+  reader.finish();
+  return row;
+}
+
+MapSpec read_map(Reader& reader) {
+  MapSpec map;
+  map.blocks = static_cast<int>(reader.number_or("blocks", "1", {1, 6}, 1));
+  for (auto& column : reader.children("columns")) {
+    map.columns.push_back(column.text("label"));
+    column.finish();
+  }
+  for (auto& kind : reader.children("kinds")) {
+    map.kinds.push_back({kind.text("letter"), kind.text("label"), index_at(kind, "colour").value_or(0)});
+    if (map.kinds.back().letter.size() != 1)
+      kind.complain_at("letter", "wants one letter");
+    kind.finish();
+  }
+  for (auto& row : reader.children("rows"))
+    map.rows.push_back(read_row(row, map));
+  return map;
+}
+
 void read_content(Reader& reader, FigureSpec& figure, std::filesystem::path const& folder);
 
 FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool in_panel) {
@@ -223,7 +250,7 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
   std::string const kind = reader.text("kind");
   if (in_panel && kind == "panel")
     reader.complain_at("kind", "is \"panel\" within a panel; a panel holds lines and fields");
-  std::string const usual = kind == "panel" ? "double" : "single";
+  std::string const usual = kind == "panel" || kind == "map" ? "double" : "single";
   bool const wide = choice(reader, "width", {"single", "double"}, usual) == "double";
   figure.width = static_cast<int>(std::lround(millimetres(wide ? 175 : 85)));
   figure.height = millimetres(reader.number_or("height", "1", {20, 240}, 0));
@@ -243,11 +270,13 @@ PanelSpec read_panel(Reader& reader, std::filesystem::path const& folder) {
 }
 
 void read_content(Reader& reader, FigureSpec& figure, std::filesystem::path const& folder) {
-  std::string const kind = choice(reader, "kind", {"lines", "field", "panel"}, "");
+  std::string const kind = choice(reader, "kind", {"lines", "field", "map", "panel"}, "");
   if (kind == "lines")
     figure.content = read_lines(reader, folder);
   else if (kind == "field")
     figure.content = read_field(reader, folder);
+  else if (kind == "map")
+    figure.content = read_map(reader);
   else if (kind == "panel")
     figure.content = read_panel(reader, folder);
 }

@@ -98,6 +98,24 @@ struct FieldSpec {
   std::optional<SphereSpec> sphere;
 };
 
+/// An outcome that cells of a map show: a letter, what it means, its colour in the palette.
+struct MapKind {
+  std::string letter, label;
+  std::size_t colour = 0;
+};
+
+struct MapRow {
+  std::string group, label;
+  std::string cells; ///< a letter of a kind per column, or '.' for no cell
+};
+
+struct MapSpec {
+  int blocks = 1; ///< side by side, the rows shared out
+  std::vector<std::string> columns;
+  std::vector<MapKind> kinds;
+  std::vector<MapRow> rows;
+};
+
 struct FigureSpec;
 struct PanelSpec {
   int columns = 2;
@@ -109,7 +127,7 @@ struct FigureSpec {
   int width = 0;      ///< pixels
   double height = 0;  ///< pixels; 0: chosen
   std::string letter; ///< "(a)" within a panel
-  std::variant<LinesSpec, FieldSpec, PanelSpec> content;
+  std::variant<LinesSpec, FieldSpec, MapSpec, PanelSpec> content;
 };
 
 /// "(a) title", or what there is of it.

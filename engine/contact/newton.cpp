@@ -1,5 +1,6 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "contact/descent.hpp"
 #include "contact/point_newton.hpp"
@@ -187,7 +188,20 @@ private:
     }
     solution.force = newton.force();
     solution.work = newton.work() + judgements;
-    return solution;
+    return solution.converged ? solution : swept<D>(problem, std::move(solution));
+  }
+
+  /// Sweeps alone, as many as cost no more than some dozen Newton steps of large problems: slow where Newton
+  /// is quick, but they do not cycle.
+  template<int D> Solution swept(Problem const& problem, Solution solution) const {
+    double const size = static_cast<double>(D * problem.size()), most = 1e8 / (size * size);
+    GaussSeidel const sweeps{settings_.tolerance, static_cast<int>(std::clamp(most, 10.0, 5000.0))};
+    auto second = sweeps.make()->solve(problem, solution.force);
+    solution.iterations += second.iterations;
+    solution.work += second.work;
+    second.iterations = solution.iterations;
+    second.work = solution.work;
+    return second.converged ? second : solution;
   }
   BipotentialNewton settings_;
 };

@@ -7,6 +7,20 @@
 
 namespace stiction::contact {
 
+namespace {
+
+/// Of a point that nothing can move: the stiffness of its bond, so that no unit is preferred, N/m.
+double scale_of_law(Problem const& problem, Index point) {
+  auto const& own = problem.points[ix(point)];
+  if (own.law < 0)
+    return 1;
+  auto const scales = interface::scales(problem.adhesions[ix(own.law)]);
+  double const stiffness = own.area * scales.strength / scales.opening;
+  return stiffness > 0 && std::isfinite(stiffness) ? stiffness : 1;
+}
+
+} // namespace
+
 double natural_scale(Problem const& problem, Index point) {
   Eigen::Index const d = problem.dim, first = d * point;
   auto const block = problem.W.block(first, first, d, d);
@@ -21,7 +35,7 @@ double natural_scale(Problem const& problem, Index point) {
     largest =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
   }
-  return largest > 0 ? 1 / largest : 1.0;
+  return largest > 0 ? 1 / largest : scale_of_law(problem, point);
 }
 
 Vector displacement(Problem const& problem, Vector const& force) {

@@ -9,7 +9,13 @@ namespace stiction::core {
 
 namespace {
 Input const nothing;
+
+/// A value outside the range, in as many digits as show it.
+std::string shown_outside(double value, Range range) {
+  auto text = fmt::format("{:g}", value);
+  return std::isfinite(value) && range.contains(std::stod(text)) ? fmt::format("{}", value) : text;
 }
+} // namespace
 
 char const* kind_of(Input const& input) {
   static constexpr char const* names[] = {"nothing", "true/false", "a number", "a text", "a list", "a table"};
@@ -105,7 +111,7 @@ bool Reader::check_number(std::string_view key, Input const& given, std::string_
   double const in_unit = quantity->value / wanted->value;
   if (!range.contains(in_unit)) {
     complain_at(key,
-                fmt::format("is {:g}{}; it must be {}", in_unit,
+                fmt::format("is {}{}; it must be {}", shown_outside(in_unit, range),
                             unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit), range.words(unit)));
     return false;
   }

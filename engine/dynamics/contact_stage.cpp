@@ -254,7 +254,9 @@ template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
   bool const bonded = point.law.bond.old.beta > 0 && pair.law.lasts();
   bool const held = bonded || !point.force.isZero(0);
   double const gap = point.kinematics.gap;
-  bool const near = gap < pair.reach && gap > -6 * pair.reach && !point.waits;
+  // what lay deeper than that before the step is on the far side of a body, not in contact with this one
+  double const old_gap = old_->contacts[ix(point.pair)][ix(point.index)].gap;
+  bool const near = gap < pair.reach && std::max(gap, old_gap) > -6 * pair.reach && !point.waits;
   bool const was = point.active;
   point.active = point.kinematics.found && (held || near);
   if (!point.active)

@@ -31,7 +31,7 @@ core::Schema const& StepControl::schema() {
 
 Stepper::Stepper(Model const& model)
     : model_(&model), weights_(weights(model.scheme)), structure_(model, weights_),
-      contact_(make_contact_stage(model, structure_)), driver_(ix(model.dofs()), nullptr) {
+      contact_(make_contact_stage(model, structure_)), passage_(model), driver_(ix(model.dofs()), nullptr) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
@@ -267,6 +267,15 @@ Outcome Stepper::step(State const& old, double dt) {
   return second;
 }
 
+/// A step much too long for a stiff viscosity makes energy of it: more than the step had to turn over.
+bool Stepper::gives_back(State const& old, State const& next) {
+  auto const &before = old.ledger, &after = next.ledger;
+  double const there = before.kinetic + before.strain + std::abs(after.motion_work - before.motion_work) +
+                       std::abs(after.load_work - before.load_work) +
+                       std::abs(after.potential - before.potential);
+  return before.damping_loss - after.damping_loss > there;
+}
+
 Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
   Outcome outcome;
   predict(old, dt, extrapolate);
@@ -291,6 +300,16 @@ Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
   }
   if (!weights_.explicit_forces || internal_forces(outcome))
     finish(old, dt, outcome);
+  if (!outcome.converged())
+    return outcome;
+  if (gives_back(old, outcome.state)) {
+    outcome.verdict = StepVerdict::unstable;
+    outcome.reason = "the viscosity of the bodies gave back more energy than there was";
+  }
+  if (auto const pair = passage_.passed(old, outcome.state); !pair.empty()) {
+    outcome.verdict = StepVerdict::passed;
+    outcome.reason = fmt::format("a point of pair {} went through its counterpart within the step", pair);
+  }
   return outcome;
 }
 

@@ -4,13 +4,22 @@
 #include <string>
 
 #include "dynamics/contact_stage.hpp"
+#include "dynamics/passage.hpp"
 #include "dynamics/state.hpp"
 #include "dynamics/structure.hpp"
 
 namespace stiction::dynamics {
 
 /// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing.
-enum class StepVerdict { converged, not_converged, inverted_cell, contact_failed, indefinite, unstable };
+enum class StepVerdict {
+  converged,
+  not_converged,
+  inverted_cell,
+  contact_failed,
+  indefinite,
+  unstable,
+  passed
+};
 
 /// A step's answer: the state it reached if converged, and how it went.
 struct Outcome {
@@ -37,6 +46,7 @@ public:
   [[nodiscard]] Structure& structure() { return structure_; }
 
 private:
+  [[nodiscard]] static bool gives_back(State const& old, State const& next);
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);
@@ -63,6 +73,7 @@ private:
   StepWeights weights_;
   Structure structure_;
   std::unique_ptr<ContactStage> contact_;
+  Passage passage_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step

@@ -26,11 +26,6 @@ Vec3 middle(contact::Obstacle const& obstacle) {
       obstacle);
 }
 
-std::string place(Matrix const& reference, Index node) {
-  auto const X = reference.row(node);
-  return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + X.size(), ", "));
-}
-
 } // namespace
 
 void Builder::add_obstacles() {
@@ -282,29 +277,6 @@ Vec3 Builder::first_tangent(PairPart const& part, mesh::Set const& set) const {
   Eigen::Index axis = 0;
   normal.cwiseAbs().minCoeff(&axis);
   return Vec3::Unit(axis);
-}
-
-/// A surface that starts inside its counterpart has no admissible first step.
-void Builder::check_overlap() {
-  dynamics::Stepper stepper(*scene_.model);
-  auto const state = stepper.initial();
-  for (std::size_t p = 0; p < scene_.model->pairs.size(); ++p) {
-    auto const& pair = scene_.model->pairs[p];
-    std::size_t deepest = 0;
-    double gap = -0.2 * pair.reach;
-    for (std::size_t i = 0; i < state.contacts[p].size(); ++i)
-      if (auto const& point = state.contacts[p][i]; point.foot.found() && point.gap <= gap) {
-        deepest = i;
-        gap = point.gap;
-      }
-    if (gap == -0.2 * pair.reach)
-      continue;
-    auto const& part = scene_.part.pairs.at(pair.name);
-    complain({"pairs", pair.name},
-             fmt::format("{} and {} overlap by {:.3g} m at {} before the run starts; move one of them apart",
-                         part.secondary, part.primary, -gap,
-                         place(scene_.model->reference, pair.secondary[deepest])));
-  }
 }
 
 } // namespace stiction::scene

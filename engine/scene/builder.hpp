@@ -63,6 +63,7 @@ private:
   void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
   void check_overlap();
+  [[nodiscard]] bool bodies_overlap(std::string const& pair);
 
   // build_probes.cpp
   void check_probes();

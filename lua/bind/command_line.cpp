@@ -59,6 +59,7 @@ private:
   }
   void add_run();
   void add_trade();
+  void add_extremes();
   void add_others();
   void add_internal();
 
@@ -90,6 +91,19 @@ void Commands::add_trade() {
   out(trade);
   flag(trade, "force", "Run finished cases again");
   flag(trade, "no-figures", "Draw no figures");
+}
+
+void Commands::add_extremes() {
+  auto& extremes = command("extremes", "Drive small scenes to extremes; a map of how each ends");
+  study(extremes);
+  flag(extremes, "quick", "Without the cells that take long");
+  one_case(extremes);
+  flag(extremes, "list", "List the cells and how they ended; run nothing");
+  value<double>(extremes, "--jobs", "N", "Cells at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(extremes);
+  flag(extremes, "force", "Run cells again that have ended");
+  flag(extremes, "no-figures", "Draw no map");
 }
 
 void Commands::add_others() {
@@ -132,6 +146,7 @@ void Commands::add_internal() {
 void Commands::add_all() {
   add_run();
   add_trade();
+  add_extremes();
   add_others();
   add_internal();
 }

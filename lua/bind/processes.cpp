@@ -5,6 +5,7 @@
 #include <csignal>
 #include <new>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "bind/interrupt.hpp"
@@ -78,21 +79,31 @@ int kill_process(lua_State* lua) {
   return 0;
 }
 
-/// follow_parent(): this process ends with the one that started it
+/// Whether somebody listens to this process; without, 3 is the number of the next file it opens.
+bool& heard() {
+  static bool listening = false;
+  return listening;
+}
+
+/// follow_parent(): this process ends with the one that started it; call before any file is opened
 int follow(lua_State*) {
+  struct stat status {};
+  heard() = fstat(3, &status) == 0 && !S_ISREG(status.st_mode);
   follow_parent();
   return 0;
 }
 
 /// tell_parent(line) -> true if the process that started this one took the message
 int tell_parent(lua_State* lua) {
+  if (!heard())
+    return 0; // the case is run by hand
   auto const line = text_at(lua, 1) + "\n";
   for (std::size_t sent = 0; sent < line.size();) {
     auto const count = ::write(3, line.data() + sent, line.size() - sent);
     if (count > 0)
       sent += static_cast<std::size_t>(count);
     else if (errno != EINTR)
-      return 0; // nobody listens: the case is run by hand
+      return 0; // nobody listens any more
   }
   push(lua, true);
   return 1;

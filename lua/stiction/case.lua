@@ -24,6 +24,11 @@ function Case:series(group, name, component)
   return column(self, group .. "/" .. name, component)
 end
 
+--- Names "group/name" of all its histories, sorted.
+function Case:columns()
+  return engine.series_columns(self.history)
+end
+
 --- Largest value of a history, and its time.
 function Case:max(group, name, component)
   local value, at = numeric.max((self:series(group, name, component)))

@@ -50,6 +50,7 @@ local known = {
   field = set_of(figure_keys .. "case file time array component unit label deformed range window window_unit mesh"
     .. " scale_bar view mirror crop sphere"),
   panel = set_of(figure_keys .. "columns figures"),
+  map = set_of(figure_keys .. "blocks columns kinds rows"),
   axis = set_of "label unit log range",
   curve = set_of "label case file x y x_shift y_shift x_sign y_sign colour style component",
   mark = set_of "x label",
@@ -165,6 +166,14 @@ function figure.panel(t)
   return make(t, "panel")
 end
 
+--- A table of outcomes: map{ name =, blocks =, columns = {text}, kinds = {{letter =, label =, colour =}}, rows =
+--- {{group =, label =, cells = "a letter of a kind per column, . for none"}} }.
+function figure.map(t)
+  local result = make(t, "map")
+  result.columns = numeric.map(t.columns or {}, function(label) return { label = label } end)
+  return result
+end
+
 --- The specification of a study's figures for the figure program.
 function figure.spec(study, cases)
   local list = study.figures(cases)
@@ -178,6 +187,6 @@ end
 
 return setmetatable(figure, {
   __index = function(_, kind)
-    fault.script("there is no figure.%s%s", tostring(kind), fault.meant(kind, { "lines", "field", "panel" }))
+    fault.script("there is no figure.%s%s", tostring(kind), fault.meant(kind, { "lines", "field", "map", "panel" }))
   end,
 })

@@ -28,14 +28,15 @@ end
 
 local function start(pool, case)
   local process = engine.spawn(words_for(case, pool.options), { "OPENBLAS_NUM_THREADS=1" })
-  pool.running[#pool.running + 1] = { case = case, process = process, text = "", noted = engine.clock() }
+  pool.running[#pool.running + 1] = { case = case, process = process, text = "", noted = engine.clock(),
+    began = engine.clock() }
 end
 
 local function read_message(job, line)
   local message = engine.decode_json(line) or {}
   job.progress = message.progress or job.progress
   job.ended = message.ended or job.ended
-  job.fault = message.fault or job.fault
+  job.fault, job.kind = message.fault or job.fault, message.kind or job.kind
 end
 
 --- Hands complete lines of what the script printed on.
@@ -49,12 +50,22 @@ end
 
 local function outcome(job, code)
   if job.fault then
-    return { verdict = "bad input", reason = job.fault, bad_input = code == 2 }
+    return { verdict = "bad input", reason = job.fault, bad_input = code == 2, kind = job.kind }
   elseif job.ended then
     return job.ended
   end
   local how = code > 128 and ("by signal %d"):format(code - 128) or ("with exit code %d"):format(code)
   return { verdict = "crashed", reason = ("its process ended %s%s"):format(how, job.text ~= "" and ": " .. job.text or "") }
+end
+
+--- True if a job has used more time than a case may take; then its process is killed.
+local function overdue(pool, job)
+  local limit = pool.options.limit
+  if not limit or engine.clock() - job.began < limit then
+    return false
+  end
+  engine.kill(job.process)
+  return true
 end
 
 --- Reads news of every running job; jobs that have ended leave the list.
@@ -68,6 +79,8 @@ local function gather(pool, on_end)
     show_text(pool, job, text)
     if code then
       on_end(job.case, outcome(job, code))
+    elseif overdue(pool, job) then
+      on_end(job.case, { verdict = "hung", reason = ("it did not end within %g s"):format(pool.options.limit) })
     else
       still[#still + 1] = job
     end
@@ -100,12 +113,13 @@ local function stop_all(pool, on_end)
 end
 
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
---- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress).
+--- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
+--- limit (s that a case may take), tolerant (bad input stops nothing).
 function jobs.run(cases, options, on_end)
   local pool = { options = options, running = {}, display = progress.display(options.quiet) }
   local next_case, bad = 1, false
   local function ended(case, result)
-    bad = bad or result.bad_input
+    bad = bad or (result.bad_input and not options.tolerant)
     pool.display:note(("%s  %s%s"):format(case.id, result.verdict,
       result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""))
     on_end(case, result)

@@ -52,6 +52,15 @@ TEST_SUITE("contact") {
     CHECK(slides > 0);
   }
 
+  TEST_CASE("a body that hardly gives way in volume: Newton stagnates and sweeps finish") {
+    auto const problem = saved("nearly_incompressible");
+    auto const answer = solve(BipotentialNewton{}, problem);
+    CHECK(answer.converged);
+    CHECK(answer.iterations > 60);
+    auto const swept = solve(GaussSeidel{}, problem);
+    CHECK((answer.force - swept.force).norm() <= 1e-6 * swept.force.norm());
+  }
+
   TEST_CASE("an indefinite W: an answer is judged, its absence admitted, and nothing overflows") {
     for (auto const* name : {"plate_mu08_indefinite", "plate_mu08_indefinite_late"}) {
       auto const problem = saved(name);

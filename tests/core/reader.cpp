@@ -146,6 +146,7 @@ TEST_SUITE("core") {
     for (double const end : {0.0, 2.0})
       CHECK(read({{"density", number(1, "kg/m^3")}, {"time", number(end, "s")}}).complaints.empty());
     CHECK(has(complaint("time", number(2.001, "s")), "is 2.001 s; it must be in [0, 2] s"));
+    CHECK(has(complaint("time", number(2.000000001, "s")), "is 2.000000001 s; it must be in [0, 2] s"));
     CHECK(has(read({{"density", number(-1, "kg/m^3")}}).only(), "is -1 kg/m^3; it must be > 0 kg/m^3"));
     CHECK(has(complaint("count", number(11)), "in [1, 10]"));
   }

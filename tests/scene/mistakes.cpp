@@ -143,6 +143,25 @@ TEST_CASE("surfaces that overlap at the start") {
   check_only(table, "pairs.sole", {"overlap by 0.1 m", "before the run starts"});
 }
 
+TEST_CASE("bodies deep inside each other where their surfaces do not see each other") {
+  auto table = test::foot_on_floor();
+  auto bed = [](double top) {
+    return test::block({{-1, top - 2}, {3, 2}, {12, 8}}, test::linear_elastic(1000, 0));
+  };
+  test::at(table, "bodies.bed") = bed(0);
+  test::at(table, "pairs.sole") = test::pair("foot.bottom", "bed.top");
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01}), test::fix("bed.bottom")});
+  CHECK(complaints(table).empty());
+  test::at(table, "bodies.bed") = bed(1.9); // the sole is 1.9 m below its top, beyond all search
+  check_only(table, "pairs.sole",
+             {"the bodies of foot.bottom and bed.top overlap by 0.9 m", "before the run"});
+  test::at(table, "bodies.bed") = bed(2.5); // the sole has come out below the bed
+  check_only(table, "pairs.sole", {"the bodies of foot.bottom and bed.top overlap by 0.5 m"});
+  test::at(table, "bodies.bed") = bed(-5);
+  CHECK(complaints(table).empty());
+}
+
 TEST_CASE("an axisymmetric body left of the axis") {
   auto table = test::foot_on_floor();
   test::at(table, "kinematics") = test::text("axisymmetric");

@@ -78,7 +78,7 @@ return function(options)
   if held then
     return value
   end
-  if not tell { fault = tostring(value) .. (value.trace or "") } then
+  if not tell { fault = tostring(value) .. (value.trace or ""), kind = value.kind } then
     error(value, 0)
   end
   return (value.kind == "input" or value.kind == "script") and 2 or 1

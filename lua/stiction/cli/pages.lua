@@ -13,6 +13,7 @@ trade STUDY    what accuracy costs: a ladder of settings, errors against work; '
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
 bench [STUDY]  time one case, phase by phase
+extremes       drive small scenes to extremes; a map of how each ends
 help [TOPIC]   this help
 test [--all]   build and run the tests
 

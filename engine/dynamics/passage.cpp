@@ -1,0 +1,84 @@
+// Picks the points that moved far enough to have gone through something, and asks for those alone.
+#include "dynamics/passage.hpp"
+
+#include <algorithm>
+
+namespace stiction::dynamics {
+
+namespace {
+
+using contact::Vec;
+
+template<int D> std::vector<contact::Panel<D>> panels_of(Pair const& pair) {
+  using Deformable = std::conditional_t<D == 2, contact::Curve, contact::Surface>;
+  if (auto const* surface = std::get_if<Deformable>(&pair.primary))
+    return contact::panels_of(*surface);
+  if (auto const* cells = std::get_if<contact::CellSurface>(&pair.primary))
+    return contact::panels_of<D>(*cells);
+  return {};
+}
+
+/// How the nodes of a surface moved in a step: their mean, and how far any is from it at most, m.
+template<int D> struct Drift {
+  Vec<D> mean = Vec<D>::Zero();
+  double spread = 0;
+  Drift(std::vector<contact::Panel<D>> const& panels, Vector const& step) {
+    for (auto const& panel : panels)
+      for (Index const node : panel)
+        mean += step.segment<D>(D * node) / static_cast<double>(D * panels.size());
+    for (auto const& panel : panels)
+      for (Index const node : panel)
+        spread = std::max(spread, (step.segment<D>(D * node) - mean).norm());
+  }
+};
+
+} // namespace
+
+Passage::Passage(Model const& model) : model_(&model) {
+  for (auto const& pair : model.pairs)
+    if (model.dim() == 2)
+      lines_.push_back(panels_of<2>(pair));
+    else
+      triangles_.push_back(panels_of<3>(pair));
+}
+
+template<int D> bool Passage::passed(std::size_t pair, State const& old, State const& next) const {
+  auto const& described = model_->pairs[pair];
+  auto const& panels = [ this, pair ]() -> auto const& {
+    if constexpr (D == 2)
+      return lines_[pair];
+    else
+      return triangles_[pair];
+  }
+  ();
+  if (panels.empty())
+    return false;
+  Vector const step = next.u - old.u;
+  Drift<D> const drift(panels, step);
+  Vector from, to;
+  auto const count = static_cast<std::size_t>(model_->dofs());
+  for (std::size_t i = 0; i < described.secondary.size(); ++i) {
+    Index const node = described.secondary[i];
+    // contact sees whatever ends within reach of where it was, but may lose what it held
+    auto const &before = old.contacts[pair][i], &after = next.contacts[pair][i];
+    bool const far = (step.segment<D>(D * node) - drift.mean).norm() + drift.spread > described.reach;
+    if (after.in_reach || !(far || before.in_reach))
+      continue;
+    if (from.size() == 0) {
+      from = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + old.u;
+      to = from + step;
+    }
+    if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}}))
+      return true;
+  }
+  return false;
+}
+
+std::string Passage::passed(State const& old, State const& next) const {
+  for (std::size_t pair = 0; pair < model_->pairs.size(); ++pair)
+    if (model_->dim() == 2 ? passed<2>(pair, old, next) : passed<3>(pair, old, next))
+      return model_->pairs[pair].name;
+  return "";
+}
+
+} // namespace stiction::dynamics

@@ -1,0 +1,132 @@
+-- stiction extremes: every cell of a study run in a process of its own, its outcome judged, the map drawn.
+local case_module = require "stiction.case"
+local check = require "stiction.check"
+local engine = require "stiction.engine"
+local jobs = require "stiction.jobs"
+local map = require "stiction.extremes.map"
+local outcome = require "stiction.extremes.outcome"
+local output = require "stiction.output"
+local report = require "stiction.report"
+local study_module = require "stiction.study"
+local sweep = require "stiction.sweep"
+
+local default_study = "studies/extremes"
+local seconds_of_a_cell = { quick = 120, full = 900 }
+
+local function make_plan(options)
+  local study = study_module.load(options.study or default_study, false)
+  local cases, names = sweep.cases(study, options)
+  if options.case then
+    cases = { sweep.find(cases, options.case) }
+  end
+  return { study = study, cases = cases, names = names, folder = output.folder(study, options), options = options }
+end
+
+local function outcome_file(plan, case)
+  return output.case_folder(plan.folder, case) .. "/outcome.json"
+end
+
+--- Rows {case =, outcome = nil | what an earlier run with the same files left}.
+local function survey(plan)
+  local fingerprint, rows = output.fingerprinter(plan.study), {}
+  for i, case in ipairs(plan.cases) do
+    local text = engine.read_file(outcome_file(plan, case))
+    local kept = text and engine.decode_json(text)
+    local current = kept and kept.fingerprint == fingerprint(case) and not plan.options.force
+    rows[i] = { case = case, fingerprint = fingerprint(case), outcome = current and kept or nil }
+  end
+  return rows
+end
+
+local function run_cells(plan, rows)
+  local pending, row_of = {}, {}
+  for _, row in ipairs(rows) do
+    row_of[row.case.id] = row
+    pending[#pending + 1] = not row.outcome and row.case or nil
+  end
+  local options = plan.options
+  local limit = seconds_of_a_cell[options.quick and "quick" or "full"]
+  local settings = { study = options.study or default_study, folder = plan.folder, quick = options.quick,
+    jobs = math.floor(options.jobs or engine.cores()), limit = limit, tolerant = true }
+  return jobs.run(pending, settings, function(case, result)
+    local row = row_of[case.id]
+    row.outcome = outcome.of(result)
+    row.outcome.fingerprint = row.fingerprint
+    engine.make_folder(output.case_folder(plan.folder, case))
+    if row.outcome.letter ~= "H" and row.outcome.letter ~= "X" then
+      engine.write_file(outcome_file(plan, case), engine.encode_json(row.outcome, 2) .. "\n")
+    end
+  end)
+end
+
+--- The converged cells as checks see them; holes in any history become the outcome of their cell.
+local function converged(plan, rows)
+  local list = {}
+  for _, row in ipairs(rows) do
+    local letter = row.outcome.letter
+    local case = case_module.new(row.case.id, row.case.p, output.case_folder(plan.folder, row.case))
+    if (letter == "C" or letter == "S") and outcome.holes(case) > 0 then
+      row.outcome.letter, row.outcome.reason = "N", "a history holds numbers that are not finite"
+    elseif letter == "C" then
+      case.results = row.outcome.results
+      list[#list + 1] = case
+    end
+  end
+  return case_module.list(list, plan.options.quick)
+end
+
+--- Lets the checks speak: a failed one, or none at all, makes a converged cell a failure.
+local function judge(rows, checks)
+  local of_cell = {}
+  for _, entry in ipairs(checks) do
+    local id = entry.name:match("^([^:]+):")
+    local own = of_cell[id] or { count = 0, failed = {} }
+    own.count = own.count + 1
+    if not entry.pass then
+      own.failed[#own.failed + 1] = ("%s is %s, within %s"):format(entry.name:sub(#id + 3), tostring(entry.value),
+        tostring(entry.tolerance))
+    end
+    of_cell[id] = own
+  end
+  for _, row in ipairs(rows) do
+    outcome.judge(row, of_cell[row.case.id] or { count = 0, failed = {} })
+  end
+end
+
+local function tell(rows)
+  local counts, failures = outcome.count(rows)
+  report.line()
+  for _, row in ipairs(failures) do
+    report.line("%s: %s: %s", row.case.id, outcome.word(row.outcome.letter), row.outcome.reason or "")
+  end
+  report.line("%d cells: %s", #rows, counts)
+  return #failures == 0
+end
+
+local function list_cells(rows)
+  for _, row in ipairs(rows) do
+    report.line("%s  %s", row.case.id, row.outcome and outcome.word(row.outcome.letter) or "to run")
+  end
+  return 0
+end
+
+return function(options)
+  local plan = make_plan(options)
+  local rows = survey(plan)
+  if options.list then
+    return list_cells(rows)
+  end
+  output.prepare(plan.folder)
+  if run_cells(plan, rows) then
+    engine.complain("stiction: stopped; the cells that ended are kept, the same command goes on from here\n")
+    return 1
+  end
+  local checks = check.run(plan.study, converged(plan, rows))
+  output.write_checks(plan.folder, checks)
+  judge(rows, checks)
+  map.write(plan, rows)
+  local drawn = options.no_figures or map.draw(plan, rows)
+  local good = tell(rows)
+  report.line("output: %s", plan.folder)
+  return good and drawn and 0 or 1
+end

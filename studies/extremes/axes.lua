@@ -1,0 +1,142 @@
+-- What is driven to extremes: per axis its levels and the scenes they are tried on.
+-- A level is { name, changes of the scene's values, want = the only right outcome, slow = true: full form only }.
+local axes = {}
+
+local function axis(name, meaning, scenes, levels)
+  axes[#axes + 1] = { name = name, meaning = meaning, scenes = scenes, levels = levels }
+end
+
+--- Levels that set one value, named by it.
+local function of(key, values)
+  local levels = {}
+  for i, value in ipairs(values) do
+    levels[i] = { ("%g"):format(value), { [key] = value } }
+  end
+  return levels
+end
+
+local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd" }
+
+axis("base", "ordinary values", everything, { { "ordinary", {}, want = "converged" } })
+
+axis("C", "bond stiffness C [N/m^3]", { "law", "punch" }, of("C", { 0, 1e3, 1e6, 1e8, 1e11, 1e13, 1e16 }))
+axis("w", "decohesion energy w [J/m^2]", { "law", "punch" }, of("w", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
+axis("b", "bond viscosity b [N s/m]", { "law", "punch" }, of("b", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
+axis("beta", "bond intensity at the start", { "law", "punch" }, {
+  { "0", { beta0 = 0 } }, { "1", { beta0 = 1 } }, { "1_b0", { beta0 = 1, b = 0 } }, { "0_b0", { beta0 = 0, b = 0 } },
+  { "below_0", { beta0 = -1e-9 }, want = "refused" }, { "above_1", { beta0 = 1 + 1e-9 }, want = "refused" },
+})
+axis("mu", "friction coefficient", { "punch", "slide", "slide_mortar" }, of("mu", { 0, 1e-9, 1, 3, 10 }))
+axes[#axes].levels[6] = { "below_0", { mu = -0.1 }, want = "refused" }
+
+axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
+  { "-0.99", { nu = -0.99 } }, { "0", { nu = 0 } }, { "0.49", { nu = 0.49 } }, { "0.4999", { nu = 0.4999 } },
+  { "0.4999_mean", { nu = 0.4999, interpolation = "mean_dilatation" } }, { "0.499999", { nu = 0.499999 } },
+  { "0.5", { nu = 0.5 }, want = "refused" },
+})
+axis("contrast", "upper E over lower E", { "slide", "slide_mortar", "stack", "stack_mortar" },
+  of("contrast", { 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9 }))
+axis("density", "mass density [kg/m^3]", { "bar", "drop", "crowd" }, {
+  { "0", { rho = 0 }, want = "refused" }, { "1e-3", { rho = 1e-3 } }, { "1e5", { rho = 1e5 } },
+  { "1e8", { rho = 1e8 }, slow = true },
+})
+axis("dt", "steps", everything, {
+  { "one_step", { whole = true } }, { "1e-12", { pace = 1e-12 } }, { "1e6", { pace = 1e6 } },
+})
+axis("speed", "speed over the wave speed", { "bar" }, {
+  { "1e-9", { speed = 30e-9, gap = 1e-8 } }, { "0.01", { speed = 0.3, gap = 0.05 } }, { "0.5", { speed = 15 } },
+  { "1", { speed = 30 } }, { "1_rubber", { speed = 30, material = "neo_hookean" } },
+  { "3", { speed = 90 } }, { "3_rubber", { speed = 90, material = "neo_hookean" } },
+})
+axis("speed", "speed over the wave speed", { "drop", "crowd" }, {
+  { "0.01", { speed = 0.1 } }, { "1", { speed = 10, last = 4e-3, steps = 400 } },
+  { "3_rubber", { speed = 30, last = 4e-3, steps = 400, material = "neo_hookean" } },
+})
+axis("overlap", "overlap before the first step, or made by it, in heights", { "punch" }, {
+  { "start_1e-4", { sink = 5e-7 } }, { "start_0.01", { sink = 5e-5 } },
+  { "start_0.1", { sink = 5e-4 }, want = "refused" },
+  { "start_0.5", { sink = 2.5e-3 }, want = "refused" }, { "start_all", { sink = 5e-3 }, want = "refused" },
+  { "start_beyond", { sink = 8e-3 }, want = "refused" },
+  { "step_0.2", { press = 1e-3, steps = 1 } }, { "step_0.6", { press = 3e-3, steps = 1 } },
+  { "step_2", { press = 1e-2, steps = 1 } }, { "step_2_rubber", { press = 1e-2, steps = 1, material = "neo_hookean" } },
+})
+axis("overlap", "overlap before the first step, or made by it, in heights", { "slide", "slide_mortar" }, {
+  { "start_1e-4", { sink = 3e-7 } }, { "start_0.1", { sink = 3e-4 }, want = "refused" },
+  { "start_0.5", { sink = 1.5e-3 }, want = "refused" }, { "start_1.5", { sink = 4.5e-3 }, want = "refused" },
+  { "step_0.2", { press = 6e-4, steps = 1 } }, { "step_0.6", { press = 1.8e-3, steps = 1 } },
+  { "step_2", { press = 6e-3, steps = 1 } },
+})
+axis("shape", "cells and aspect", { "punch" }, {
+  { "one_cell", { cells = { 1, 1 } } }, { "flat_1e4", { size = 1, height = 1e-4, press = 2e-6, pull = 1e-3 } },
+  { "flat_100", { size = 0.1, height = 1e-3, press = 2e-5 } },
+  { "slender_1e4", { size = 1e-4, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
+})
+axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
+  { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } },
+  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
+  { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
+  { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
+})
+axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
+  { "one_cell", { cells = { 1, 1, 1 }, below = { 1, 1, 1 } } },
+  { "flat_1e4", { heights = { 1e-6, 1e-6 }, press = 2e-8 } },
+  { "slender_1e4", { heights = { 100, 100 }, press = 1 } },
+})
+axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" }, {
+  { "node_on_node", { at = 0.00125, upper = 0.005 } }, { "node_on_middle", { at = 0.001875, upper = 0.005 } },
+  { "flush_corners", { at = 0, upper = 0.01, slip = 0 } }, { "flush_one_side", { at = 0 } },
+  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true } },
+  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true } },
+  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true } },
+  { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } },
+  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
+})
+axis("place", "where nodes meet the other surface", { "stack", "stack_mortar" }, {
+  { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } },
+  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },
+  { "edge_on_edge", { shift = 0.01 } }, { "edge_beyond", { shift = 0.01 + 1e-9 } }, { "half_over", { shift = 0.005 } },
+})
+
+local units = {}
+for _, unit in ipairs { { "nm", { L = 1e-9 } }, { "um", { L = 1e-6 } }, { "km", { L = 1e3 } }, { "Mm", { L = 1e6 } },
+  { "ug", { M = 1e-9 } }, { "Gg", { M = 1e9 } }, { "ns", { T = 1e-9 } }, { "Gs", { T = 1e9 } },
+  { "nm_ns", { L = 1e-9, T = 1e-9, M = 1e-15 } } } do
+  units[#units + 1] = unit
+end
+axis("units", "the same problem in other units", everything, units)
+
+axis("steps", "tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
+axis("steps", "tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
+axis("apart", "pulled apart by so many lengths", { "law", "punch" }, {
+  { "1", { pull = 1e-2 } }, { "1e3", { pull = 10 } }, { "1e9", { pull = 1e7 } },
+  { "dry_1e9", { pull = 1e7, without = { "C" } } },
+})
+axis("support", "nothing holds the body", { "drop", "crowd" }, {
+  { "static", { static = true, without = { "eta" } }, want = "refused" }, { "no_floor", { gap = 1 } },
+  { "flight", { gap = 1, g = 0, speed = 0.1 } },
+})
+axis("pairs", "which whole boundaries may touch which", { "crowd" }, {
+  { "one_way", { pairing = "one_way" } }, { "both_ways", { pairing = "both_ways" } },
+  { "everything", { pairing = "everything" } }, { "everything_dry", { pairing = "everything", without = { "mu" } } },
+})
+axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
+  { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },
+  { "rubber_0.4999", { material = "neo_hookean", nu = 0.4999, interpolation = "mean_dilatation" } },
+})
+
+--- All levels by "scene-axis-level", and their list in order: {scene =, axis =, level =, entry =}.
+function axes.all()
+  local list, by_id = {}, {}
+  for _, one in ipairs(axes) do
+    for _, entry in ipairs(one.levels) do
+      for _, scene in ipairs(one.scenes) do
+        local cell = { id = ("%s-%s-%s"):format(scene, one.name, entry[1]), scene = scene, axis = one.name,
+          level = entry[1], changes = entry[2], want = entry.want, slow = entry.slow or false }
+        list[#list + 1], by_id[cell.id] = cell, cell
+      end
+    end
+  end
+  return list, by_id
+end
+
+return axes

@@ -1,0 +1,292 @@
+-- Small scenes that the extremes are tried on: each a table of ordinary SI values, and a function making the scene.
+local stiction = require "stiction"
+local units = stiction.units
+
+local scenes = {}
+
+--- Units of a cell: SI times its factors of length, mass and time, so that the same numbers mean a rescaled problem.
+local function unit_set(q)
+  local m, kg, s = units.m * q.L, units.kg * q.M, units.s * q.T
+  return { m = m, kg = kg, s = s, Pa = kg / m / s^2, N = kg * m / s^2, J_m2 = kg / s^2,
+    stiffness = kg / m^2 / s^2, drag = kg / s }
+end
+
+local function list(values, unit)
+  local scaled = {}
+  for i, value in ipairs(values) do
+    scaled[i] = value * unit
+  end
+  return scaled
+end
+
+local function adhesion_of(q, u)
+  if not q.C then
+    return nil
+  end
+  return stiction.adhesion.rcc { C_n = q.C * u.stiffness, C_t = q.C * u.stiffness, w = q.w * u.J_m2,
+    b = q.b * u.drag, beta0 = q.beta0 }
+end
+
+local function pair_of(q, u, secondary, primary)
+  return stiction.pair { secondary = secondary, primary = primary, adhesion = adhesion_of(q, u),
+    friction = q.mu and stiction.friction.coulomb { mu = q.mu } or nil, discretisation = q.discretisation,
+    reach = q.reach and q.reach * u.m or nil }
+end
+
+local function material_of(q, u, factor)
+  return stiction.material[q.material] { young = q.E * (factor or 1) * u.Pa, poisson = q.nu }
+end
+
+local function body_of(q, u, mesh, t)
+  return stiction.body { mesh = mesh, material = material_of(q, u, t and t.factor), density = q.rho * u.kg / u.m^3,
+    interpolation = q.interpolation, velocity = t and t.velocity,
+    damping = q.eta and stiction.damping.kelvin_voigt { shear_viscosity = q.eta * u.Pa * u.s,
+      bulk_viscosity = q.eta * u.Pa * u.s } or nil }
+end
+
+local function block(u, origin, size, cells)
+  return stiction.mesh.block { origin = list(origin, u.m), size = list(size, u.m), cells = cells }
+end
+
+local function node(u, set, at)
+  return stiction.probe.node { set = set, near = list(at, u.m) }
+end
+
+--- Stages that end at the given times; one single step over all of them where the cell asks for it.
+local function schedule_of(q, u, times)
+  local stages = {}
+  for _, time in ipairs(q.whole and { times[#times] } or times) do
+    stages[#stages + 1] = stiction.stage { to = time * q.pace * u.s, steps = q.whole and 1 or q.steps }
+  end
+  return stiction.schedule { stages = stages, halvings = q.halvings }
+end
+
+local function path(q, u, t)
+  local times = {}
+  for i, time in ipairs(t.times) do
+    times[i] = time * q.pace
+  end
+  return stiction.motion.drive { set = t.set, times = list(times, u.s), x = t.x and list(t.x, u.m),
+    y = t.y and list(t.y, u.m), z = t.z and list(t.z, u.m) }
+end
+
+local ordinary = { L = 1, M = 1, T = 1, E = 1e6, nu = 0.3, rho = 1000, material = "linear_elastic", pace = 1, beta0 = 0,
+  interpolation = "plain", discretisation = "node_to_segment", smoothing = "spline", halvings = 10 }
+
+local function floor()
+  return { floor = stiction.obstacle { shape = stiction.rigid.plane {} } }
+end
+
+local output = stiction.output { frames = 0 }
+
+--- One driven cell on a plane: bonds for 1 s, is drawn off by `pull`. The law alone.
+scenes.law = {
+  values = { size = 0.01, C = 1e9, w = 1, b = 2, pull = 2e-4, steps = 40, until_pull = 1.01 },
+  make = function(q, u)
+    return {
+      bodies = { block = body_of(q, u, block(u, { 0, 0 }, { q.size, q.size }, { 1, 1 })) },
+      obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
+      motions = { path(q, u, { set = "block.all", times = { 0, q.until_pull, 2 }, x = { 0, 0, 0 }, y = { 0, 0, q.pull } }) },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
+      probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, 0 }, u.m) },
+        contact = stiction.probe.contact { pair = "touch" }, drive = stiction.probe.force { set = "block.all" },
+        driven = node(u, "block.all", { 0, 0 }), energy = stiction.probe.energy {} },
+    }
+  end,
+}
+
+--- An adhesive block pressed onto a plane, held, drawn off.
+scenes.punch = {
+  values = { size = 0.01, height = 0.005, cells = { 6, 3 }, mu = 0.3, C = 1e9, w = 1, b = 0.5, press = 1e-4,
+    pull = 1e-3, steps = 20, sink = 0 },
+  make = function(q, u)
+    return {
+      bodies = { block = body_of(q, u, block(u, { -q.size / 2, -q.sink }, { q.size, q.height }, q.cells)) },
+      obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
+      motions = { path(q, u, { set = "block.top", times = { 0, 1, 2, 3 }, x = { 0, 0, 0, 0 },
+        y = { 0, -q.press, -q.press, q.pull } }) },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2, 3 }),
+      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+        drive = stiction.probe.force { set = "block.top" }, driven = node(u, "block.top", { 0, q.height }),
+        energy = stiction.probe.energy {},
+        sole = node(u, "block.bottom", { 0, 0 }) },
+    }
+  end,
+}
+
+--- Two blocks pressed together and slid: node to segment, and (slide_mortar) averaged.
+scenes.slide = {
+  values = { size = 0.01, upper = 0.006, height = 0.003, cells = { 4, 2 }, below = { 8, 3 }, at = 0.0013, mu = 0.3,
+    press = 6e-5, slip = 6e-4, steps = 12, contrast = 1, sink = 0 },
+  make = function(q, u)
+    return {
+      bodies = {
+        lower = body_of(q, u, block(u, { 0, -q.height }, { q.size, q.height }, q.below)),
+        upper = body_of(q, u, block(u, { q.at, -q.sink }, { q.upper, q.height }, q.cells), { factor = q.contrast }),
+      },
+      pairs = { touch = pair_of(q, u, "upper.bottom", "lower.top") },
+      motions = { stiction.motion.fix { set = "lower.bottom" }, path(q, u, { set = "upper.top", times = { 0, 1, 2 },
+        x = { 0, 0, q.slip }, y = { 0, -q.press, -q.press } }) },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
+      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+        drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.at, q.height }),
+        sole = node(u, "upper.bottom", { q.at + q.upper / 2, 0 }), bed = node(u, "lower.top", { q.at + q.upper / 2, 0 }),
+        energy = stiction.probe.energy {} },
+    }
+  end,
+}
+
+--- A bar that hits a wall endwise: pressure rho c v0 while a wave runs to its end and back.
+scenes.bar = {
+  values = { E = 900, rho = 1, nu = 0, size = 10, cells = 40, speed = 3, gap = 0.5, courant = 1 },
+  make = function(q, u)
+    local c, cell = math.sqrt(q.E / math.max(q.rho, 1e-9)), q.size / q.cells
+    local last = q.last or q.gap / q.speed + 3 * q.size / c
+    q.whole, q.steps = q.whole, q.count or math.ceil(last / (q.courant * cell / c))
+    return {
+      bodies = { bar = body_of(q, u, block(u, { 0, q.gap }, { cell, q.size }, { 1, q.cells }),
+        { velocity = list({ 0, -q.speed }, u.m / u.s) }) },
+      obstacles = floor(), pairs = { touch = pair_of(q, u, "bar.bottom", "floor") },
+      motions = { stiction.motion.fix { set = "bar.all", y = false } },
+      scheme = stiction.scheme.theta_xi {}, schedule = schedule_of(q, u, { last }),
+      probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, q.gap }, u.m) },
+        contact = stiction.probe.contact { pair = "touch" }, energy = stiction.probe.energy {},
+        sole = node(u, "bar.bottom", { 0, q.gap }) },
+    }
+  end,
+}
+
+--- Two boxes in a rigid channel, the upper driven down: uniaxial strain in space.
+scenes.stack = {
+  values = { size = 0.01, heights = { 0.01, 0.005 }, cells = { 2, 2, 2 }, below = { 2, 2, 2 }, press = 2e-4, steps = 4,
+    contrast = 1, shift = 0, solid = true },
+  make = function(q, u)
+    local lower, upper = q.heights[1], q.heights[2]
+    local function box(z, height, cells, x)
+      return stiction.mesh.box { origin = list({ x, 0, z }, u.m), size = list({ q.size, q.size, height }, u.m), cells = cells }
+    end
+    local motions = { stiction.motion.fix { set = "lower.bottom", x = false, y = false },
+      path(q, u, { set = "upper.top", times = { 0, 1 }, z = { 0, -q.press } }) }
+    for _, name in ipairs { "lower", "upper" } do
+      motions[#motions + 1] = stiction.motion.fix { set = name .. ".all", z = false }
+    end
+    return {
+      kinematics = "three_dimensional",
+      bodies = { lower = body_of(q, u, box(-lower, lower, q.below, 0)),
+        upper = body_of(q, u, box(0, upper, q.cells, q.shift), { factor = q.contrast }) },
+      pairs = { touch = pair_of(q, u, "upper.bottom", "lower.top") }, motions = motions,
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1 }),
+      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+        drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.shift, 0, upper }),
+        energy = stiction.probe.energy {} },
+    }
+  end,
+}
+
+--- A single cell without support falls onto a plane.
+scenes.drop = {
+  values = { size = 0.01, E = 1e5, gap = 1e-4, g = 9.81, speed = 0, last = 0.04, steps = 200, eta = 3 },
+  make = function(q, u)
+    local corners = {}
+    for i, at in ipairs { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } } do
+      corners["corner_" .. i] = node(u, "block.all", { at[1] * q.size, q.gap + at[2] * q.size })
+    end
+    corners.contact, corners.energy = stiction.probe.contact { pair = "touch" }, stiction.probe.energy {}
+    corners.line = stiction.probe.contact_line { pair = "touch" }
+    return {
+      gravity = list({ 0, -q.g }, u.m / u.s^2),
+      bodies = { block = body_of(q, u, block(u, { 0, q.gap }, { q.size, q.size }, { 1, 1 }),
+        { velocity = list({ 0, -q.speed }, u.m / u.s) }) },
+      obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
+      scheme = q.static and stiction.scheme.quasi_static {} or stiction.scheme.theta_xi {},
+      schedule = schedule_of(q, u, { q.last }), probes = corners,
+    }
+  end,
+}
+
+--- Whether block i is asked about block k, each a whole boundary.
+local asks = {
+  neighbours = function(i, k) return k == i + 1 end,
+  one_way = function(i, k) return k > i end,
+  both_ways = function(i, k) return k ~= i end,
+  everything = function() return true end,
+}
+
+local function crowd_pairs(q, u)
+  local pairs, probes = {}, { energy = stiction.probe.energy {} }
+  local function meet(name, secondary, primary)
+    pairs[name] = pair_of(q, u, secondary, primary)
+    probes[name] = stiction.probe.contact { pair = name }
+    probes["line_" .. name] = stiction.probe.contact_line { pair = name }
+  end
+  for i = 1, 3 do
+    meet(("floor_%d"):format(i), ("b%d.skin"):format(i), "floor")
+    for k = 1, 3 do
+      if asks[q.pairing](i, k) then
+        meet(("b%d_b%d"):format(i, k), ("b%d.skin"):format(i), ("b%d.skin"):format(k))
+      end
+    end
+  end
+  return pairs, probes
+end
+
+--- A square whose whole boundary is one set.
+local function square(u, x, y, size)
+  local function corner(a, b)
+    return list({ x + a * size, y + b * size }, u.m)
+  end
+  local edges = {}
+  for i, at in ipairs { { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 } } do
+    edges[i] = stiction.edge { to = corner(at[1], at[2]), name = "skin" }
+  end
+  return stiction.mesh.gmsh { size = 0.4 * size * u.m, start = corner(0, 0), edges = edges }
+end
+
+--- Three loose blocks fall onto each other; in the extreme everything may touch everything.
+scenes.crowd = {
+  values = { size = 0.01, E = 1e5, gap = 1e-4, g = 9.81, last = 0.03, steps = 100, eta = 3, mu = 0.3, speed = 0,
+    pairing = "neighbours" },
+  make = function(q, u)
+    local bodies = {}
+    local pairs, probes = crowd_pairs(q, u)
+    for i = 1, 3 do
+      local y = q.gap + (i - 1) * (q.size + q.gap)
+      bodies["b" .. i] = body_of(q, u, square(u, 0.31 * q.size * (i % 2), y, q.size),
+        { velocity = list({ 0, -q.speed }, u.m / u.s) })
+    end
+    return { gravity = list({ 0, -q.g }, u.m / u.s^2), bodies = bodies, obstacles = floor(), pairs = pairs,
+      scheme = q.static and stiction.scheme.quasi_static {} or stiction.scheme.theta_xi {},
+      schedule = schedule_of(q, u, { q.last }), probes = probes }
+  end,
+}
+
+local variants = { slide_mortar = "slide", stack_mortar = "stack" }
+
+--- Values of a scene with the changes of a cell: ordinary ones where it has none.
+function scenes.values_of(name, changes)
+  local q = {}
+  for _, layer in ipairs { ordinary, scenes[variants[name] or name].values, changes } do
+    for key, value in pairs(layer) do
+      q[key] = value
+    end
+  end
+  if variants[name] then
+    q.discretisation = "mortar"
+  end
+  for _, key in ipairs(q.without or {}) do
+    q[key] = nil
+  end
+  if q.tiny then
+    q.steps, q.count = q.tiny, q.tiny
+  end
+  return q
+end
+
+--- The scene of this name with these values.
+function scenes.make(name, q)
+  local t = scenes[variants[name] or name].make(q, unit_set(q))
+  t.output = output
+  return stiction.scene(t)
+end
+
+return scenes
