@@ -330,7 +330,7 @@ void ringing(Facts const& all, Warnings& warnings) {
     return;
   warnings.push_back(
       {"a scheme that damps nothing (theta = 1/2) with the inertia of contact nodes: the contact "
-       "pressure changes between extremes at every step",
+       "pressure swings at every step",
        "contact_inertia = \"implicit\" in the scheme, the default"});
 }
 

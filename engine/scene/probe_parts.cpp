@@ -17,7 +17,8 @@ core::Schema const& PointProbe::schema() {
 
 core::Schema const& ContactProbe::schema() {
   static auto const made =
-      Describe<ContactProbe>{"contact", "history of a whole pair: forces, points by status, extremes", ""}
+      Describe<ContactProbe>{"contact",
+                             "history of a whole pair: forces, points by status, largest and least", ""}
           .text("pair", &ContactProbe::pair, Need::required, "name of the pair")
           .build();
   return made;
