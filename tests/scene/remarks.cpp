@@ -83,11 +83,10 @@ TEST_CASE("a tilted rod that slides with more friction than 4/3 is remarked on; 
   CHECK(all(run(rod(1.2, -1), folder).remarks) == "");
 }
 
-TEST_CASE("a rod that jams has no answer, its step is cut, and the run says why") {
+TEST_CASE("a rod that jams instead of sliding is remarked on; with less friction than 4/3 it is not") {
   test::Folder const folder;
   auto const jams = run(rod(1.6, 1), folder);
   CAPTURE(all(jams.remarks));
-  CHECK(jams.cuts > 0);
   REQUIRE(jams.remarks.size() == 1);
   CHECK(jams.remarks[0].find("more than one answer, or none") != std::string::npos);
   auto const slides = run(rod(1.2, 1), folder);
