@@ -180,6 +180,18 @@ private:
 
 } // namespace
 
+bool leaps(Problem const& problem, Vector const& guess, Vector const& force) {
+  Vector const start = problem.start.size() > 0 ? problem.start : displacement(problem, guess);
+  Vector const moved = displacement(problem, force) - start;
+  for (Index i = 0; i < problem.size(); ++i) {
+    int const law = problem.points[ix(i)].law;
+    double const way = moved.segment(problem.dim * i, problem.dim).lpNorm<Eigen::Infinity>();
+    if (law >= 0 && !(way <= interface::scales(problem.adhesions[ix(law)]).opening))
+      return true;
+  }
+  return false;
+}
+
 bool frictionless(Problem const& problem) {
   return std::none_of(problem.points.begin(), problem.points.end(),
                       [](auto const& point) { return point.mu > 0 || point.friction >= 0; });

@@ -13,6 +13,10 @@ namespace stiction::contact {
 /// Does nothing rub?
 [[nodiscard]] bool frictionless(Problem const& problem);
 
+/// Do these forces carry a bonded point further from the problem's start than its law's opening, as an answer
+/// on another branch does?
+[[nodiscard]] bool leaps(Problem const& problem, Vector const& guess, Vector const& force);
+
 struct Descended {
   Vector force;         ///< [dim n], N
   long iterations = 0;  ///< Newton iterations in x

@@ -144,16 +144,15 @@ private:
     return judge(problem, force).relative() <= settings_.tolerance;
   }
 
-  /// Nothing where there is no potential. A descent that does not settle is no answer: from the middle of it
-  /// Newton would go to any branch.
+  /// Nothing where there is no potential. Where a descent does not settle, Newton from the guess may answer
+  /// if no bond is leaped over: else it went to another branch.
   [[nodiscard]] std::optional<Solution> downhill(Problem const& problem, Vector const& guess) const {
     auto const end = descend(problem, guess, 20L * settings_.iterations);
     if (!end)
       return std::nullopt;
-    Solution solution;
-    if (end->settled) {
-      solution = polish(problem, end->force);
-    } else {
+    Solution solution = polish(problem, end->settled ? end->force : guess);
+    if (!end->settled && solution.converged && leaps(problem, guess, solution.force)) {
+      solution.converged = false;
       solution.force = end->force;
       solution.verdict = judge(problem, end->force);
     }

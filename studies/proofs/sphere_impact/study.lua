@@ -50,7 +50,7 @@ local function scene(p)
     output = stiction.output { frames = 0 },
     probes = {
       contact = stiction.probe.contact { pair = "contact" }, ball = stiction.probe.rigid { obstacle = "ball" },
-      energy = stiction.probe.energy {},
+      energy = stiction.probe.energy { audit = true },
     },
   }
 end
@@ -118,6 +118,7 @@ return stiction.study {
   check = function(cases, check)
     for _, scheme in ipairs { "default", "plain" } do proofs(cases:where { scheme = scheme }, check) end
     for _, c in ipairs(cases) do
+      check.ledger(c)
       check.within(c.id .. ": the scheme makes no energy, over that at the start", c.results.scheme_loss, -1e-3, 0.15)
     end
     local plain = cases:where { scheme = "plain" }

@@ -53,7 +53,7 @@ function scenes.rigid_plate()
 end
 
 -- A stiff rod stands at an angle whose tangent is 2 on a plane: W_nn = 4/3 |W_nt|, so mu = 1.6 is past the single
--- answer. Up the plane it slides; down the plane it jams, there is no answer, and the step is not halved.
+-- answer. Up the plane it slides; down the plane it cannot slide and jams; the step is not halved.
 local function rod(slide)
   local normal = 0.1*m/s
   return stiction.scene {
