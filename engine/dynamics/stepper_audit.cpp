@@ -2,6 +2,7 @@
 #include "dynamics/stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stiction::dynamics {
 
@@ -55,8 +56,8 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
   return unmet;
 }
 
-/// Work of the internal forces along the straight way from u0 to u1, J: by Simpson's rule, or trapezia where
-/// they are linear in u.
+/// Work of the internal forces along the straight way from u0 to u1, J: by the Gauss-Lobatto rule of four
+/// points, whose error falls with the sixth power of the way, or trapezia where they are linear in u.
 double Stepper::path_work(State const& old) const {
   auto const elastic = [this](Vector const& all, Vector const& viscous) {
     return structure_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
@@ -64,9 +65,11 @@ double Stepper::path_work(State const& old) const {
   double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
   if (structure_.linear_bodies())
     return 0.5 * ends;
-  Vector middle;
-  static_cast<void>(structure_.internal_force(old.u + 0.5 * d_, middle));
-  return (ends + 4 * middle.dot(d_)) / 6;
+  double const inner = 0.5 - 0.5 / std::sqrt(5.0);
+  Vector first, second;
+  static_cast<void>(structure_.internal_force(old.u + inner * d_, first));
+  static_cast<void>(structure_.internal_force(old.u + (1 - inner) * d_, second));
+  return (ends + 5 * (first + second).dot(d_)) / 12;
 }
 
 /// Loss at the contact points, and what the nodal reactions do beside the work at the points.
@@ -82,6 +85,12 @@ void Stepper::audit_contact(State const& old, State& next) const {
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
       auto const& before = old.contacts[p][i];
       auto const& after = next.contacts[p][i];
+      if (before.foot.found() &&
+          !after.foot.found()) { // its gap is no longer one; what its bond held is let go
+        if (adhesion)
+          loss.contact += before.area * interface::bond_energy(*adhesion, before.bond, before.gap);
+        continue;
+      }
       Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
       Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
       Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;

@@ -103,6 +103,30 @@ TEST_SUITE("contact") {
     CHECK_FALSE(may_snap(dry));
   }
 
+  TEST_CASE("an answer leaps if it carries a bond further than its opening, and only then") {
+    auto problem = bonded(2, 3, 3, 0);
+    problem.start.setZero(6);
+    problem.free[4] = 0.9 * u0;
+    Vector const none = Vector::Zero(6);
+    CHECK_FALSE(leaps(problem, none, none));
+    problem.free[4] = 1.1 * u0;
+    CHECK(leaps(problem, none, none));
+    problem.start[4] = 0.2 * u0;
+    CHECK_FALSE(leaps(problem, none, none));
+    problem.free[5] = -1.1 * u0; // along the surface as well
+    CHECK(leaps(problem, none, none));
+    problem.points[2].law = -1;
+    CHECK_FALSE(leaps(problem, none, none));
+  }
+
+  TEST_CASE("without a start an answer leaps from where its guess lies") {
+    auto problem = bonded(1, 1, 3, 0);
+    problem.free[0] = 2 * u0;
+    Vector const guess = Vector::Constant(1, -2 * u0 / problem.W(0, 0));
+    CHECK(leaps(problem, guess, Vector::Zero(1)));
+    CHECK_FALSE(leaps(problem, 0.1 * guess, Vector::Zero(1)));
+  }
+
   TEST_CASE("a singular W has no potential in x") {
     auto problem = bonded(1, 3, 3, 0);
     problem.W.setOnes();

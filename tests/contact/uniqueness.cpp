@@ -121,7 +121,7 @@ TEST_SUITE("contact") {
         }
   }
 
-  TEST_CASE("without viscosity the fall of RCC is 3 C beta^2; a broken bond has none") {
+  TEST_CASE("without viscosity the fall of RCC is 3 C beta^2, a broken bond has none") {
     auto const law = rcc_sample(0);
     for (double const beta : {0.1, 0.5, 1.0})
       CHECK(steepest_fall(law, {{beta, {0, 0}}, 0.1, false}) == doctest::Approx(3 * law.C_n * beta * beta));

@@ -52,6 +52,9 @@ in_opening && !(FNR == 1 && /^#!/) {
   if (top == "postproc" && own && target != "core")
     breach("includes \"" name "\": figures come from files, not from the engine")
 }
+FILENAME ~ /\.cpp$/ && /TEST_CASE[A-Z_]*\(".*[;[\]].*"\)/ {
+  breach("names a test with one of ; [ ], at which the list of tests is split")
+}
 layer != "" {
   for (i = 1; i <= study_count; ++i)
     if (index($0, study[i]))

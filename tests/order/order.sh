@@ -2,7 +2,8 @@
 # Checks the sources below ROOT, its argument, against the rules of the architecture and prints every breach.
 # - a layer of engine/ includes itself and what stands before it in engine/CMakeLists.txt, by "layer/file.hpp"
 # - engine/ includes nothing of lua/ or postproc/ and names no study; postproc/ includes no layer but core
-# - a file opens with a comment that ends as a sentence, and has 500 lines at most.
+# - a file opens with a comment that ends as a sentence, and has 500 lines at most
+# - a test's name holds no mark at which the list of tests is split.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"

@@ -46,4 +46,6 @@ refuses 'figures come from files' postproc/b.cpp '// B.\n#include "solid/a.hpp"\
 refuses 'does not open with a comment' engine/core/b.cpp '#pragma once\n// Late.\n'
 refuses 'does not open with a comment' lua/b.lua '-- no sentence\n'
 refuses 'more than 500' tests/b.cpp "// B.\n$(printf '%0500d' 0 | sed 's/0/\\n/g')"
+refuses 'names a test with' tests/b.cpp '// B.\nTEST_CASE("one; two") {}\n'
+refuses 'names a test with' tests/b.cpp '// B.\n  TEST_CASE("the range [0 1]") {}\n'
 echo "every planted breach was found"

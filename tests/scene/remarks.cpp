@@ -56,7 +56,7 @@ std::string all(std::vector<std::string> const& texts) {
 
 } // namespace
 
-TEST_CASE("a bar of E / L = 2 C on softening bonds snaps, and the run says so; one of 4 C does not") {
+TEST_CASE("a bar of E / L = 2 C on softening bonds snaps and the run says so, one of 4 C does not") {
   test::Folder const folder;
   auto const snaps = run(pulled_bar(2), folder);
   CHECK(snaps.verdict == "finished");
@@ -73,7 +73,7 @@ TEST_CASE("a bar of E / L = 2 C on softening bonds snaps, and the run says so; o
   CHECK_FALSE(nlohmann::json::parse(std::ifstream(folder / "case/manifest.json")).contains("remarks"));
 }
 
-TEST_CASE("a tilted rod that slides with more friction than 4/3 is remarked on; with less it is not") {
+TEST_CASE("a tilted rod that slides with more friction than 4/3 is remarked on, with less it is not") {
   test::Folder const folder;
   auto const jams = run(rod(1.6, -1), folder);
   REQUIRE(jams.remarks.size() == 1);

@@ -65,7 +65,7 @@ local function scene(p)
       crown = stiction.probe.contact_point { pair = "contact", near = { 0*m, p.radius } },
       contact = stiction.probe.contact { pair = "contact" },
       top = stiction.probe.force { set = "plate.top" },
-      energy = stiction.probe.energy {},
+      energy = stiction.probe.energy { audit = true },
     },
   }
 end
@@ -174,6 +174,7 @@ return stiction.study {
     for _, case in ipairs(cases) do
       local p = case.p
       local bonded = math.min(1, (p.w / p.b * (p.depth / p.v)) / 1)
+      check.ledger(case)
       check.close(case.id .. ": beta at the end of the descent is w t / b", case.results.beta_onset, bonded, 1e-3)
     end
 
