@@ -96,11 +96,26 @@ function ladder.corner(knobs)
   return ladder.levels(knobs, changes)
 end
 
+--- Levels as one word.
+function ladder.key(levels)
+  return table.concat(levels, " ")
+end
+
+--- Runs by the word of their levels; a run is {levels =, values = {by quantity}, work =, ...}, values nil if it did not
+--- finish.
+function ladder.index(runs)
+  local by_levels = {}
+  for _, run in ipairs(runs) do
+    by_levels[ladder.key(run.levels)] = run
+  end
+  return by_levels
+end
+
 --- The runs of the first round: the default, each knob alone, the corner; lists of levels, without repeats.
 function ladder.first_round(knobs)
   local rounds, seen = {}, {}
   local function add(levels)
-    local key = table.concat(levels, " ")
+    local key = ladder.key(levels)
     if not seen[key] then
       rounds[#rounds + 1], seen[key] = levels, true
     end
