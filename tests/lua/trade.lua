@@ -47,7 +47,8 @@ test("an order beyond belief is no order", function()
 end)
 
 local mm = units.mm
-local knobs = ladder.knobs({ { "size", { 4*mm, 2*mm, 1*mm } }, { "steps", { 10, 20, 40 } }, { "scheme", { "a", "b" } } },
+local knobs = ladder.knobs(
+  { { "size", { 4*mm, 2*mm, 1*mm } }, { "steps", { 10, 20, 40 } }, { "scheme", { "a", "b" } } },
   { size = 2*mm, steps = 20, scheme = "a" })
 
 test("knobs know where they stand and where they are refined to", function()
@@ -136,7 +137,8 @@ test("the norm of a curve is that of its polygon, whatever its points", function
 end)
 
 test("curves are compared on the abscissas of the one with most points", function()
-  local coarse, fine = { values = {}, curves = { c = straight(2, 1, 0) } }, { values = {}, curves = { c = straight(7, 1, 0.5) } }
+  local coarse = { values = {}, curves = { c = straight(2, 1, 0) } }
+  local fine = { values = {}, curves = { c = straight(7, 1, 0.5) } }
   local entry = { name = "c" }
   quantity.align(entry, { coarse, fine, { verdict = "stopped" } })
   equal(#coarse.values.c, 8)
@@ -203,13 +205,13 @@ test("a watched quantity has an error of its own and no part in the verdict", fu
 end)
 
 local function listed(...)
-  return quantity.list({ results = { { name = "peak" }, { name = "other" } }, trade = { quantities = { ... } } }, { n = 7 })
+  local study = { results = { { name = "peak" }, { name = "other" } }, trade = { quantities = { ... } } }
+  return quantity.list(study, { n = 7 })
 end
 
 test("quantities are results or curves, with what is known of them", function()
-  local list = listed({ name = "peak", reference = 3*mm }, { name = "c", curve = function() end, reference = function(x, p)
-    return x * p.n
-  end })
+  local list = listed({ name = "peak", reference = 3*mm },
+    { name = "c", curve = function() end, reference = function(x, p) return x * p.n end })
   near(list[1].exact, 3e-3)
   near(list[2].exact(2), 14)
   equal(list[3].name, "other")

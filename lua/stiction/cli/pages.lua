@@ -106,7 +106,7 @@ is the finest run's, uncorrected; its error is the L2 norm of the difference ove
 scale * sqrt(length)), all curves brought to the abscissas of the one with most points and linear between them. Where a
 reference is given, it has no uncertainty. Error: the largest over the quantities. Bound: error and uncertainty of the
 reference. Work: counted floating-point operations, the same on every machine. Settings that no other beat in both error
-and work are the front.
+and work, by a hundredth of the error at least, are the front.
 The full form is kept beside the study (trade.json) for 'stiction run STUDY --accuracy 2%', which takes the cheapest
 measured settings whose bound is within 2 % and adds to summary.csv what each result may be off by (NAME_error, in the
 result's unit; of a curve relative to its norm).]]

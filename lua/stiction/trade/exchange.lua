@@ -4,6 +4,8 @@ local quantity_module = require "stiction.trade.quantity"
 
 local exchange = {}
 
+local gain = 0.01 -- of its error that a run on the front must save over the cheaper ones
+
 --- Adds errors = {by quantity, relative to the scale}, error (the largest) and bound (with the reference's uncertainty)
 --- to finished runs. A quantity that is only watched counts for neither.
 function exchange.judge(runs, references, quantities)
@@ -23,7 +25,7 @@ function exchange.judge(runs, references, quantities)
   end
 end
 
---- The runs that no other beats in both work and error, by rising work.
+--- The runs that no other beats in both work and error, by rising work; less than `gain` of an error is no difference.
 function exchange.front(runs)
   local finished = {}
   for _, run in ipairs(runs) do
@@ -41,7 +43,7 @@ function exchange.front(runs)
   end)
   local front, best = {}, math.huge
   for _, run in ipairs(finished) do
-    if run.error < best then
+    if run.error < (1 - gain) * best then
       front[#front + 1], best = run, run.error
     end
   end

@@ -42,9 +42,9 @@ return proof:variant {
   },
   sweep = {}, quick = {},
   trade = {
-    quantities = { "peak", "half_width", "sinking", { name = "profile", curve = pressure, reference = exact } },
+    quantities = { "peak", "sinking", { name = "profile", curve = pressure, reference = exact } },
     knobs = {
-      { "cell", { 2*mm, 1*mm, 0.5*mm, 0.25*mm } },
+      { "cell", { 2*mm, 1*mm, 0.5*mm, 0.25*mm, 0.125*mm } },
       { "kind", { "quad4", "quad8" } },
       { "discretisation", { "node_to_segment", "mortar" } },
     },

@@ -36,7 +36,7 @@ return paper:variant {
       { "scheme", { "default", "backward_euler", "half_one", "massless", "quasi_static" } },
       { "discretisation", { "node_to_segment", "mortar" } },
       { "solver", { "newton", "gauss_seidel" } },
-      { "tolerance", { 1e-2, 1e-4, 1e-10 } },
+      { "tolerance", { 1e-8, 1e-10, 1e-12 } },
     },
     quick = {
       set = { mesh_size = 0.5*mm, descent_steps = 50, sliding_step = 20*um },
