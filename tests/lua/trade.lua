@@ -235,6 +235,22 @@ test("a curve is two lists of numbers with rising abscissas", function()
   fails("point 2 of curve 'c' is no number", function() curve({ 0, 1 }, { 1, 0 / 0 }) end)
 end)
 
+test("neighbours of the front are new, one number a level coarser", function()
+  local runs = world(ladder.first_round(knobs))
+  local all = { { name = "q", exact = 10 } }
+  exchange.judge(runs, reference.all(knobs, runs, all), all)
+  local seen, near_front = {}, exchange.neighbours(knobs, runs, 10)
+  for _, run in ipairs(runs) do
+    seen[ladder.key(run.levels)] = true
+  end
+  for _, chosen in ipairs(near_front) do
+    equal(seen[ladder.key(chosen)], nil)
+    equal(chosen[3], 1)
+  end
+  equal(ladder.key(near_front[1]), "1 1 1")
+  equal(#exchange.neighbours(knobs, runs, 1), 1)
+end)
+
 test("--accuracy takes the cheapest bound that holds", function()
   near(accuracy.share("2%"), 0.02)
   near(accuracy.share("0.02"), 0.02)

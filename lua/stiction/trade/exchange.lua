@@ -105,6 +105,15 @@ local function each_combination(knobs, use)
   descend(1)
 end
 
+--- At most `count` of a list, from its first to its last.
+local function spread(list, count)
+  local chosen, n = {}, math.min(count, #list)
+  for i = 1, n do
+    chosen[i] = list[n == 1 and 1 or 1 + math.floor((i - 1) * (#list - 1) / (n - 1) + 0.5)]
+  end
+  return chosen
+end
+
 --- At most `count` combinations not yet run that the single knobs promise to lie on the front, spread over its work;
 --- none dearer than the finest run.
 function exchange.promising(knobs, runs, references, quantities, count)
@@ -123,11 +132,24 @@ function exchange.promising(knobs, runs, references, quantities, count)
       fresh[#fresh + 1] = run.levels
     end
   end
-  local chosen, n = {}, math.min(count, #fresh)
-  for i = 1, n do
-    chosen[i] = fresh[n == 1 and 1 or 1 + math.floor((i - 1) * (#fresh - 1) / (n - 1) + 0.5)]
+  return spread(fresh, count)
+end
+
+--- At most `count` combinations not yet run, each a run of the front with one number a level coarser: where choices and
+--- numbers work on each other, the front goes on from them to less work.
+function exchange.neighbours(knobs, runs, count)
+  local known, fresh = ladder.index(runs), {}
+  for _, run in ipairs(exchange.front(runs)) do
+    for i, knob in ipairs(knobs) do
+      local levels = table.move(run.levels, 1, #knobs, 1, {})
+      levels[i] = levels[i] - 1
+      local key = ladder.key(levels)
+      if knob.numeric and levels[i] >= 1 and not known[key] then
+        fresh[#fresh + 1], known[key] = levels, true
+      end
+    end
   end
-  return chosen
+  return spread(fresh, count)
 end
 
 return exchange

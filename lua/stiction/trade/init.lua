@@ -127,8 +127,19 @@ local function judge(trade)
   end
 end
 
-local function second_round(trade, count)
-  local wanted = exchange.promising(trade.knobs, trade.runs, trade.references, trade.quantities, count)
+local function promising(trade, count)
+  return exchange.promising(trade.knobs, trade.runs, trade.references, trade.quantities, count)
+end
+
+local function neighbours(trade, count)
+  return exchange.neighbours(trade.knobs, trade.runs, count)
+end
+
+--- Judges the runs so far and runs the combinations that choose(trade, count) wants and that are valid scenes; what
+--- ended it early, if anything did.
+local function combine(trade, choose)
+  judge(trade)
+  local wanted = choose(trade, trade.study.trade.combinations or combinations)
   local valid = {}
   for i, case in ipairs(cases_at(trade.all, wanted)) do
     if is_valid(trade.study, case) then
@@ -191,10 +202,7 @@ return function(options)
   local trade = open_trade(options)
   output.prepare(trade.folder)
   local ended = run_round(trade, ladder.first_round(trade.knobs))
-  if not ended then
-    judge(trade)
-    ended = second_round(trade, trade.study.trade.combinations or combinations)
-  end
+  ended = ended or combine(trade, promising) or combine(trade, neighbours)
   if ended then
     return ended == "bad input" and 2 or 1
   end
