@@ -20,12 +20,12 @@ local function scene(p)
     bodies = {
       cylinder = stiction.body {
         mesh = stiction.mesh.quarter_disc { centre = { 0*mm, p.radius * p.scale }, radius = p.radius * p.scale,
-          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 6*mm * p.scale, kind = p.kind },
+          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 0.75 * p.coarse * p.scale, kind = p.kind },
         material = stiction.material.linear_elastic { young = p.young_1 * p.scale, poisson = p.poisson }, density = p.density,
       },
       block = stiction.body {
         mesh = stiction.mesh.graded_block { origin = { 0*mm, -p.height }, size = { p.width, p.height },
-          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 8*mm, kind = p.kind },
+          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = p.coarse, kind = p.kind },
         material = stiction.material.linear_elastic { young = p.young_2 * p.scale, poisson = p.poisson }, density = p.density,
       },
     },
@@ -73,6 +73,7 @@ return stiction.study {
   chosen = {
     width = { 100*mm, "half of the benchmark's block" }, height = { 200*mm, "the benchmark's block" },
     scale = { 10, "on radius and moduli: the same a, p0 and E u by linear elasticity, a tenth of the strains" },
+    coarse = { 8*mm, "largest cells of the block; the cylinder's are 0.75 scale times as large" },
     depth = { 2.6*mm, "takes the force beyond the benchmark's" }, steps = { 13, "smooth enough to interpolate" },
   },
   sweep = { { kind = "quad4", cell = 1*mm }, { kind = "quad4", cell = 0.5*mm }, { kind = "quad4", cell = 0.25*mm },

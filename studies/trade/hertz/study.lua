@@ -45,11 +45,12 @@ return proof:variant {
     quantities = { "peak", "sinking", { name = "profile", curve = pressure, reference = exact } },
     knobs = {
       { "cell", { 2*mm, 1*mm, 0.5*mm, 0.25*mm, 0.125*mm } },
+      { "coarse", { 16*mm, 8*mm, 4*mm, 2*mm } },
       { "kind", { "quad4", "quad8" } },
       { "discretisation", { "node_to_segment", "mortar" } },
     },
     quick = { set = { cell = 1*mm }, knobs = {
-      { "cell", { 2*mm, 1*mm, 0.5*mm } }, { "kind", { "quad4", "quad8" } },
+      { "cell", { 2*mm, 1*mm, 0.5*mm } }, { "coarse", { 16*mm, 8*mm, 4*mm } }, { "kind", { "quad4", "quad8" } },
       { "discretisation", { "node_to_segment", "mortar" } },
     } },
   },
