@@ -90,7 +90,8 @@ trade = {                                             -- a key of a study
       reference = function(x, p) return y end },      -- and, if it is known, what it should be
   },
   knobs = {                                           -- parameters of the study, by name; the value in force is a level
-    { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm } },       -- numbers rise or fall towards the finest
+    { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm }, label = "h" },  -- numbers rise or fall towards the finest; label: its
+                                                      -- short name in figures
     { "scheme", { "default", "massless" } },          -- words and flags are choices
   },
   set = { mu = 0.4 },                                 -- one value for everything swept
@@ -112,6 +113,6 @@ at least, are the front.
 
 The full form is kept beside the study (trade.json) for 'stiction run STUDY --accuracy 2%', which takes the cheapest
 measured settings whose bound is within 2 % and adds to summary.csv what each result may be off by (NAME_error, in the
-result's unit; of a curve relative to its norm).]]
+result's unit; of a curve relative to its norm). They hold for the scene that was measured, that of study.trade.set.]]
 
 return pages

@@ -44,13 +44,14 @@ local function check_numbers(knob)
   end
 end
 
---- {name =, levels =, numeric =, falls =, default = (level)} of one entry of study.trade.knobs.
+--- {name =, label =, levels =, numeric =, falls =, default = (level)} of one entry of study.trade.knobs.
 local function read_knob(entry, base)
   local name, levels = entry.name or entry[1], entry.levels or entry[2]
   if type(name) ~= "string" or type(levels) ~= "table" or #levels < 2 then
     fault.input("study.trade.knobs: each is { \"name\", { at least two levels, the finest last } }")
   end
-  local knob = { name = name, levels = levels, numeric = type(units.si(levels[1])) == "number" }
+  local label = tostring(entry.label or name)
+  local knob = { name = name, label = label, levels = levels, numeric = type(units.si(levels[1])) == "number" }
   if knob.numeric then
     knob.falls = units.si(levels[2]) < units.si(levels[1])
     check_numbers(knob)

@@ -10,6 +10,8 @@ local units = require "stiction.units"
 local pictures = {}
 
 local hues = { 2, 3, 4, 5, 1 } -- of what is named; 6 is black, 0 the front's line
+local most_letters = 34 -- of a name beside a figure of single width
+local no_effect = 1e-6 -- of the scale: a knob that changes less has no order
 local operations = { label = "work, operations", unit = "1", log = true }
 
 --- Largest uncertainty of a reference that is judged, relative; 0 where all are known exactly.
@@ -22,10 +24,13 @@ local function band_of(trade)
   return band
 end
 
---- Errors below a tenth of the uncertainty say nothing and are drawn there; a logarithm has no 0.
-local function floor_of(trade)
-  local band = band_of(trade)
+--- Errors below a tenth of the relative uncertainty say nothing and are drawn there; a logarithm has no 0.
+local function floor_under(band)
   return band > 0 and 0.1 * band or 1e-6
+end
+
+local function floor_of(trade)
+  return floor_under(band_of(trade))
 end
 
 --- The uncertainty of the reference over x, nothing where there is none.
@@ -43,13 +48,13 @@ local function points(label, runs, look, floor)
   }
 end
 
---- What a run changes of the default settings, in words.
+--- What a run changes of the default settings, in a few words.
 local function name_of(trade, run)
   local words = {}
   for i, knob in ipairs(trade.knobs) do
     if run.levels[i] ~= knob.default then
       local value = report.value(knob.levels[run.levels[i]])
-      words[#words + 1] = knob.numeric and knob.name .. " " .. value or value
+      words[#words + 1] = knob.numeric and knob.label .. " " .. value or value
     end
   end
   return #words > 0 and table.concat(words, ", ") or "default"
@@ -75,14 +80,15 @@ local function exchange_figure(trade)
   local front, all = kept(trade.runs, function(run) return run.front end), kept(trade.runs, function() return true end)
   table.sort(front, by_work)
   table.sort(all, by_work)
-  local floor, marks = floor_of(trade), {}
+  local floor, marks, longest = floor_of(trade), {}, 0
   local curves = { points("all settings", all, { colour = 6 }, floor) }
   curves[#curves + 1] = band_curve(trade, { all[1].work, all[#all].work })
   curves[#curves + 1] = points("front of work and error:", front, { colour = 0, style = "solid" }, floor)
   for i, run in ipairs(front) do
     local letter = string.char(96 + i)
-    local look = { colour = hues[(i - 1) % #hues + 1] }
-    curves[#curves + 1] = points(letter .. "  " .. name_of(trade, run), { run }, look, floor)
+    local name, look = name_of(trade, run), { colour = hues[(i - 1) % #hues + 1] }
+    longest = math.max(longest, #name)
+    curves[#curves + 1] = points(letter .. "  " .. name, { run }, look, floor)
     marks[i] = { x = run.work, label = run.default and letter .. ", default" or letter }
   end
   local default = kept(all, function(run) return run.default and not run.front end)[1]
@@ -92,6 +98,7 @@ local function exchange_figure(trade)
   end
   return figure.lines {
     name = "error_and_work", title = "what accuracy costs", legend = "below", marks = marks,
+    width = longest > most_letters and "double" or nil,
     x = operations, y = { label = "largest relative error", unit = "1", log = true }, curves = curves,
   }
 end
@@ -110,16 +117,26 @@ local function resolution_axis(knob)
   return { label = label, unit = knob.falls and unit_of(knob) or "1", log = true }
 end
 
+--- "order 1.9", or why there is none.
+local function order_text(line, quantity, its)
+  local a, b = line[#line - 1], line[#line]
+  if a and math.abs(b.value - a.value) <= no_effect * its.scale then
+    return "no effect"
+  end
+  local order = reference.order(line, quantity)
+  return order and ("order %.1f"):format(order) or "no order"
+end
+
 --- Along one number: error of each judged quantity against its resolution, with the observed order in the legend.
 local function knob_figure(trade, knob)
-  local curves, floor, extent = {}, floor_of(trade), nil
+  local curves, extent = {}, nil
   for _, quantity in ipairs(trade.quantities) do
     if not quantity.watched then
       local line = reference.line(trade.knobs, trade.runs, knob, quantity)
-      local order = reference.order(line, quantity)
+      local its = trade.references[quantity.name]
+      local floor = floor_under(its.uncertainty / its.scale)
       curves[#curves + 1] = {
-        label = quantity.name .. (order and (", order %.1f"):format(order) or ", no order"),
-        colour = #curves, style = "solid",
+        label = quantity.name .. ", " .. order_text(line, quantity, its), colour = #curves, style = "solid",
         x = numeric.map(line, function(level) return level.h end),
         y = numeric.map(line, function(level) return math.max(level.run.errors[quantity.name], floor) end),
       }
@@ -131,6 +148,11 @@ local function knob_figure(trade, knob)
     name = "error_" .. knob.name, title = "error along " .. knob.name, legend = "below", x = resolution_axis(knob),
     y = { label = "relative error", unit = "1", log = true }, curves = curves,
   }
+end
+
+--- A range that holds a tick, however near to each other the values are.
+local function roomy(values)
+  return { numeric.min(values) / 3, numeric.max(values) * 3 }
 end
 
 --- All values of one choice, the others by default: error against work, the five least errors named.
@@ -152,10 +174,16 @@ local function choice_figure(trade, knob)
     end
   end
   curves[#curves + 1] = #others > 0 and points("others", others, { colour = 6 }, floor) or nil
-  return #runs > 0 and figure.lines {
-    name = "choice_" .. knob.name, title = "choice of " .. knob.name, legend = "below",
-    x = operations, y = { label = "largest relative error", unit = "1", log = true }, curves = curves,
-  } or nil
+  if #runs == 0 then
+    return nil
+  end
+  local work = numeric.map(runs, function(entry) return entry.run.work end)
+  local errors = numeric.map(runs, function(entry) return math.max(entry.run.error, floor) end)
+  return figure.lines {
+    name = "choice_" .. knob.name, title = "choice of " .. knob.name, legend = "below", curves = curves,
+    x = { label = operations.label, unit = "1", log = true, range = roomy(work) },
+    y = { label = "largest relative error", unit = "1", log = true, range = roomy(errors) },
+  }
 end
 
 local function work_figure(trade)

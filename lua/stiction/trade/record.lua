@@ -27,7 +27,7 @@ end
 --- "0.00025 m" of a level, as --set reads it.
 local function setting(value)
   if units.is_quantity(value) then
-    return ("%s %s"):format(engine.number_text(value.si),
+    return ("%.12g %s"):format(value.si,
       engine.dimension_text(value.metre, value.kilogram, value.second))
   end
   return type(value) == "number" and engine.number_text(value) or tostring(value)

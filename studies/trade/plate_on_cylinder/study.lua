@@ -30,13 +30,13 @@ return paper:variant {
   trade = {
     quantities = { "beta_peak", "adhesion_t_peak", "force_x_max", { name = "crown", series = "crown/adhesion_t" } },
     knobs = {
-      { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm, 0.125*mm } },
-      { "descent_steps", { 25, 50, 100, 200 } },
-      { "sliding_step", { 40*um, 20*um, 10*um, 5*um } },
+      { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm, 0.125*mm }, label = "h" },
+      { "descent_steps", { 25, 50, 100, 200 }, label = "down" },
+      { "sliding_step", { 40*um, 20*um, 10*um, 5*um, 2.5*um }, label = "slide" },
       { "scheme", { "default", "backward_euler", "half_one", "massless", "quasi_static" } },
       { "discretisation", { "node_to_segment", "mortar" } },
       { "solver", { "newton", "gauss_seidel" } },
-      { "tolerance", { 1e-8, 1e-10, 1e-12 } },
+      { "tolerance", { 1e-8, 1e-10, 1e-12 }, label = "tol" },
     },
     quick = {
       set = { mesh_size = 0.5*mm, descent_steps = 50, sliding_step = 20*um },

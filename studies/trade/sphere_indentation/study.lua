@@ -27,8 +27,8 @@ return paper:variant {
   trade = {
     quantities = { "pull_off", "traction_A", "force_depth", { name = "force", curve = force } },
     knobs = {
-      { "mesh_size", { 1*mm, 0.5*mm, 0.2*mm, 0.1*mm } },
-      { "steps_down", { 40, 75, 150, 300 } },
+      { "mesh_size", { 1*mm, 0.5*mm, 0.2*mm, 0.1*mm }, label = "h" },
+      { "steps_down", { 40, 75, 150, 300, 600 }, label = "steps" },
       { "model", { "rigid", "deformable", "space", "plain", "inertia" } },
     },
     quick = {
