@@ -26,14 +26,15 @@ function reference.line(knobs, runs, knob, quantity)
 end
 
 --- Observed order along a line: of the last two errors where the answer is known, of the last three values else; nil
---- where there is none.
+--- where they do not fall.
 function reference.order(line, quantity)
   if not quantity.exact then
     return extrapolation.order(line)
   end
   local a, b = line[#line - 1], line[#line]
-  if a and a.run.errors[quantity.name] > 0 and b.run.errors[quantity.name] > 0 then
-    return math.log(a.run.errors[quantity.name] / b.run.errors[quantity.name]) / math.log(a.h / b.h)
+  local before, last = a and a.run.errors[quantity.name], b and b.run.errors[quantity.name]
+  if before and before > last and last > 0 then
+    return math.log(before / last) / math.log(a.h / b.h)
   end
 end
 
