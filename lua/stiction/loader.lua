@@ -125,7 +125,7 @@ function loader.contents(source)
     end
   end
   for _, file in ipairs(source.whole and engine.list(source.folder, true) or {}) do
-    if not file:find("%.md$") and not file:find("/trade%.json$") then
+    if not file:find("%.md$") and not file:find("%.png$") and not file:find("/trade%.json$") then
       add(file)
     end
   end

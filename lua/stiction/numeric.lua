@@ -131,6 +131,11 @@ function numeric.amplitude(values)
   return (numeric.max(values) - numeric.min(values)) / 2
 end
 
+--- True of a number that is neither infinite nor undefined.
+function numeric.is_finite(x)
+  return type(x) == "number" and x == x and math.abs(x) < math.huge
+end
+
 --- f(a[i]) for every element, as a new list.
 function numeric.map(values, f)
   local list = {}

@@ -4,6 +4,8 @@ local accuracy = require "stiction.trade.accuracy"
 local exchange = require "stiction.trade.exchange"
 local extrapolation = require "stiction.trade.extrapolation"
 local ladder = require "stiction.trade.ladder"
+local quantity = require "stiction.trade.quantity"
+local reference = require "stiction.trade.reference"
 local units = require("stiction").units
 
 local function near(got, wanted, tolerance)
@@ -45,7 +47,8 @@ test("an order beyond belief is no order", function()
 end)
 
 local mm = units.mm
-local knobs = ladder.knobs({ { "size", { 4*mm, 2*mm, 1*mm } }, { "steps", { 10, 20, 40 } }, { "scheme", { "a", "b" } } },
+local knobs = ladder.knobs(
+  { { "size", { 4*mm, 2*mm, 1*mm } }, { "steps", { 10, 20, 40 } }, { "scheme", { "a", "b" } } },
   { size = 2*mm, steps = 20, scheme = "a" })
 
 test("knobs know where they stand and where they are refined to", function()
@@ -79,7 +82,7 @@ local quantities = { { name = "q" } }
 
 test("the reference is the limit in all numbers at once", function()
   local runs = world(ladder.first_round(knobs))
-  local references = exchange.references(knobs, runs, quantities)
+  local references = reference.all(knobs, runs, quantities)
   near(references.q.value, 10, 1e-6)
   assert(references.q.uncertainty < 0.1 and references.q.uncertainty > 0.02, references.q.uncertainty)
   exchange.judge(runs, references, quantities)
@@ -90,14 +93,14 @@ end)
 test("without its finest run there is no reference", function()
   local runs = world(ladder.first_round(knobs))
   runs[#runs].values = nil
-  local references, reason = exchange.references(knobs, runs, quantities)
+  local references, reason = reference.all(knobs, runs, quantities)
   equal(references, nil)
   assert(reason:find("did not finish"), reason)
 end)
 
 test("the front holds what nothing beats; promising combinations are new and no dearer than the finest", function()
   local runs = world(ladder.first_round(knobs))
-  local references = exchange.references(knobs, runs, quantities)
+  local references = reference.all(knobs, runs, quantities)
   exchange.judge(runs, references, quantities)
   local front = exchange.front(runs)
   for i = 2, #front do
@@ -113,6 +116,139 @@ test("the front holds what nothing beats; promising combinations are new and no 
     equal(seen[table.concat(chosen, " ")], nil)
     equal(chosen[3], 1) -- scheme b is always a unit off
   end
+end)
+
+--- A straight curve a + b x on [0, 2] with n + 1 points.
+local function straight(n, a, b)
+  local curve = { x = {}, y = {} }
+  for i = 0, n do
+    curve.x[i + 1], curve.y[i + 1] = 2 * i / n, a + b * 2 * i / n
+  end
+  return curve
+end
+
+test("the norm of a curve is that of its polygon, whatever its points", function()
+  for _, n in ipairs { 1, 3, 8 } do
+    local entry, run = { name = "c" }, { values = {}, curves = { c = straight(n, 1, -1) } }
+    quantity.align(entry, { run })
+    near(quantity.size(entry, run.values.c), math.sqrt(2 / 3)) -- integral of (1 - x)^2 over 0 .. 2
+  end
+  near(quantity.size({}, -3), 3)
+end)
+
+test("curves are compared on the abscissas of the one with most points", function()
+  local coarse = { values = {}, curves = { c = straight(2, 1, 0) } }
+  local fine = { values = {}, curves = { c = straight(7, 1, 0.5) } }
+  local entry = { name = "c" }
+  quantity.align(entry, { coarse, fine, { verdict = "stopped" } })
+  equal(#coarse.values.c, 8)
+  near(quantity.distance(entry, coarse.values.c, fine.values.c), math.sqrt(2 / 3)) -- integral of x^2 / 4 over 0 .. 2
+end)
+
+--- Runs of the model world whose curve is 3 + size^2 * 1e5 + 1 / steps everywhere on [0, 2].
+local function curved_world()
+  local runs = world(ladder.first_round(knobs))
+  for _, run in ipairs(runs) do
+    local size, steps = knobs[1].levels[run.levels[1]].si, knobs[2].levels[run.levels[2]]
+    run.curves = { c = straight(steps, 3 + 1e5 * size ^ 2 + 1 / steps, 0) }
+  end
+  return runs
+end
+
+test("a curve's error is the relative L2 norm of its difference from the finest run's", function()
+  local runs, curve = curved_world(), { name = "c", curve = true }
+  quantity.align(curve, runs)
+  local references = reference.all(knobs, runs, { curve })
+  exchange.judge(runs, references, { curve })
+  local finest = 3 + 0.1 + 1 / 40
+  near(runs[1].error, (3 + 0.4 + 1 / 20 - finest) / finest)
+  near(references.c.scale, finest * math.sqrt(2))
+  -- what is left of order 2 and 1: 0.1 of the size, 1/40 of the steps, each with half of it more
+  near(references.c.uncertainty, 1.5 * math.sqrt(0.1 ^ 2 + 0.025 ^ 2) * math.sqrt(2), 1e-6)
+  near(reference.order(reference.line(knobs, runs, knobs[1], curve), curve), 2, 1e-6)
+end)
+
+test("what is known exactly has no uncertainty and needs no finest run", function()
+  local runs = curved_world()
+  runs[#runs].values, runs[#runs].curves = nil, nil
+  local curve = { name = "c", curve = true, exact = function(x) return 3 + 0 * x end }
+  local number = { name = "q", exact = 10 }
+  quantity.align(curve, runs)
+  local references = reference.all(knobs, runs, { curve, number })
+  exchange.judge(runs, references, { curve, number })
+  equal(references.c.uncertainty, 0)
+  equal(references.q.uncertainty, 0)
+  near(runs[1].errors.c, 0.45 / 3)
+  near(runs[1].errors.q, 0.05)
+  near(runs[1].bound, 0.15)
+  local line = reference.line(knobs, runs, knobs[1], number)
+  near(reference.order(line, number), math.log(0.5 / 0.2) / math.log(2)) -- errors 0.4 + 0.1 and 0.1 + 0.1
+end)
+
+test("curves of a guess add up point by point", function()
+  local runs, curve = curved_world(), { name = "c", curve = true, exact = function() return 3 end }
+  quantity.align(curve, runs)
+  local references = reference.all(knobs, runs, { curve })
+  exchange.judge(runs, references, { curve })
+  equal(#exchange.promising(knobs, runs, references, { curve }, 3) > 0, true)
+end)
+
+test("a watched quantity has an error of its own and no part in the verdict", function()
+  local runs = curved_world()
+  local all = { { name = "q", exact = 10 }, { name = "w", watched = true, scale = 1 } }
+  for _, run in ipairs(runs) do
+    run.values.w = 100 * run.values.q
+  end
+  exchange.judge(runs, reference.all(knobs, runs, all), all)
+  near(runs[1].error, 0.05)
+  near(runs[1].errors.w, 50, 1e-6)
+end)
+
+local function listed(...)
+  local study = { results = { { name = "peak" }, { name = "other" } }, trade = { quantities = { ... } } }
+  return quantity.list(study, { n = 7 })
+end
+
+test("quantities are results or curves, with what is known of them", function()
+  local list = listed({ name = "peak", reference = 3*mm },
+    { name = "c", curve = function() end, reference = function(x, p) return x * p.n end })
+  near(list[1].exact, 3e-3)
+  near(list[2].exact(2), 14)
+  equal(list[3].name, "other")
+  equal(list[3].watched, true)
+  near(listed({ name = "peak", reference = function(p) return p.n end })[1].exact, 7)
+  fails("no result 'pique'", function() listed("pique") end)
+  fails("unknown key 'kurve'", function() listed { name = "peak", kurve = 1 } end)
+  fails("is a function of its abscissa", function() listed { name = "c", series = "a/b", reference = 1 } end)
+  fails("must be a number, a quantity", function() listed { name = "peak", reference = "much" } end)
+  fails("probe/column", function() listed { name = "c", series = "beta" } end)
+  fails("lists no result", function() listed() end)
+end)
+
+test("a curve is two lists of numbers with rising abscissas", function()
+  local function curve(x, y)
+    return quantity.curve({ name = "c", curve = function() return x, y end }, {})
+  end
+  near(curve({ 0*mm, 2*mm }, { 1, 2 }).x[2], 2e-3)
+  fails("two lists of one length", function() curve({ 0, 1 }, { 1 }) end)
+  fails("must rise", function() curve({ 0, 2, 1 }, { 1, 1, 1 }) end)
+  fails("point 2 of curve 'c' is no number", function() curve({ 0, 1 }, { 1, 0 / 0 }) end)
+end)
+
+test("neighbours of the front are new, one number a level coarser", function()
+  local runs = world(ladder.first_round(knobs))
+  local all = { { name = "q", exact = 10 } }
+  exchange.judge(runs, reference.all(knobs, runs, all), all)
+  local seen, near_front = {}, exchange.neighbours(knobs, runs, 10)
+  for _, run in ipairs(runs) do
+    seen[ladder.key(run.levels)] = true
+  end
+  for _, chosen in ipairs(near_front) do
+    equal(seen[ladder.key(chosen)], nil)
+    equal(chosen[3], 1)
+  end
+  equal(ladder.key(near_front[1]), "1 1 1")
+  equal(#exchange.neighbours(knobs, runs, 1), 1)
 end)
 
 test("--accuracy takes the cheapest bound that holds", function()

@@ -81,24 +81,38 @@ figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, lege
 
 pages.trade = [[
 trade = {                                             -- a key of a study
-  quantities = { "peak", { name = "force", scale = 1*N } },   -- results; scale: what errors are relative to (default:
-                                                      -- the reference itself)
+  quantities = {
+    "peak",                                           -- a result
+    { name = "force", scale = 1*N },                  -- what its error is relative to (default: the reference itself)
+    { name = "rebound", reference = 1 },              -- known exactly: a number, a quantity or function(p)
+    { name = "crown", series = "probe/column" },      -- a curve: a history over time ...
+    { name = "profile", curve = function(case, p) return xs, ys end,    -- ... or any; xs rising
+      reference = function(x, p) return y end },      -- and, if it is known, what it should be
+  },
   knobs = {                                           -- parameters of the study, by name; the value in force is a level
-    { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm } },       -- numbers rise or fall towards the finest
+    { "mesh_size", { 1*mm, 0.5*mm, 0.25*mm }, label = "h" },  -- numbers rise or fall towards the finest; label: its
+                                                      -- short name in figures
     { "scheme", { "default", "massless" } },          -- words and flags are choices
   },
   set = { mu = 0.4 },                                 -- one value for everything swept
-  combinations = 6,                                   -- of knobs, run after each knob alone (default 6)
+  combinations = 6,                                   -- of knobs, run after each knob alone, and as many neighbours of
+                                                      -- the front so far (default 6)
   quick = { knobs = {...}, set = {...} },             -- what --quick puts in their place
 }
 
 'stiction trade STUDY' runs the default settings, each knob alone, all numbers at their finest, then the combinations
-that promise most, and writes trade.csv, trade.json and figures below out/<study>/trade. The reference of a quantity is
-the finest run, corrected knob by knob by Richardson extrapolation (orders 0.7 to 4; half of the correction is its
-uncertainty; where no order shows, there is no correction and the last differences are the uncertainty). Error: the
-largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point operations, the
-same on every machine. Settings that no other beat in both error and work are the front.
+that promise most and those next to the front with one number coarser, and writes trade.csv, trade.json and figures
+below out/<study>/trade. The reference of a quantity is the finest run, corrected knob by knob by Richardson
+extrapolation (orders 0.7 to 4; half of the correction is its uncertainty; where no order shows, there is no correction
+and the last differences are the uncertainty). That of a curve is the finest run's, uncorrected; its error is the L2
+norm of the difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the
+abscissas of the one with most points and linear between them. Where a reference is given, it has no uncertainty.
+Error: the largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point
+operations, the same on every machine. Settings that no other beat in both error and work, by a hundredth of the error
+at least, are the front.
+
 The full form is kept beside the study (trade.json) for 'stiction run STUDY --accuracy 2%', which takes the cheapest
-measured settings whose bound is within 2 % and adds to summary.csv what each quantity may be off by.]]
+measured settings whose bound is within 2 % and adds to summary.csv what each result may be off by (NAME_error, in the
+result's unit; of a curve relative to its norm). They hold for the scene that was measured, that of study.trade.set.]]
 
 return pages

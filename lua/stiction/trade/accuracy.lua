@@ -30,8 +30,8 @@ function accuracy.cheapest(runs, share)
   return best, nearest
 end
 
---- Options of the run with the settings of its accuracy, and the errors that go with them: {by quantity, SI}. What the
---- user sets by hand stays set.
+--- Options of the run with the settings of its accuracy, and the errors that go with them: {by quantity, SI; of a curve
+--- relative to its norm}. What the user sets by hand stays set.
 function accuracy.apply(study, options)
   local share = accuracy.share(options.accuracy)
   local kept = record.read(study, options.study)

@@ -7,57 +7,64 @@ local engine = require "stiction.engine"
 local exchange = require "stiction.trade.exchange"
 local fault = require "stiction.fault"
 local ladder = require "stiction.trade.ladder"
+local numeric = require "stiction.numeric"
 local output = require "stiction.output"
 local pictures = require "stiction.trade.pictures"
+local quantity_module = require "stiction.trade.quantity"
 local record = require "stiction.trade.record"
+local reference = require "stiction.trade.reference"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
-local units = require "stiction.units"
 
 local combinations = 6 -- of knobs, run after the first round unless the study says otherwise
 
---- {name =, scale =} of each entry of study.trade.quantities, a name or { name =, scale = }.
-local function read_quantities(study)
-  local known, list = {}, {}
-  for _, entry in ipairs(study.results) do
-    known[entry.name] = true
-  end
-  for i, entry in ipairs(study.trade.quantities or {}) do
-    local whole = type(entry) == "table"
-    local name = whole and (entry.name or entry[1]) or entry
-    if not known[name] then
-      fault.input("study.trade.quantities: the study has no result '%s'", tostring(name))
+--- The first judged quantity that is no number in a finished run, nil if there is none.
+local function missing(quantities, results)
+  for _, quantity in ipairs(quantities) do
+    if not quantity.curve and not quantity.watched and not numeric.is_finite(results[quantity.name]) then
+      return quantity.name
     end
-    list[i] = { name = name, scale = whole and units.si(entry.scale) or nil }
   end
-  if #list == 0 then
-    fault.input("study.trade.quantities lists no result of the study")
-  end
-  return list
 end
 
---- A run as the analysis sees it.
-local function run_of(row)
-  local result = row.result
-  local counts, finished = {}, result.verdict == "finished"
-  for _, name in ipairs(record.counts) do
-    counts[name] = result[name] or (result.counters or {})[name]
+local function curves_of(trade, row)
+  local case = case_module.new(row.case.id, row.case.p, output.case_folder(trade.folder, row.case))
+  local curves = {}
+  for _, quantity in ipairs(trade.quantities) do
+    curves[quantity.name] = quantity.curve and quantity_module.curve(quantity, case) or nil
   end
-  return {
-    id = row.case.id, levels = row.case.levels, verdict = result.verdict, reason = result.reason,
-    values = finished and result.results or nil, work = finished and result.counters.work or nil,
-    seconds = finished and result.counters.cpu_seconds or nil, counts = counts, default = false, front = false,
-  }
+  return curves
+end
+
+--- A run as the analysis sees it; one without all its quantities counts as unfinished.
+local function run_of(trade, row)
+  local result = row.result
+  local run = { id = row.case.id, levels = row.case.levels, verdict = result.verdict, reason = result.reason,
+    counts = {}, default = false, front = false }
+  for _, name in ipairs(record.counts) do
+    run.counts[name] = result[name] or (result.counters or {})[name]
+  end
+  if result.verdict ~= "finished" then
+    return run
+  end
+  local absent = missing(trade.quantities, result.results)
+  if absent then
+    run.verdict = "no " .. absent
+    return run
+  end
+  run.values, run.curves = copy(result.results), curves_of(trade, row)
+  run.work, run.seconds = result.counters.work, result.counters.cpu_seconds
+  return run
 end
 
 local function cases_at(all, wanted)
   local by_levels, list = {}, {}
   for _, case in ipairs(all) do
-    by_levels[table.concat(case.levels, " ")] = case
+    by_levels[ladder.key(case.levels)] = case
   end
   for i, levels in ipairs(wanted) do
-    list[i] = by_levels[table.concat(levels, " ")]
+    list[i] = by_levels[ladder.key(levels)]
   end
   return list
 end
@@ -66,8 +73,8 @@ end
 --- What ended it early, if anything did.
 local function run_round(trade, wanted)
   table.move(wanted, 1, #wanted, #trade.wanted + 1, trade.wanted)
-  local plan = { study = trade.study, cases = cases_at(trade.all, trade.wanted), names = trade.names, folder = trade.folder,
-    options = trade.options }
+  local plan = { study = trade.study, cases = cases_at(trade.all, trade.wanted), names = trade.names,
+    folder = trade.folder, options = trade.options }
   local rows = campaign.survey(plan)
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
@@ -75,7 +82,7 @@ local function run_round(trade, wanted)
   end
   trade.options.force, trade.runs = nil, {} -- one round runs anew what another did
   for i, row in ipairs(campaign.rows_with_result(rows)) do
-    trade.runs[i] = run_of(row)
+    trade.runs[i] = run_of(trade, row)
   end
   return stopped
 end
@@ -84,25 +91,55 @@ local function is_valid(study, case)
   return (engine.call(campaign.validate, study, case))
 end
 
+--- Quantities of which every finished run has a number: all that are judged, the watched ones where they exist.
+local function present(trade)
+  local list = {}
+  for _, quantity in ipairs(trade.quantities) do
+    local everywhere = true
+    for _, run in ipairs(quantity.watched and trade.runs or {}) do
+      everywhere = everywhere and (not run.values or numeric.is_finite(run.values[quantity.name]))
+    end
+    list[#list + 1] = everywhere and quantity or nil
+  end
+  return list
+end
+
 --- Judges all runs so far against the reference made of them.
 local function judge(trade)
-  local references, reason = exchange.references(trade.knobs, trade.runs, trade.quantities)
+  trade.quantities = present(trade)
+  for _, quantity in ipairs(trade.quantities) do
+    if quantity.curve then
+      quantity_module.align(quantity, trade.runs)
+    end
+  end
+  local references, reason = reference.all(trade.knobs, trade.runs, trade.quantities)
   if not references then
     fault.run("%s", reason)
   end
   trade.references = references
   exchange.judge(trade.runs, references, trade.quantities)
-  local default = table.concat(ladder.levels(trade.knobs), " ")
+  local default = ladder.key(ladder.levels(trade.knobs))
   for _, run in ipairs(trade.runs) do
-    run.default, run.front = table.concat(run.levels, " ") == default, false
+    run.default, run.front = ladder.key(run.levels) == default, false
   end
   for _, run in ipairs(exchange.front(trade.runs)) do
     run.front = true
   end
 end
 
-local function second_round(trade, count)
-  local wanted = exchange.promising(trade.knobs, trade.runs, trade.references, trade.quantities, count)
+local function promising(trade, count)
+  return exchange.promising(trade.knobs, trade.runs, trade.references, trade.quantities, count)
+end
+
+local function neighbours(trade, count)
+  return exchange.neighbours(trade.knobs, trade.runs, count)
+end
+
+--- Judges the runs so far and runs the combinations that choose(trade, count) wants and that are valid scenes; what
+--- ended it early, if anything did.
+local function combine(trade, choose)
+  judge(trade)
+  local wanted = choose(trade, trade.study.trade.combinations or combinations)
   local valid = {}
   for i, case in ipairs(cases_at(trade.all, wanted)) do
     if is_valid(trade.study, case) then
@@ -116,6 +153,17 @@ local function percent(x)
   return x and ("%.3g"):format(100 * x) or "-"
 end
 
+local function show_references(trade)
+  for _, quantity in ipairs(trade.quantities) do
+    local its = trade.references[quantity.name]
+    local value = quantity.curve and "a curve" or ("%.6g"):format(its.value)
+    local doubt = quantity.curve and percent(its.uncertainty / its.scale) .. " %" or ("%.2g"):format(its.uncertainty)
+    if not quantity.watched then
+      report.line("%s: reference %s%s", quantity.name, value, quantity.exact and ", exact" or " +- " .. doubt)
+    end
+  end
+end
+
 local function show(trade)
   local rows = { { "case", "verdict", "error/%", "bound/%", "work", "CPU s", "" } }
   for _, run in ipairs(trade.runs) do
@@ -125,10 +173,7 @@ local function show(trade)
   end
   report.line()
   report.table(rows)
-  for _, quantity in ipairs(trade.quantities) do
-    local reference = trade.references[quantity.name]
-    report.line("%s: reference %.6g +- %.2g", quantity.name, reference.value, reference.uncertainty)
-  end
+  show_references(trade)
 end
 
 local function finished_cases(trade)
@@ -144,9 +189,11 @@ local function open_trade(options)
   options = copy(options)
   options.trade = true
   local all, names, knobs = sweep.trade(study, options)
+  local default = cases_at(all, { ladder.levels(knobs) })[1]
   return {
     study = study, options = options, all = all, names = names, knobs = knobs, wanted = {}, runs = {},
-    quick = options.quick or false, quantities = read_quantities(study), folder = options.out or output.folder(study, options) .. "/trade",
+    quick = options.quick or false, quantities = quantity_module.list(study, default.p),
+    folder = options.out or output.folder(study, options) .. "/trade",
   }
 end
 
@@ -155,10 +202,7 @@ return function(options)
   local trade = open_trade(options)
   output.prepare(trade.folder)
   local ended = run_round(trade, ladder.first_round(trade.knobs))
-  if not ended then
-    judge(trade)
-    ended = second_round(trade, trade.study.trade.combinations or combinations)
-  end
+  ended = ended or combine(trade, promising) or combine(trade, neighbours)
   if ended then
     return ended == "bad input" and 2 or 1
   end

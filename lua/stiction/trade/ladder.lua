@@ -44,13 +44,14 @@ local function check_numbers(knob)
   end
 end
 
---- {name =, levels =, numeric =, falls =, default = (level)} of one entry of study.trade.knobs.
+--- {name =, label =, levels =, numeric =, falls =, default = (level)} of one entry of study.trade.knobs.
 local function read_knob(entry, base)
   local name, levels = entry.name or entry[1], entry.levels or entry[2]
   if type(name) ~= "string" or type(levels) ~= "table" or #levels < 2 then
     fault.input("study.trade.knobs: each is { \"name\", { at least two levels, the finest last } }")
   end
-  local knob = { name = name, levels = levels, numeric = type(units.si(levels[1])) == "number" }
+  local label = tostring(entry.label or name)
+  local knob = { name = name, label = label, levels = levels, numeric = type(units.si(levels[1])) == "number" }
   if knob.numeric then
     knob.falls = units.si(levels[2]) < units.si(levels[1])
     check_numbers(knob)
@@ -96,11 +97,26 @@ function ladder.corner(knobs)
   return ladder.levels(knobs, changes)
 end
 
+--- Levels as one word.
+function ladder.key(levels)
+  return table.concat(levels, " ")
+end
+
+--- Runs by the word of their levels; a run is {levels =, values = {by quantity}, work =, ...}, values nil if it did not
+--- finish.
+function ladder.index(runs)
+  local by_levels = {}
+  for _, run in ipairs(runs) do
+    by_levels[ladder.key(run.levels)] = run
+  end
+  return by_levels
+end
+
 --- The runs of the first round: the default, each knob alone, the corner; lists of levels, without repeats.
 function ladder.first_round(knobs)
   local rounds, seen = {}, {}
   local function add(levels)
-    local key = table.concat(levels, " ")
+    local key = ladder.key(levels)
     if not seen[key] then
       rounds[#rounds + 1], seen[key] = levels, true
     end

@@ -27,7 +27,7 @@ end
 --- "0.00025 m" of a level, as --set reads it.
 local function setting(value)
   if units.is_quantity(value) then
-    return ("%s %s"):format(engine.number_text(value.si),
+    return ("%.12g %s"):format(value.si,
       engine.dimension_text(value.metre, value.kilogram, value.second))
   end
   return type(value) == "number" and engine.number_text(value) or tostring(value)
@@ -46,15 +46,24 @@ local function word(x)
   return x == nil and "" or type(x) == "number" and engine.number_text(x) or tostring(x)
 end
 
---- trade.csv: a row per run: settings, quantities and their errors, bound (largest error with the reference's own),
---- costs, verdict, whether it is the default and whether it lies on the front.
+local function judged_of(trade)
+  local list = {}
+  for _, quantity in ipairs(trade.quantities) do
+    list[#list + 1] = not quantity.watched and quantity or nil
+  end
+  return list
+end
+
+--- trade.csv: a row per run: settings, quantities and their errors (of a curve the error alone), bound (largest error
+--- with the reference's own), costs, verdict, whether it is the default and whether it lies on the front.
 function record.write_csv(trade)
   local head = { "case" }
   for _, knob in ipairs(trade.knobs) do
     head[#head + 1] = knob.name
   end
-  for _, quantity in ipairs(trade.quantities) do
-    head[#head + 1] = quantity.name
+  local judged = judged_of(trade)
+  for _, quantity in ipairs(judged) do
+    head[#head + 1] = not quantity.curve and quantity.name or nil
     head[#head + 1] = quantity.name .. "_error"
   end
   for _, name in ipairs { "error", "bound", "work", "seconds" } do
@@ -68,8 +77,8 @@ function record.write_csv(trade)
     for _, knob in ipairs(trade.knobs) do
       words[#words + 1] = settings[knob.name]
     end
-    for _, quantity in ipairs(trade.quantities) do
-      words[#words + 1] = word((run.values or {})[quantity.name])
+    for _, quantity in ipairs(judged) do
+      words[#words + 1] = not quantity.curve and word((run.values or {})[quantity.name]) or nil
       words[#words + 1] = word((run.errors or {})[quantity.name])
     end
     for _, name in ipairs { "error", "bound", "work", "seconds" } do
@@ -86,16 +95,35 @@ function record.write_csv(trade)
   engine.write_file(trade.folder .. "/trade.csv", table.concat(lines, "\n") .. "\n")
 end
 
+--- References by name; of a curve its uncertainty relative to its norm, no points.
+local function plain_references(trade)
+  local plain = {}
+  for _, quantity in ipairs(trade.quantities) do
+    local its = trade.references[quantity.name]
+    local relative = { curve = true, uncertainty = its.uncertainty / its.scale, scale = 1 }
+    plain[quantity.name] = quantity.curve and relative or its
+  end
+  return plain
+end
+
+local function plain_values(trade, run)
+  local plain = {}
+  for _, quantity in ipairs(run.values and trade.quantities or {}) do
+    plain[quantity.name] = not quantity.curve and run.values[quantity.name] or nil
+  end
+  return run.values and plain
+end
+
 local function plain(trade)
   local kept = {
     study = trade.study.name, fingerprint = record.fingerprint(trade.study), quick = trade.quick,
-    references = trade.references, runs = {},
+    references = plain_references(trade), runs = {},
   }
   for _, run in ipairs(trade.runs) do
     kept.runs[#kept.runs + 1] = {
-      case = run.id, settings = record.settings(trade.knobs, run), values = run.values, errors = run.errors,
-      error = run.error, bound = run.bound, work = run.work, verdict = run.verdict, default = run.default,
-      front = run.front,
+      case = run.id, settings = record.settings(trade.knobs, run), values = plain_values(trade, run),
+      errors = run.errors, error = run.error, bound = run.bound, work = run.work, seconds = run.seconds,
+      verdict = run.verdict, default = run.default, front = run.front,
     }
   end
   return kept
@@ -115,11 +143,13 @@ function record.read(study, name)
   local text = engine.read_file(record.kept_file(study))
   local command = "./stiction trade " .. name
   if not text then
-    fault.input("--accuracy: what accuracy costs in '%s' was not measured yet; measure it with: %s", study.name, command)
+    fault.input("--accuracy: what accuracy costs in '%s' was not measured yet; measure it with: %s", study.name,
+      command)
   end
   local kept = engine.decode_json(text)
   if not kept or kept.fingerprint ~= record.fingerprint(study) then
-    fault.input("--accuracy: '%s' was changed since its trade was measured; measure again with: %s", study.name, command)
+    fault.input("--accuracy: '%s' was changed since its trade was measured; measure again with: %s", study.name,
+      command)
   end
   return kept
 end

@@ -13,18 +13,19 @@ local stiction = require "stiction"
 local units = stiction.units
 local mm, GPa, s, kg, m, kN = units.mm, units.GPa, units.s, units.kg, units.m, units.kN
 local hertz, numeric = stiction.reference.line_contact, stiction.numeric
+local reading = require "reading"
 
 local function scene(p)
   return stiction.scene {
     bodies = {
       cylinder = stiction.body {
         mesh = stiction.mesh.quarter_disc { centre = { 0*mm, p.radius * p.scale }, radius = p.radius * p.scale,
-          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 6*mm * p.scale, kind = p.kind },
+          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 0.75 * p.coarse * p.scale, kind = p.kind },
         material = stiction.material.linear_elastic { young = p.young_1 * p.scale, poisson = p.poisson }, density = p.density,
       },
       block = stiction.body {
         mesh = stiction.mesh.graded_block { origin = { 0*mm, -p.height }, size = { p.width, p.height },
-          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = 8*mm, kind = p.kind },
+          fine = { 9*mm, 6*mm }, fine_size = p.cell, coarse_size = p.coarse, kind = p.kind },
         material = stiction.material.linear_elastic { young = p.young_2 * p.scale, poisson = p.poisson }, density = p.density,
       },
     },
@@ -46,35 +47,9 @@ local function scene(p)
   }
 end
 
---- The time at which the benchmark's force is reached; it must have been.
-local function load_time(run, p)
-  local force = numeric.map(run:series("force", "force_y"), function(f) return -f end)
-  local wanted = p.force.si
-  local last = numeric.first_where(force, function(f) return f >= wanted end)
-  if not last then
-    error(("the force only reaches %g N/m; drive deeper"):format(force[#force]))
-  end
-  local part = (wanted - force[last - 1]) / (force[last] - force[last - 1])
-  return run.time[last - 1] + part * (run.time[last] - run.time[last - 1])
-end
-
---- Pressures over x at that time: {x, p} of all points.
-local function profile(run, p)
-  local at, x, pressure = load_time(run, p), {}, {}
-  for k = 1, math.maxinteger do
-    local found, X = pcall(run.series, run, "line", "X", k)
-    if not found then
-      break
-    end
-    x[k] = X[1]
-    pressure[k] = run:at(at, "line", "pressure", k)
-  end
-  return x, pressure
-end
-
 --- p^2 = p0^2 (1 - x^2/a^2) is a straight line over x^2: its ordinate and its zero by least squares.
 local function fit(run, p)
-  local x, pressure = profile(run, p)
+  local x, pressure = reading.profile(run, p)
   local highest = numeric.max(pressure)
   local n, sx, sy, sxx, sxy = 0, 0, 0, 0, 0
   for k = 1, #x do
@@ -98,6 +73,7 @@ return stiction.study {
   chosen = {
     width = { 100*mm, "half of the benchmark's block" }, height = { 200*mm, "the benchmark's block" },
     scale = { 10, "on radius and moduli: the same a, p0 and E u by linear elasticity, a tenth of the strains" },
+    coarse = { 8*mm, "largest cells of the block; the cylinder's are 0.75 scale times as large" },
     depth = { 2.6*mm, "takes the force beyond the benchmark's" }, steps = { 13, "smooth enough to interpolate" },
   },
   sweep = { { kind = "quad4", cell = 1*mm }, { kind = "quad4", cell = 0.5*mm }, { kind = "quad4", cell = 0.25*mm },
@@ -109,7 +85,7 @@ return stiction.study {
     { name = "peak", unit = "Pa", meaning = "largest pressure", function(run, p) return (fit(run, p)) end },
     { name = "half_width", unit = "m", meaning = "half width", function(run, p) return (select(2, fit(run, p))) end },
     { name = "sinking", unit = "m", meaning = "u_y at the block's top centre, times scale",
-      function(run, p) return p.scale * run:at(load_time(run, p), "centre", "u_y") end },
+      function(run, p) return p.scale * run:at(reading.load_time(run, p), "centre", "u_y") end },
   },
   check = function(cases, check)
     local quads = cases:where { kind = "quad4" }
@@ -138,7 +114,7 @@ return stiction.study {
   figures = function(cases)
     local curves = {}
     for _, case in ipairs(cases) do
-      local x, pressure = profile(case, case.p)
+      local x, pressure = reading.profile(case, case.p)
       curves[#curves + 1] = { label = ("%s, %g mm"):format(case.p.kind, case.p.cell:to("mm")), x = x, y = pressure,
         style = "points" }
     end

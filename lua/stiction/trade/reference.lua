@@ -1,0 +1,118 @@
+-- What the runs of a trade are compared with: known exactly, or made of the finest runs with its uncertainty.
+local extrapolation = require "stiction.trade.extrapolation"
+local ladder = require "stiction.trade.ladder"
+local numeric = require "stiction.numeric"
+local quantity_module = require "stiction.trade.quantity"
+
+local reference = {}
+
+--- {h =, value =, work =, run =} of the finished runs along one numeric knob through the default, the finest last; the
+--- value of a curve is how far it has moved from the coarsest, distance by distance.
+function reference.line(knobs, runs, knob, quantity)
+  local by_levels, line, moved = ladder.index(runs), {}, 0
+  for level = 1, #knob.levels do
+    local run = by_levels[ladder.key(ladder.levels(knobs, { [knob.name] = level }))]
+    if run and run.values then
+      local value = run.values[quantity.name]
+      if quantity.curve then
+        local before = line[#line] and line[#line].run.values[quantity.name] or value
+        moved = moved + quantity_module.distance(quantity, value, before)
+        value = moved
+      end
+      line[#line + 1] = { h = ladder.resolution(knob, level), value = value, work = run.work, run = run }
+    end
+  end
+  return line
+end
+
+--- Observed order along a line: of the last two errors where the answer is known, of the last three values else; nil
+--- where they do not fall.
+function reference.order(line, quantity)
+  if not quantity.exact then
+    return extrapolation.order(line)
+  end
+  local a, b = line[#line - 1], line[#line]
+  local before, last = a and a.run.errors[quantity.name], b and b.run.errors[quantity.name]
+  if before and before > last and last > 0 then
+    return math.log(before / last) / math.log(a.h / b.h)
+  end
+end
+
+--- The corner and, knob by knob, the correction to its limit. The corrections are those of the lines through the
+--- default; how far the corner is from the sum of these lines tells how much less they hold there, and adds to the
+--- uncertainty.
+local function extrapolated(knobs, runs, quantity, default, corner)
+  local sum, correction, squares = default, 0, 0
+  for _, knob in ipairs(knobs) do
+    if knob.numeric then
+      local line = reference.line(knobs, runs, knob, quantity)
+      local limit = extrapolation.limit(line)
+      sum = sum + line[#line].value - default
+      correction, squares = correction + limit.correction, squares + limit.uncertainty ^ 2
+    end
+  end
+  local interaction = 0.5 * math.abs(corner - sum)
+  return {
+    value = corner + correction,
+    uncertainty = math.sqrt(squares + math.min(interaction, math.abs(correction)) ^ 2),
+  }
+end
+
+--- The corner's curve as it is: uncertain by all that the lines through the default still have to move.
+local function finest_curve(knobs, runs, quantity, corner)
+  local squares = 0
+  for _, knob in ipairs(knobs) do
+    if knob.numeric then
+      local limit = extrapolation.limit(reference.line(knobs, runs, knob, quantity))
+      squares = squares + (math.abs(limit.correction) + limit.uncertainty) ^ 2
+    end
+  end
+  return { value = corner, uncertainty = math.sqrt(squares) }
+end
+
+--- {value =, uncertainty =}, of a curve known exactly on its abscissas; nil if it takes runs that did not finish.
+local function reference_of(knobs, runs, quantity)
+  if quantity.exact then
+    return { value = quantity.curve and numeric.map(quantity.x, quantity.exact) or quantity.exact, uncertainty = 0 }
+  end
+  local by_levels = ladder.index(runs)
+  local default, corner = by_levels[ladder.key(ladder.levels(knobs))], by_levels[ladder.key(ladder.corner(knobs))]
+  if not (default and default.values and corner and corner.values) then
+    return nil
+  end
+  local name = quantity.name
+  if quantity.curve then
+    return finest_curve(knobs, runs, quantity, corner.values[name])
+  end
+  return extrapolated(knobs, runs, quantity, default.values[name], corner.values[name])
+end
+
+--- What errors are relative to: the reference itself, or the scale given; of a curve its norm, or that of the scale.
+local function scale_of(quantity, value)
+  if not quantity.curve then
+    return quantity.scale or math.abs(value)
+  elseif quantity.scale then
+    return quantity.scale * math.sqrt(quantity.x[#quantity.x] - quantity.x[1])
+  end
+  return quantity_module.size(quantity, value)
+end
+
+--- References of all quantities: by name {value =, uncertainty =, scale =}, the last two in the quantity's unit; nil
+--- and the reason if the default or the finest run did not finish.
+function reference.all(knobs, runs, quantities)
+  local references = {}
+  for _, quantity in ipairs(quantities) do
+    local its = reference_of(knobs, runs, quantity)
+    if not its then
+      return nil, "the default run or the finest one did not finish: there is nothing to compare with"
+    end
+    its.scale = scale_of(quantity, its.value)
+    if its.scale == 0 then
+      return nil, ("'%s' tends to 0: give it a scale in study.trade.quantities"):format(quantity.name)
+    end
+    references[quantity.name] = its
+  end
+  return references
+end
+
+return reference
