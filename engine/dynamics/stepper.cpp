@@ -197,7 +197,8 @@ double Stepper::imbalance() const {
 
 bool Stepper::converged(Outcome& outcome) const {
   double const rounding =
-      1e-14 * structure_.stiffness_scale() * (u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>());
+      structure_.stiffness_scale() * (1e-14 * (u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>()) +
+                                      1e-15 * structure_.gradient_size());
   double const tolerance = model_->control.force_tolerance * force_scale_ + rounding;
   double const worst = std::max(imbalance(), contact_->residual());
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;

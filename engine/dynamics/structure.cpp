@@ -51,6 +51,17 @@ template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
     });
 }
 
+/// Largest distance of a cell's nodes from its first, m.
+double largest_cell(Model const& model) {
+  double largest = 0;
+  each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
+    auto const place = [&](Index dof) { return model.reference.row(dof / model.dim()); };
+    for (Index const dof : cell)
+      largest = std::max(largest, (place(dof) - place(cell.front())).norm());
+  });
+  return largest;
+}
+
 } // namespace
 
 Structure::Structure(Model const& model, StepWeights const& weights)
@@ -71,6 +82,8 @@ Structure::Structure(Model const& model, StepWeights const& weights)
     return std::holds_alternative<material::LinearElastic>(body->material);
   });
   linear_ = diagonal_ || linear_bodies_;
+  if (!linear_bodies_ && !weights.inertia)
+    gradient_size_ = largest_cell(model);
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
 }

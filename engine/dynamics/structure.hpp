@@ -55,6 +55,9 @@ public:
   [[nodiscard]] linear::Effort effort() const { return factor_->effort(); }
   /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
   [[nodiscard]] double stiffness_scale() const { return stiffness_scale_; }
+  /// Displacement over which F = 1 + grad u differs from 1 by about 1, m; 0 where grad u alone is needed and
+  /// where inertia holds a body that nothing strains.
+  [[nodiscard]] double gradient_size() const { return gradient_size_; }
 
 private:
   void number_unknowns(Model const& model);
@@ -74,7 +77,7 @@ private:
   std::vector<double> values_;
   std::unique_ptr<linear::Cholesky> factor_;
   bool factored_ = false, linear_ = false, linear_bodies_ = false, damped_ = false;
-  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0;
+  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0, gradient_size_ = 0;
 };
 
 } // namespace stiction::dynamics

@@ -161,3 +161,22 @@ TEST_CASE("after the first step SuiteSparse takes nothing from the system") {
   CHECK(stepper.cost().factorizations > factorizations + 4);
   CHECK(linear::blocks_from_system() == before);
 }
+
+TEST_CASE("rubber that nothing strains is carried along, however short the way") {
+  for (double const way : {1e-2, 1e-5, 1e-9, 1e-14}) {
+    INFO("way " << way);
+    auto table = floating();
+    test::at(table, "bodies.foot.material") = test::make(
+        "material.neo_hookean", {{"young", test::value(1e6, "Pa")}, {"poisson", test::value(0.4)}});
+    test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1}, {0, way}, {0, 0})});
+    test::at(table, "scheme") = test::quasi_static();
+    test::at(table, "schedule") = test::schedule({{1, 4}});
+    auto const scene = scene::build(table);
+    dynamics::Stepper stepper(*scene.model);
+    auto const state = test::march(stepper, stepper.initial(), 0.25, 4);
+    for (Index i = 0; i < scene.model->node_count(); ++i) {
+      CHECK(std::abs(state.u[2 * i] - way) < 1e-8 * way + 1e-14);
+      CHECK(std::abs(state.u[2 * i + 1]) < 1e-8 * way + 1e-14);
+    }
+  }
+}
