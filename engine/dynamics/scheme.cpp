@@ -10,9 +10,11 @@ namespace {
 using core::Need;
 
 template<class T> core::Describe<T>& add_inertia(core::Describe<T>& description) {
-  return description.choice(
-      "contact_inertia", &T::contact_inertia, {"full", "implicit", "none"}, Need::optional,
-      "contact nodes: as all others, by backward Euler, or massless (mass redistribution)");
+  return description.choice("contact_inertia", &T::contact_inertia, {"full", "implicit", "none"},
+                            Need::optional,
+                            "contact nodes: as all others (an impact rings, and with Newmark's trapezium it "
+                            "makes energy), by backward "
+                            "Euler, or massless (mass redistribution)");
 }
 
 template<class T> core::Describe<T>& add_level(core::Describe<T>& description) {

@@ -31,10 +31,13 @@ local function check_words(t)
   end
 end
 
---- Observed order between the two finest levels, nil where there is but one or an error is zero.
+local rounding = 1e-11 -- errors below it say nothing of an order
+
+--- Observed order between the two finest levels, nil where there is but one or an error is no more than rounding.
 local function observed_order(levels)
   local coarse, fine = levels[#levels - 1], levels[#levels]
-  if not coarse or coarse.error == 0 or fine.error == 0 or coarse.h == fine.h then
+  if not coarse or fine.error == 0 or math.max(coarse.error, fine.error) < rounding or coarse.h == fine.h
+    or coarse.error == 0 then
     return nil
   end
   return math.log(coarse.error / fine.error) / math.log(coarse.h / fine.h)

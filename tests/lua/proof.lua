@@ -33,6 +33,12 @@ test("the finest value decides, relative to the reference", function()
   equal(row { values = { { 0.1, 2.01 }, { 0.2, 2.04 } } }.pass, false)
 end)
 
+test("errors of rounding tell no order", function()
+  local levels = { { 0.2, 2 * (1 + 1e-13) }, { 0.1, 2 * (1 + 3e-13) } }
+  equal(row { values = levels }.proof.order, nil)
+  equal(row { values = { { 0.2, 2 * (1 + 4e-9) }, { 0.1, 2 * (1 + 1e-9) } } }.proof.order ~= nil, true)
+end)
+
 test("a claimed order is held against the observed one", function()
   equal(row { order = 1.9 }.pass, true)
   equal(row { order = 2.1 }.pass, false)
