@@ -3,7 +3,8 @@
 -- Equal cells are the paper's structured block; the others come from gmsh, which starts with coarse cells and is asked
 -- for others until the recovered stress is as exact as the target and three cells lie on the cohesive length.
 --
---     ./stiction run studies/trade/adaptive_mesh
+--     ./stiction run studies/trade/adaptive_mesh            10 cases
+--     ./stiction run studies/trade/adaptive_mesh --quick    5 cases
 local stiction = require "stiction"
 local sphere = require "../../paper/sphere_indentation"
 local units = stiction.units
@@ -14,7 +15,7 @@ local function parameters(p)
   for _, part in ipairs { "given", "chosen" } do
     for name, entry in pairs(sphere.definition[part]) do q[name] = entry[1] end
   end
-  q.model, q.set, q.frames = "rigid", "A", 0
+  q.model, q.set, q.frames = "rigid", "A", p.target > 0 and 1 or 0
   q.mesh_size = p.size
   return q
 end
@@ -54,22 +55,133 @@ for i, name in ipairs { "force_depth", "pull_off", "traction_A" } do
   end
 end
 
-local cases = {}
-for _, size in ipairs { 1*mm, 0.5*mm, 0.4*mm, 0.25*mm, 0.2*mm, 0.1*mm } do
-  cases[#cases + 1] = { size = size, target = 0 }
+local function case_list(sizes, targets)
+  local list = {}
+  for _, size in ipairs(sizes) do list[#list + 1] = { size = size, target = 0 } end
+  for _, target in ipairs(targets) do list[#list + 1] = { size = 1*mm, target = target } end
+  return list
 end
-for _, target in ipairs { 0.4, 0.3, 0.2, 0.1 } do cases[#cases + 1] = { size = 1*mm, target = target } end
+
+local wanted = 0.01 -- relative error
+
+local function evaluated(case)
+  return case.cost.cells_evaluated_in_all_passes or case.cost.cells_evaluated
+end
+
+-- The finest equal cells, the other equal ones, those that were made anew; each with rising number of cells.
+local function sorted(list)
+  local equal, remeshed = {}, {}
+  for _, case in ipairs(list) do
+    local kind = case.p.target > 0 and remeshed or equal
+    kind[#kind + 1] = case
+  end
+  local function fewer(a, b) return a.cost.cells < b.cost.cells end
+  table.sort(equal, fewer)
+  table.sort(remeshed, fewer)
+  return table.remove(equal), equal, remeshed
+end
+
+local function error_of(case, reference, names)
+  local worst = 0
+  for _, name in ipairs(names) do
+    worst = math.max(worst, math.abs(case.results[name] / reference.results[name] - 1))
+  end
+  return worst
+end
+
+-- The first from which on all are within 1 %: a smaller error before a larger one is luck.
+local function settled(list, reference, names)
+  local first
+  for _, case in ipairs(list) do
+    if error_of(case, reference, names) > wanted then first = nil else first = first or case end
+  end
+  return first
+end
+
+local groups = {
+  { title = "force at depth", names = { "force_depth" } },
+  { title = "pull-off", names = { "pull_off" } },
+  { title = "peak traction", names = { "traction_A" } },
+  { title = "all three", names = { "force_depth", "pull_off", "traction_A" }, counts = true },
+}
+
+local function table_of(list)
+  local reference, equal, remeshed = sorted(list)
+  local rows = {}
+  for _, kind in ipairs { equal, remeshed, { reference } } do
+    for _, case in ipairs(kind) do
+      local row = { case.id, case.cost.cells, case.cost.mesh_passes, case.cost.mesh_error }
+      for i = 1, 3 do
+        row[i + 4] = ("%+.2f %%"):format(100 * (case.results[results[i].name] / reference.results[results[i].name] - 1))
+      end
+      row[8] = evaluated(case)
+      rows[#rows + 1] = row
+    end
+  end
+  return { title = "Errors against " .. reference.id, rows = rows, columns = { "mesh", "cells", "meshes made",
+    "error of stress", "force at depth", "pull-off", "peak traction", "cells evaluated, all meshes" } }
+end
+
+local function error_figure(list)
+  local reference, equal, remeshed = sorted(list)
+  local curves = {}
+  for i = 1, 3 do
+    for k, kind in ipairs { equal, remeshed } do
+      local x, y = {}, {}
+      for n, case in ipairs(kind) do
+        x[n], y[n] = case.cost.cells, math.max(error_of(case, reference, groups[i].names), 1e-5)
+      end
+      curves[#curves + 1] = { label = groups[i].title .. (k == 1 and ", equal" or ", remeshed"), x = x, y = y, colour = i,
+        style = k == 1 and "dash" or "solid" }
+    end
+  end
+  return stiction.figure.lines { name = "error_cells", title = "Errors against cells of " .. reference.id, legend = "below",
+    x = { label = "cells", unit = "1", log = true }, y = { label = "relative error", unit = "1", log = true },
+    curves = curves }
+end
 
 return stiction.study {
   title = "A mesh made anew from its error against ladders of equal cells",
-  question = "How many cells does the force at depth and the pull-off take, equal or where the stress asks for them?",
+  question = "How many cells do force, pull-off and traction take, equal or where the stress asks for them?",
   chosen = {
     passes = { 5, "meshes at most" }, smallest = { 0.05*mm, "a fortieth of the contact radius" },
     cohesive_cells = { 3, "the default" },
   },
-  sweep = cases,
+  sweep = case_list({ 1*mm, 0.5*mm, 0.4*mm, 0.25*mm, 0.2*mm, 0.1*mm }, { 0.2, 0.15, 0.1, 0.05 }),
+  quick = { sweep = case_list({ 1*mm, 0.5*mm, 0.25*mm }, { 0.15, 0.1 }) },
   case_id = function(p)
     return p.target > 0 and "target_" .. p.target or ("equal_%gmm"):format(p.size / mm)
   end,
   scene = scene, results = results,
+
+  check = function(list, check)
+    local reference, equal, remeshed = sorted(list)
+    for _, case in ipairs(remeshed) do
+      check.within(case.id .. ": error of the stress", case.cost.mesh_error, 0, case.p.target)
+    end
+    for _, group in ipairs(groups) do
+      local even, anew = settled(equal, reference, group.names), settled(remeshed, reference, group.names)
+      check.holds(group.title .. ": a mesh made anew reaches 1 %", anew ~= nil)
+      if even and anew and group.counts then
+        check.within(group.title .. ": cells over those of equal cells", anew.cost.cells / even.cost.cells, 0, 0.6)
+        check.within(group.title .. ": cells evaluated, all meshes, over those of equal cells",
+          evaluated(anew) / evaluated(even), 0, 1)
+      end
+    end
+    check.table(table_of(list))
+  end,
+
+  figures = function(list)
+    local _, _, remeshed = sorted(list)
+    local finest = remeshed[#remeshed]
+    local q = parameters(finest.p)
+    return {
+      error_figure(list),
+      stiction.figure.field {
+        name = "mesh", title = ("the last mesh of %s, full depth"):format(finest.id), case = finest,
+        time = q.depth / q.speed, array = "von_mises", label = "von Mises stress", unit = "MPa", deformed = true,
+        mesh = true, window = { 0*mm, 10*mm, -10*mm, 1*mm }, window_unit = "mm",
+      },
+    }
+  end,
 }
