@@ -15,6 +15,7 @@ constexpr double safety = 0.9;
 constexpr double worthwhile = 1.3, needless = 0.8; ///< between these factors the step, and a factor, is kept
 constexpr double fastest = 2, deepest = 0.1;       ///< growth and cut at most
 constexpr int first_share = 8; ///< the first step, of whose error nothing is known, is so much smaller
+constexpr int patience = 10;   ///< steps after a failed one before a longer one is tried again
 constexpr double rounding = 1e-9;
 constexpr double sliver = 1e-6; ///< part of the smallest step by which a moment may be missed
 
@@ -90,6 +91,7 @@ Judgement Pace::judge(State const& old, Outcome& outcome, double dt) {
     judgement.reason = outcome.reason;
     judgement.failed = at_smallest(dt);
     shorten(dt, 0.5);
+    patience_ = patience;
     return judgement;
   }
   judgement.error = history_.error(old, outcome.state);
@@ -155,8 +157,9 @@ void Pace::grow(Judgement& judgement, double dt) {
   double factor = safety * std::min(1 / std::cbrt(u), 1 / std::sqrt(bond));
   if (judgement.error.beta_change > 0)
     factor = std::min(factor, safety * accuracy_.beta_change / judgement.error.beta_change);
-  if (retry_)
+  if (retry_ || patience_ > 0)
     factor = std::min(factor, 1.0);
+  patience_ = std::max(patience_ - 1, 0);
   factor = std::clamp(factor, deepest, fastest);
   double const before = wanted_;
   if (factor > worthwhile)

@@ -62,6 +62,7 @@ private:
   double base_ = 0;                                       ///< a stage's step, s
   double once_ = std::numeric_limits<double>::infinity(); ///< bound of this step alone, s
   bool retry_ = false;                                    ///< the last attempt was cut
+  int patience_ = 0;                                      ///< steps to go before a longer one is tried again
   std::string aim_;
 };
 

@@ -202,6 +202,19 @@ TEST_CASE("kept factors save factorizations and change nothing else beyond the t
         doctest::Approx(highest(few.column("push/force_y"))).epsilon(1e-6));
 }
 
+TEST_CASE("an explicit run under error control tries steps above its limit now and then only") {
+  auto table = falling();
+  for (char const* part : {"pairs", "obstacles", "probes"})
+    test::remove(table, part);
+  test::at(table, "scheme") = test::make("scheme.central_difference");
+  test::at(table, "schedule") = test::schedule({{0.25, 100}});
+  auto const ran = run(with(table, {{"tolerance", test::value(1)}}));
+  REQUIRE(ran.result.verdict == "finished");
+  CHECK(ran.log.find("above the stability limit") != std::string::npos);
+  CHECK(ran.result.counters.at("cut_not_converged") > 0);
+  CHECK(ran.result.counters.at("cut_not_converged") < 0.15 * ran.result.steps);
+}
+
 TEST_CASE("the same run under error control is the same to the last bit") {
   auto const table = with(falling(), {{"events", test::value(1e-4, "s")}});
   auto const one = run(table), two = run(table);

@@ -48,6 +48,7 @@ local function scene(p)
   if p.tolerance > 0 then
     made.schedule.accuracy = stiction.accuracy {
       tolerance = p.tolerance, beta_change = p.beta_change, events = problems[p.problem].events,
+      factors = 6, -- the plate's steps visit six sizes; without inertia it does not matter
     }
   end
   return made
@@ -70,10 +71,10 @@ end
 local wanted = 0.01 -- relative error of both quantities
 
 -- With inertia a step of another size wants another factor, and equal steps keep theirs: there the count grows.
-local most_factors = { plate = 3, rigid = 0.75, fast_bonds = 1 }
+local most_factors = { plate = 3.5, rigid = 0.75, fast_bonds = 1 }
 
--- Costs that are counted; attempts are steps taken and steps cut.
-local counts = { "attempts", "factorizations", "solves", "cells_evaluated", "contact_iterations" }
+-- Costs that are counted; attempts are steps taken and steps cut, work the floating-point operations of all phases.
+local counts = { "attempts", "factorizations", "solves", "cells_evaluated", "contact_iterations", "work" }
 local function count(case, name)
   if name == "attempts" then return case.cost.steps + case.cost.cuts end
   return case.cost[name]
@@ -105,7 +106,7 @@ end
 local function cheapest(list, reference)
   local best
   for _, case in ipairs(list) do
-    if error_of(case, reference) <= wanted and (not best or count(case, "solves") < count(best, "solves")) then
+    if error_of(case, reference) <= wanted and (not best or case.cost.work < best.cost.work) then
       best = case
     end
   end
@@ -135,15 +136,15 @@ local function cost_figure(cases)
     local reference, equal, controlled = sorted(cases, name)
     for k, list in ipairs(reference and { equal, controlled } or {}) do
       local x, y = {}, {}
-      table.sort(list, function(a, b) return count(a, "solves") < count(b, "solves") end)
-      for n, case in ipairs(list) do x[n], y[n] = count(case, "solves"), math.max(error_of(case, reference), 1e-5) end
+      table.sort(list, function(a, b) return a.cost.work < b.cost.work end)
+      for n, case in ipairs(list) do x[n], y[n] = case.cost.work, math.max(error_of(case, reference), 1e-5) end
       curves[#curves + 1] = { label = titles[name] .. (k == 1 and ", equal steps" or ", error control"), x = x, y = y,
         colour = i, style = k == 1 and "dash" or "solid" }
     end
   end
   return stiction.figure.lines { name = "error_cost", title = "Error of the peaks against cost", legend = "below",
-    x = { label = "solves", unit = "1", log = true }, y = { label = "larger error of peak beta and adhesion", unit = "1",
-      log = true }, curves = curves }
+    x = { label = "work, floating-point operations", unit = "1", log = true },
+    y = { label = "larger error of peak β and adhesion", unit = "1", log = true }, curves = curves }
 end
 
 -- Sizes of the steps over time, and the steps in which something happened.
@@ -159,7 +160,7 @@ local function step_figure(name, controlled, even)
     x = { label = "time", unit = "s" }, y = { label = "step", unit = "s", log = true },
     curves = {
       { label = "error control, tolerance " .. controlled.p.tolerance, x = time, y = size, colour = 1 },
-      { label = "with touch, separation or an end of beta", x = at, y = dt, colour = 2, style = "points" },
+      { label = "with touch, separation or an end of β", x = at, y = dt, colour = 2, style = "points" },
       { label = "equal steps within 1 %", x = { even.time[2], even.time[#even.time] }, y = { equal[2], equal[#equal] },
         colour = 3, style = "dash" },
     } }
@@ -187,13 +188,13 @@ local everything = joined {
   list("fast_bonds", { 0.125, 0.25, 0.5, 1, 8 }, { 0.1, 0.03, 0.01, 1e-3 }),
 }
 local few = joined {
-  list("plate", { 1, 2, 8 }, { 2e-4 }),
+  list("plate", { 1, 2, 8 }, { 5e-4 }),
   list("rigid", { 1, 2, 8 }, { 2e-3 }),
 }
 
 return stiction.study {
   title = "Error control while running against ladders of equal steps",
-  question = "What does it cost to have the peaks of both examples within 1 %, with equal steps and with error control?",
+  question = "What do peaks within 1 % cost on both examples, with equal steps and with error control?",
   chosen = {
     beta_change = { 1, "no bound: a bond at rest grows without error, however fast" },
     coarser = { 2, "times the cells of the paper's studies: the error of time is what counts" },
@@ -224,12 +225,13 @@ return stiction.study {
         for _, row in ipairs(rows_of(name, reference, even, paced)) do rows[#rows + 1] = row end
         for _, each in ipairs(counts) do
           local bound = each == "factorizations" and most_factors[name] or 0.75
-          check.within(("%s: %s over those of equal steps"):format(name, each), count(paced, each) / count(even, each), 0,
-            bound)
+          local ratio = count(paced, each) / count(even, each)
+          check.within(("%s: %s over those of equal steps"):format(name, each), ratio, 0, bound)
         end
       end
     end
-    check.table { title = "The cheapest runs within 1 %", columns = { "run", "error", table.unpack(counts) }, rows = rows }
+    local columns = { "run", "error", table.unpack(counts) }
+    check.table { title = "The cheapest runs within 1 %", columns = columns, rows = rows }
   end,
 
   figures = function(cases)
