@@ -188,8 +188,8 @@ local everything = joined {
   list("fast_bonds", { 0.125, 0.25, 0.5, 1, 8 }, { 0.1, 0.03, 0.01, 1e-3 }),
 }
 local few = joined {
-  list("plate", { 1, 2, 8 }, { 5e-4 }),
-  list("rigid", { 1, 2, 8 }, { 2e-3 }),
+  list("plate", { 1, 2, 8 }, { 3e-4 }),
+  list("rigid", { 1, 1.5, 4 }, { 2e-3 }),
 }
 
 return stiction.study {
