@@ -18,23 +18,31 @@ struct Judgement {
   bool failed = false;   ///< cut, but no smaller step is allowed
   bool at_floor = false; ///< accepted only because no smaller step is allowed
   bool grown = false;    ///< the next step is to be longer
-  std::string reason;    ///< empty for a plain acceptance
+  std::string reason;    ///< in words; empty for a plain acceptance
   StepError error;
   [[nodiscard]] bool accepted() const { return cut == Cut::none; }
 };
 
 /// Control of the step by its error, bounds on beta's change, and aim at events.
+///
+/// With inertia every step size wants a factor of its own. Sizes are then rungs, the stage's step times a
+/// power of two, and the stage's moments are met by rungs: a size comes back, and its kept factor serves.
 class Pace {
 public:
   Pace(Accuracy const& accuracy, Structure const& structure, Model const& model);
 
   /// A stage begins whose own step is `nominal` and may be halved so often.
   void begin(double nominal, int halvings);
-  /// The size of the next attempt from `old`, when `left` remains to a moment that must be met; equal to
-  /// `left` for the last. s
-  [[nodiscard]] double next(State const& old, double left) const;
+  /// The size of the next attempt from `old`, when `left` remains to a moment that must be met. s
+  [[nodiscard]] double next(State const& old, double left);
+  /// Does a step of that size end at the moment?
+  [[nodiscard]] bool arrives(double dt, double left) const;
+  /// The event that the last size asked for aims at; empty if none.
+  [[nodiscard]] std::string const& aim() const { return aim_; }
   /// Judges an attempt of that size; an accepted one becomes part of the history, and its bonds are advanced.
   [[nodiscard]] Judgement judge(State const& old, Outcome& outcome, double dt);
+  /// Has anything an error, or an event to be located?
+  [[nodiscard]] bool judges() const { return judges_; }
   [[nodiscard]] double wanted() const { return wanted_; } ///< size without aim at moments or events, s
 
 private:
@@ -42,12 +50,20 @@ private:
   void shorten(double dt, double factor);
   void grow(Judgement& judgement, double dt);
   [[nodiscard]] bool at_smallest(double dt) const;
+  [[nodiscard]] double rung(double dt) const;
+  [[nodiscard]] double slack() const;
+  [[nodiscard]] std::string told(StepError const& error) const;
 
   Accuracy accuracy_;
   History history_;
+  bool judges_ = false;
+  bool rungs_;                                            ///< are sizes held to rungs?
   double wanted_ = 0, smallest_ = 0, largest_ = 0;        ///< s
+  double base_ = 0;                                       ///< a stage's step, s
   double once_ = std::numeric_limits<double>::infinity(); ///< bound of this step alone, s
   bool retry_ = false;                                    ///< the last attempt was cut
+  int patience_ = 0;                                      ///< steps to go before a longer one is tried again
+  std::string aim_;
 };
 
 } // namespace stiction::dynamics

@@ -104,6 +104,9 @@ StepError History::error(State const& old, State const& next) const {
     double const change = next.contacts[p][i].bond.beta - old.contacts[p][i].bond.beta;
     error.beta_change = std::max(error.beta_change, std::abs(change));
     error.bond = std::max(error.bond, std::abs(bond_error(old, next, p, i)));
+    error.events += static_cast<int>(std::ranges::count_if(signs, [&](EventSign const& sign) {
+      return sign.happened(old.contacts[p][i], next.contacts[p][i]);
+    }));
   });
   return error;
 }
@@ -156,20 +159,21 @@ std::optional<Event> History::unlocated(State const& old, State const& next, dou
       if (!sign_of(kind).happened(old.contacts[p][i], next.contacts[p][i]))
         continue;
       double const expected = after(kind, old, p, i), at = expected < dt ? expected : 0.5 * dt;
-      if (at > within && (!first || at < first->after))
+      if (at > within && at < dt - within && (!first || at < first->after))
         first = Event{kind, p, i, at};
     }
   });
   return first;
 }
 
-double History::next_event(State const& old) const {
-  double earliest = never;
+std::optional<Event> History::next_event(State const& old) const {
+  std::optional<Event> first;
   each_point(old, [&](std::size_t p, std::size_t i) {
     for (auto const kind : kinds)
-      earliest = std::min(earliest, after(kind, old, p, i));
+      if (double const at = after(kind, old, p, i); at < (first ? first->after : never))
+        first = Event{kind, p, i, at};
   });
-  return earliest;
+  return first;
 }
 
 void History::accept(State const& old, State const& next, double within) {

@@ -14,6 +14,7 @@ struct StepError {
       0; ///< root mean square over the mass, over the largest u that motions ask for or that has been
   double bond = 0;        ///< largest of any beta
   double beta_change = 0; ///< largest of any beta
+  int events = 0;         ///< points that touch or separate, betas that reach or leave 1 or reach 0
   [[nodiscard]] double largest() const { return std::max(displacement, bond); }
 };
 
@@ -48,9 +49,8 @@ public:
   /// The events between the states that lie farther than `within` from both ends, or in a step longer than
   /// it.
   [[nodiscard]] std::optional<Event> unlocated(State const& old, State const& next, double within) const;
-  /// When the first event after `old` is to be expected by the rates of the last step, s; infinite if none
-  /// is.
-  [[nodiscard]] double next_event(State const& old) const;
+  /// The first event after `old` to be expected by the rates of the last step, if any is.
+  [[nodiscard]] std::optional<Event> next_event(State const& old) const;
   /// `next` follows; steps no longer than `within` may hold events.
   void accept(State const& old, State const& next, double within);
 

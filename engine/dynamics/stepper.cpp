@@ -209,7 +209,7 @@ bool Stepper::converged(Outcome& outcome) const {
 /// one.
 bool Stepper::correct(double dt, Outcome& outcome) {
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
-  bool const keep = structure_.has_factor(weights_, dt) && (structure_.linear() || !slow);
+  bool const keep = structure_.take_factor(weights_, dt) && (structure_.linear() || !slow);
   if (keep && apply_factor())
     return true;
   if (!keep || !structure_.linear()) {

@@ -125,12 +125,12 @@ void Structure::number_unknowns(Model const& model) {
   }
   auto pattern = linear::pattern_of(count, cliques());
   values_.resize(pattern.rows.size());
-  factor_ = std::make_unique<linear::Cholesky>(std::move(pattern), trailing_);
+  kept_.emplace_back().factor = std::make_unique<linear::Cholesky>(std::move(pattern), trailing_);
 }
 
 void Structure::build_maps(Model const& model) {
   maps_.resize(model.cells.size());
-  auto const& pattern = factor_->pattern();
+  auto const& pattern = kept_.front().factor->pattern();
   each_cell_dofs(model, [&](std::size_t body, Indices const& cell) {
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j) {
@@ -143,7 +143,7 @@ void Structure::build_maps(Model const& model) {
 /// Places M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
 /// and the own balance of contact nodes ask for.
 void Structure::place_mass(StepWeights const& weights) {
-  auto const& pattern = factor_->pattern();
+  auto const& pattern = kept_.front().factor->pattern();
   mass_in_matrix_.assign(pattern.rows.size(), 0.0);
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
     double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.mass : 1.0;
@@ -191,8 +191,28 @@ double mass_factor(StepWeights const& weights, double dt) {
 }
 } // namespace
 
-bool Structure::has_factor(StepWeights const& weights, double dt) const {
-  return factored_ && factored_xi_ == weights.xi && factored_mass_ == mass_factor(weights, dt);
+bool Structure::take_factor(StepWeights const& weights, double dt) {
+  double const mass = mass_factor(weights, dt);
+  auto const found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(weights.xi, mass); });
+  if (found == kept_.end())
+    return false;
+  std::rotate(kept_.begin(), found, found + 1);
+  return true;
+}
+
+/// Puts first what may be overwritten by a factor of these coefficients: one of the same, one that is empty
+/// or new, or the one used longest ago.
+void Structure::place_factor(double xi, double mass) {
+  auto found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(xi, mass) || !one.ready; });
+  if (found == kept_.end() && kept_.size() < kept_at_most_) {
+    kept_.emplace_back().factor = std::make_unique<linear::Cholesky>(factor().pattern(), trailing_);
+    found = kept_.end() - 1;
+  } else if (found == kept_.end()) {
+    found = kept_.end() - 1;
+  }
+  std::rotate(kept_.begin(), found, found + 1);
+  kept_.front().xi = xi;
+  kept_.front().mass = mass;
 }
 
 void Structure::add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
@@ -211,6 +231,7 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
   {
     Timer const timer(cost.assembly);
     double const inertia = mass_factor(weights, dt);
+    place_factor(weights.xi, inertia);
     if (weights.inertia)
       for (std::size_t k = 0; k < values_.size(); ++k)
         values_[k] = inertia * mass_in_matrix_[k];
@@ -218,26 +239,23 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
       std::fill(values_.begin(), values_.end(), 0.0);
     if (!diagonal_)
       add_stiffness(u, weights, dt, cost);
-    auto const& columns = factor_->pattern().columns;
-    stiffness_scale_ = 0;
-    for (Index j = 0; j < unknowns(); ++j)
-      stiffness_scale_ = std::max(stiffness_scale_, values_[ix(columns[ix(j)])]);
-    factored_xi_ = weights.xi;
-    factored_mass_ = inertia;
   }
   Timer const timer(cost.factorization);
+  auto& now = kept_.front();
+  auto const& columns = now.factor->pattern().columns;
+  now.shift = now.scale = 0;
+  for (Index j = 0; j < unknowns(); ++j)
+    now.scale = std::max(now.scale, values_[ix(columns[ix(j)])]);
   ++cost.factorizations;
-  shift_ = 0;
-  factored_ = factor_->factorize(values_);
-  if (factored_ || trailing_ == 0)
-    return factored_;
+  now.ready = now.factor->factorize(values_);
+  if (now.ready || trailing_ == 0)
+    return now.ready;
   ++cost.factorizations;
   ++cost.shifted_factorizations;
-  shift_ = 10 * stiffness_scale_;
-  auto const& columns = factor_->pattern().columns;
+  now.shift = 10 * now.scale;
   for (Index j = first_contact_unknown(); j < unknowns(); ++j)
-    values_[ix(columns[ix(j)])] += shift_;
-  return factored_ = factor_->factorize(values_);
+    values_[ix(columns[ix(j)])] += now.shift;
+  return now.ready = now.factor->factorize(values_);
 }
 
 } // namespace stiction::dynamics

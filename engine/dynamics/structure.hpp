@@ -43,23 +43,36 @@ public:
   /// with the contact surfaces held, as a law that softens under a punch, `shift` is added on the contact
   /// unknowns; who solves with the factor takes it away again. False if that does not help.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
-  /// What the last factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
-  [[nodiscard]] double shift() const { return shift_; }
-  /// True if a factor for these coefficients exists, of whatever u.
-  [[nodiscard]] bool has_factor(StepWeights const& weights, double dt) const;
+  /// What the present factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
+  [[nodiscard]] double shift() const { return kept_.front().shift; }
+  /// Takes up a factor for these coefficients, of whatever u; false if none is kept.
+  [[nodiscard]] bool take_factor(StepWeights const& weights, double dt);
+  /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
+  void keep_factors(std::size_t count) { kept_at_most_ = count; }
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
   /// True if the internal force is linear in u.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
-  [[nodiscard]] linear::Cholesky& factor() { return *factor_; }
-  [[nodiscard]] linear::Effort effort() const { return factor_->effort(); }
-  /// Largest diagonal entry of the last factored matrix, N/m: sets the floor of rounding.
-  [[nodiscard]] double stiffness_scale() const { return stiffness_scale_; }
+  [[nodiscard]] linear::Cholesky& factor() { return *kept_.front().factor; }
+  [[nodiscard]] linear::Effort effort() const { return kept_.front().factor->effort(); }
+  /// Largest diagonal entry of the present factor's matrix, N/m: sets the floor of rounding.
+  [[nodiscard]] double stiffness_scale() const { return kept_.front().scale; }
   /// Displacement over which F = 1 + grad u differs from 1 by about 1, m; 0 where grad u alone is needed and
   /// where inertia holds a body that nothing strains.
   [[nodiscard]] double gradient_size() const { return gradient_size_; }
 
 private:
+  /// A factor, and what it is the factor of.
+  struct Kept {
+    std::unique_ptr<linear::Cholesky> factor;
+    bool ready = false;
+    double xi = 0, mass = 0;     ///< coefficients of K and of M, 1 and 1/s^2
+    double scale = 0, shift = 0; ///< N/m
+    [[nodiscard]] bool is(double of_xi, double of_mass) const {
+      return ready && xi == of_xi && mass == of_mass;
+    }
+  };
+  void place_factor(double xi, double mass);
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
@@ -75,9 +88,10 @@ private:
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;
-  std::unique_ptr<linear::Cholesky> factor_;
-  bool factored_ = false, linear_ = false, linear_bodies_ = false, damped_ = false;
-  double factored_xi_ = 0, factored_mass_ = 0, stiffness_scale_ = 0, shift_ = 0, gradient_size_ = 0;
+  std::vector<Kept> kept_; ///< the present one first, then by when they were used; at least one
+  std::size_t kept_at_most_ = 1;
+  bool linear_ = false, linear_bodies_ = false, damped_ = false;
+  double gradient_size_ = 0; ///< m
 };
 
 } // namespace stiction::dynamics

@@ -8,7 +8,9 @@ namespace stiction::record {
 /// One change: the attempt from `time` with `dt`, what came of it, the size thought of next.
 struct StepChange {
   double time = 0, dt = 0, next_dt = 0; ///< s
-  std::string what;   ///< "cut" (taken again, shorter), "grown", "at floor" (no shorter one is allowed)
+  /// "cut" (taken again, shorter), "grown" (the next one), "at_floor" (no shorter one is allowed), "aimed"
+  /// (shorter this once, to end at an event)
+  std::string what;
   std::string cause;  ///< one word
   std::string reason; ///< a sentence, may be empty
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "scene/facts.hpp"
@@ -124,9 +125,25 @@ void MeshJudge::note_bonds(Seen& seen, dynamics::State const& state) const {
 }
 
 bool MeshJudge::fine_enough() const {
-  return std::all_of(bodies_.begin(), bodies_.end(), [](Seen const& seen) {
-    return seen.error <= seen.part.target && seen.coarsest <= slack;
-  });
+  return doubts().empty();
+}
+
+std::vector<std::string> MeshJudge::doubts() const {
+  std::vector<std::string> all;
+  for (auto const& seen : bodies_) {
+    std::string const& name = scene_->bodies[seen.body];
+    if (seen.error > seen.part.target)
+      all.push_back(
+          fmt::format("body '{}': the error of the stress is {:.3g}, above the target {:g}; allow more "
+                      "passes or a smaller `smallest`, or a larger target",
+                      name, seen.error, seen.part.target));
+    if (seen.coarsest > slack)
+      all.push_back(
+          fmt::format("body '{}': bonded cells are {:.3g} times as large as cohesive_cells = {:g} asks "
+                      "for; allow more passes or a smaller `smallest`, or fewer cohesive_cells",
+                      name, seen.coarsest, seen.part.cohesive_cells));
+  }
+  return all;
 }
 
 int MeshJudge::passes() const {

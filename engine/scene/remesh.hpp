@@ -19,6 +19,8 @@ public:
   [[nodiscard]] int passes() const;
   /// Largest relative error of the stress of any body at any moment.
   [[nodiscard]] double error() const;
+  /// What the last mesh leaves undone, and the remedy, a text for each body; empty if it is fine enough.
+  [[nodiscard]] std::vector<std::string> doubts() const;
   /// The same scene with meshes of the sizes noted.
   [[nodiscard]] core::Input finer(core::Input input) const;
 

@@ -1,6 +1,7 @@
 // Runs a scene's schedule: steps, their halving and growth, histories, frames, manifest, progress.
 #include "scene/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ public:
       series_.add("step", "error_u", "1", "estimated local error of u over the largest u so far");
       series_.add("step", "error_beta", "1", "largest estimated local error of any beta");
       series_.add("step", "beta_change", "1", "largest change of any beta in the step");
+      series_.add("step", "events", "1", "points that touch or separate, betas that reach or leave an end");
     }
     samplers_ = add_probes(scene, series_);
   }
@@ -65,7 +67,8 @@ public:
     row_.clear();
     row_.insert(row_.end(), {dt, static_cast<double>(iterations)});
     if (controlled())
-      row_.insert(row_.end(), {error.displacement, error.bond, error.beta_change});
+      row_.insert(row_.end(),
+                  {error.displacement, error.bond, error.beta_change, static_cast<double>(error.events)});
     for (auto const& sampler : samplers_)
       sampler(state, row_);
     series_.append(state.t, row_);
@@ -100,8 +103,8 @@ private:
   record::FieldSeries fields_;
   record::StepLog log_;
   std::map<std::string, double> changes_ = {
-      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0},
-      {"cut_event", 0},         {"grown", 0},     {"at_floor", 0}};
+      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0}, {"cut_event", 0}, {"grown", 0},
+      {"at_floor", 0},          {"aimed", 0}};
   std::vector<Sampler> samplers_;
   std::vector<double> row_;
 };
@@ -135,8 +138,13 @@ nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOpti
   settings["scheme"] = describe(scene.part.scheme);
   settings["solver"] = describe(scene.part.solver);
   settings["control"] = record::describe(&scene.part.control, scene.part.control.schema());
-  for (auto const& [name, body] : scene.part.bodies)
+  if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
+    settings["accuracy"] = record::describe(&*accuracy, accuracy->schema());
+  for (auto const& [name, body] : scene.part.bodies) {
     settings["bodies"][name] = describe(body.material);
+    if (body.remesh)
+      settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
+  }
   for (auto const& [name, pair] : scene.part.pairs) {
     auto& laws = settings["pairs"][name];
     laws["pair"] = record::describe(&pair, PairPart::schema());
@@ -157,8 +165,10 @@ public:
   Run(Scene const& scene, RunOptions const& options)
       : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
         state_(stepper_.initial()), remarks_(scene), judge_(scene, state_) {
-    if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
+    if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
+      stepper_.structure().keep_factors(static_cast<std::size_t>(accuracy->factors));
       pace_.emplace(*accuracy, stepper_.structure(), *scene.model);
+    }
   }
 
   RunResult go() {
@@ -186,6 +196,10 @@ public:
     auto const& cost = stepper_.cost();
     result_.seconds = seconds_since(began_);
     result_.remarks = remarks_.texts();
+    if (pace_ && !pace_->judges())
+      result_.remarks.emplace_back(
+          "without inertia, bonds or events no error is seen by `accuracy`: steps grow to its "
+          "`largest`; give the stages their steps, and no accuracy");
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
     result_.phases = {{"assembly", cost.assembly},
@@ -283,7 +297,7 @@ private:
         return give_up(outcome, dt);
       if (!judgement.accepted())
         continue;
-      if (dt >= left)
+      if (pace_->arrives(dt, left))
         outcome.state.t = to;
       accept(std::move(outcome), dt, judgement.error);
     }
@@ -291,18 +305,19 @@ private:
   }
 
   void note(dynamics::Judgement const& judgement, double dt) {
-    char const* const cause = name_of(judgement.cut);
-    auto tell = [&](char const* what) {
-      recorder_.change({state_.t, dt, pace_->wanted(), what, cause, judgement.reason});
+    auto tell = [&](char const* what, char const* cause, std::string const& reason) {
+      recorder_.change({state_.t, dt, pace_->wanted(), what, cause, reason});
     };
     if (!judgement.accepted()) {
       ++result_.cuts;
-      tell("cut");
-    } else if (judgement.at_floor) {
-      tell("at_floor");
-    } else if (judgement.grown) {
-      tell("grown");
+      return tell("cut", name_of(judgement.cut), judgement.reason);
     }
+    if (!pace_->aim().empty())
+      tell("aimed", "event", pace_->aim());
+    if (judgement.at_floor)
+      tell("at_floor", "smallest", judgement.reason);
+    else if (judgement.grown)
+      tell("grown", "error", judgement.reason);
   }
 
   /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
@@ -431,6 +446,7 @@ void validate(core::Input const& scene) {
 RunResult run(core::Input const& input, RunOptions const& options) {
   core::Input asked = input;
   double cells_evaluated = 0;
+  auto meshes = nlohmann::json::array();
   for (int pass = 1;; ++pass) {
     auto const scene = build(asked);
     record::prepare_output(options.out);
@@ -438,18 +454,22 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     record::write_manifest(options.out / "manifest.json", manifest);
     Run running(scene, options);
     auto result = run_once(running);
-    if (!result.remarks.empty()) {
-      manifest["remarks"] = result.remarks;
-      record::write_manifest(options.out / "manifest.json", manifest);
-    }
     auto const& judge = running.judge();
-    if (!judge.wanted())
-      return result;
-    cells_evaluated += result.counters["cells_evaluated"];
-    result.counters["mesh_passes"] = pass;
-    result.counters["mesh_error"] = judge.error();
-    result.counters["cells_evaluated_in_all_passes"] = cells_evaluated;
-    if (result.verdict != "finished" || judge.fine_enough() || pass >= judge.passes())
+    bool const last = result.verdict != "finished" || judge.fine_enough() || pass >= judge.passes();
+    if (judge.wanted()) {
+      cells_evaluated += result.counters["cells_evaluated"];
+      result.counters["mesh_passes"] = pass;
+      result.counters["mesh_error"] = judge.error();
+      result.counters["cells_evaluated_in_all_passes"] = cells_evaluated;
+      meshes.push_back({{"cells", result.counters["cells"]}, {"error", judge.error()}});
+      manifest["remeshed"] = meshes;
+      std::ranges::copy(judge.doubts(), std::back_inserter(result.remarks));
+    }
+    if (!result.remarks.empty())
+      manifest["remarks"] = result.remarks;
+    if (manifest.contains("remarks") || judge.wanted())
+      record::write_manifest(options.out / "manifest.json", manifest);
+    if (last)
       return result;
     asked = judge.finer(std::move(asked));
   }

@@ -33,9 +33,11 @@ Apart take_apart(Body const& body, std::span<double const> u) {
   return apart;
 }
 
-/// |s|^2 of 11, 22, 33, 12 [, 23, 13].
-double square(Eigen::RowVectorXd const& s) {
-  return s.head<3>().squaredNorm() + 2 * s.tail(s.size() - 3).squaredNorm();
+/// int |s|^2 of s[nodes, 11, 22, 33, 12 [, 23, 13]] between the nodes of a cell; mass over density: int N_a
+/// N_b.
+double square(Dense const& s, Dense const& mass, double density) {
+  auto const each = s.cwiseProduct(mass * s).colwise().sum().eval();
+  return (each.head<3>().sum() + 2 * each.tail(each.size() - 3).sum()) / density;
 }
 
 } // namespace
@@ -52,16 +54,15 @@ StressError stress_error(Body const& body, Kinematics kinematics, std::span<doub
   Matrix const recovered = whole.stress(u).cauchy, own = cells.stress(apart.u).cauchy;
   StressError result;
   cells.each_mass([&](std::span<Index const> nodes, Dense const& mass) {
-    double const volume = mass.sum() / body.density, share = volume / static_cast<double>(nodes.size());
-    double error = 0, size = 0;
-    for (Index const node : nodes) {
-      auto const smooth = recovered.row(apart.source[ix(node)]);
-      error += share * square(smooth - own.row(node));
-      size += share * square(smooth);
+    Dense smooth(static_cast<Eigen::Index>(nodes.size()), recovered.cols()), jump = smooth;
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      auto const row = static_cast<Eigen::Index>(a);
+      smooth.row(row) = recovered.row(apart.source[ix(nodes[a])]);
+      jump.row(row) = smooth.row(row) - own.row(nodes[a]);
     }
-    result.error.push_back(error);
-    result.size.push_back(size);
-    result.volume.push_back(volume);
+    result.error.push_back(square(jump, mass, body.density));
+    result.size.push_back(square(smooth, mass, body.density));
+    result.volume.push_back(mass.sum() / body.density);
   });
   return result;
 }

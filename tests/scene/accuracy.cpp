@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <doctest/doctest.h>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 #include "folder.hpp"
@@ -158,6 +159,78 @@ TEST_CASE("events are met within their time and only where asked") {
                  std::abs(loose.series.time[missed - 1] - touch)) > within);
 }
 
+TEST_CASE("aim at an event is told in words, and events are counted where they happen") {
+  auto const ran = run(with(landing(0.5), {{"events", test::value(1e-4, "s")}}));
+  CHECK(ran.result.counters.at("aimed") > 0);
+  CHECK(ran.log.find(",aimed,event,\"point 1 of pair 1 is expected to be next: it touches\"") !=
+        std::string::npos);
+  auto const& events = ran.column("step/events");
+  CHECK(std::accumulate(events.begin(), events.end(), 0.0) >= 6); // two points: touch, full, yield
+}
+
+/// The foot falls as one: it has the speed of its top from the start, and inertia.
+test::Input falling() {
+  auto table = landing(0.5);
+  test::at(table, "bodies.foot.velocity") = test::values({0, -0.01}, "m/s");
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  test::at(table, "schedule") = test::schedule({{0.25, 25}});
+  return table;
+}
+
+TEST_CASE("with inertia steps are the stage's own times powers of two, and events are met all the same") {
+  double const within = 1e-4, touch = 0.2;
+  auto const ran = run(with(falling(), {{"events", test::value(within, "s")}}));
+  REQUIRE(ran.result.verdict == "finished");
+  CHECK(ran.series.time.back() == 0.25);
+  auto const& dt = ran.column("step/dt");
+  for (std::size_t k = 1; k < dt.size(); ++k) {
+    double const rung = std::log2(dt[k] / 0.01);
+    CHECK(std::abs(rung - std::round(rung)) < 1e-9);
+  }
+  auto const at = first_row(ran, "line/status", [](double status) { return status > 0; });
+  CHECK(std::min(std::abs(ran.series.time[at] - touch), std::abs(ran.series.time[at - 1] - touch)) <=
+        within * (1 + 1e-6));
+}
+
+TEST_CASE("kept factors save factorizations and change nothing else beyond the tolerance of a step") {
+  auto const events = std::pair<std::string, test::Input>{"events", test::value(1e-4, "s")};
+  auto const few = run(with(falling(), {events, {"factors", test::value(2)}})),
+             many = run(with(falling(), {events, {"factors", test::value(20)}}));
+  CHECK(many.result.factorizations < few.result.factorizations);
+  CHECK(many.result.steps == few.result.steps);
+  CHECK(highest(many.column("push/force_y")) ==
+        doctest::Approx(highest(few.column("push/force_y"))).epsilon(1e-6));
+}
+
+TEST_CASE("an explicit run under error control tries steps above its limit now and then only") {
+  auto table = falling();
+  for (char const* part : {"pairs", "obstacles", "probes"})
+    test::remove(table, part);
+  test::at(table, "scheme") = test::make("scheme.central_difference");
+  test::at(table, "schedule") = test::schedule({{0.25, 100}});
+  auto const ran = run(with(table, {{"tolerance", test::value(1)}}));
+  REQUIRE(ran.result.verdict == "finished");
+  CHECK(ran.log.find("above the stability limit") != std::string::npos);
+  CHECK(ran.result.counters.at("cut_not_converged") > 0);
+  CHECK(ran.result.counters.at("cut_not_converged") < 0.15 * ran.result.steps);
+}
+
+TEST_CASE("the same run under error control is the same to the last bit") {
+  auto const table = with(falling(), {{"events", test::value(1e-4, "s")}});
+  auto const one = run(table), two = run(table);
+  CHECK(one.series.time == two.series.time);
+  CHECK(one.column("push/force_y") == two.column("push/force_y"));
+  CHECK(one.log == two.log);
+}
+
+TEST_CASE("where nothing has an error, that is remarked") {
+  auto table = landing(0.5);
+  test::remove(table, "pairs.sole.adhesion");
+  auto const ran = run(with(table, {}));
+  REQUIRE(ran.result.remarks.size() == 1);
+  CHECK(ran.result.remarks[0].find("no error is seen by `accuracy`") != std::string::npos);
+}
+
 TEST_CASE("with the tolerance the pull-off force settles") {
   auto fine = landing(0.5);
   test::at(fine, "schedule") = test::schedule({{1, 4000}, {2, 8000}});
@@ -178,7 +251,7 @@ TEST_CASE("at the smallest step errors are accepted and told and counted") {
       run(with(landing(0.5), {{"tolerance", test::value(1e-9)}, {"smallest", test::value(0.01, "s")}}));
   CHECK(ran.result.verdict == "finished");
   CHECK(ran.result.counters.at("at_floor") > 0);
-  CHECK(ran.log.find(",at_floor,") != std::string::npos);
+  CHECK(ran.log.find(",at_floor,smallest,\"the local error of ") != std::string::npos);
 }
 
 TEST_CASE("a smallest step above the largest is refused") {
