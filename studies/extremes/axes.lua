@@ -41,7 +41,7 @@ axis("density", "mass density [kg/m^3]", { "bar", "drop", "crowd" }, {
   { "1e8", { rho = 1e8 }, slow = true },
 })
 axis("dt", "steps", everything, {
-  { "one_step", { whole = true } }, { "1e-12", { pace = 1e-12 } }, { "1e6", { pace = 1e6 } },
+  { "one_step", { whole = true } }, { "1e-12", { pace = 1e-12 } }, { "1e6", { pace = 1e6, halvings = 3 } },
 })
 axis("speed", "speed over the wave speed", { "bar" }, {
   { "1e-9", { speed = 30e-9, gap = 1e-8 } }, { "0.01", { speed = 0.3, gap = 0.05 } }, { "0.5", { speed = 15 } },
@@ -73,7 +73,7 @@ axis("shape", "cells and aspect", { "punch" }, {
 })
 axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
   { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } },
-  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
+  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true, edge = true } },
   { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
   { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
 })
@@ -85,15 +85,15 @@ axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
 axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" }, {
   { "node_on_node", { at = 0.00125, upper = 0.005 } }, { "node_on_middle", { at = 0.001875, upper = 0.005 } },
   { "flush_corners", { at = 0, upper = 0.01, slip = 0 } }, { "flush_one_side", { at = 0 } },
-  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true } },
-  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true } },
-  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true } },
-  { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } },
-  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
+  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true, edge = true } },
+  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true, edge = true } },
+  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true, edge = true } },
+  { "past_the_corner", { at = 0.01 + 1e-9, edge = true } }, { "half_over", { at = 0.007, edge = true } },
+  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60, edge = true } },
 })
 axis("place", "where nodes meet the other surface", { "stack", "stack_mortar" }, {
   { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } },
-  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },
+  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, unmatched = true } },
   { "edge_on_edge", { shift = 0.01 } }, { "edge_beyond", { shift = 0.01 + 1e-9 } }, { "half_over", { shift = 0.005 } },
 })
 

@@ -14,11 +14,12 @@ end
 
 --- map.csv: one row per cell.
 function map.write(plan, rows)
-  local lines = { "cell,scene,axis,level,outcome,verdict,checks,steps,cuts,iterations,seconds,reason" }
+  local lines = { "cell,scene,axis,level,outcome,verdict,checks,steps,cuts,iterations,seconds,reason,remarks" }
   for _, row in ipairs(rows) do
     local p, o, words = row.case.p, row.outcome, {}
     for i, value in ipairs { row.case.id, p.scene, p.axis, p.level, o.letter, o.verdict or "", o.checks or 0,
-      o.steps or "", o.cuts or "", o.iterations or "", o.seconds or "", o.reason or "" } do
+      o.steps or "", o.cuts or "", o.iterations or "", o.seconds or "", o.reason or "",
+      table.concat(o.remarks or {}, " | ") } do
       words[i] = csv(value)
     end
     lines[#lines + 1] = table.concat(words, ",")
