@@ -127,6 +127,14 @@ std::vector<Chain> smooth_runs(Chain const& chain, Matrix const& reference) {
   return runs;
 }
 
+/// How far a point is out of the tangent at a foot, m. At a corner the greater one of its two sides is the
+/// gap: beyond the end of a side a point may be below its tangent and outside the body all the same.
+double height(Curve const& curve, Vec2 const& point, Foot foot, std::span<double const> x) {
+  auto const at = curve.evaluate(foot, x).by_xi;
+  Vec2 const d = point - at[0], along = at[1];
+  return (along.y() * d.x() - along.x() * d.y()) / along.norm(); // the body lies to the left
+}
+
 } // namespace
 
 Curve::Curve(std::vector<Chain> const& chains, Matrix const& reference, Smoothing smoothing) {
@@ -257,7 +265,8 @@ Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x) con
         return {}; // beyond the end of the curve
       foot.xi = target > high ? high : low;
     } else if ((turns += towards == -heading ? 1 : 0) > 8 && (foot.xi == 0 || foot.xi == 1)) {
-      return foot; // a corner: the vertex itself is nearest
+      Foot const other{neighbour, 1 - foot.xi}; // a corner: the vertex itself is nearest
+      return height(*this, point, foot, x) < height(*this, point, other, x) ? other : foot;
     } else if (foot.xi == (target > 1 ? 1.0 : 0.0) || turns < 4) {
       foot = {neighbour, target > 1 ? 0.0 : 1.0};
       heading = towards;

@@ -169,6 +169,7 @@ private:
     NewtonRun<D> newton(problem, guess);
     Solution solution;
     int restarts = 0;
+    bool stagnated = false;
     double judgements = 0;
     auto judged = [&] {
       ++judgements;
@@ -180,14 +181,14 @@ private:
       if (newton.step())
         continue;
       if (++restarts > 5) {
-        judged();
+        stagnated = !judged();
         break;
       }
       newton.sweep(10 * restarts);
     }
     solution.force = newton.force();
     solution.work = newton.work() + judgements;
-    return solution.converged ? solution : swept<D>(problem, std::move(solution));
+    return stagnated ? swept<D>(problem, std::move(solution)) : solution;
   }
 
   /// Sweeps alone, as many as cost no more than some dozen Newton steps of large problems: slow where Newton

@@ -10,7 +10,8 @@
 
 namespace stiction::dynamics {
 
-/// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing.
+/// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing, or a step
+/// made more energy than there was.
 enum class StepVerdict {
   converged,
   not_converged,
@@ -46,7 +47,8 @@ public:
   [[nodiscard]] Structure& structure() { return structure_; }
 
 private:
-  [[nodiscard]] static bool gives_back(State const& old, State const& next);
+  [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
+  [[nodiscard]] int patience() const;
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);

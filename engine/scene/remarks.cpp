@@ -1,6 +1,8 @@
-// Doubts of single steps put together.
+// Doubts of single steps put together, and the energy of the scheme.
 #include "scene/remarks.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "scene/human.hpp"
@@ -8,6 +10,9 @@
 namespace stiction::scene {
 
 namespace {
+
+/// Parts of the largest energy of a run from which on what its scheme made or lost is told.
+constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
 
 contact::Doubts doubts(dynamics::ContactStage const& contact, contact::Look look) {
   auto const& problem = contact.problem();
@@ -39,11 +44,31 @@ void Remarks::look(dynamics::ContactStage const& contact, double t, contact::Loo
     note(softening_, found.softening);
 }
 
+/// Quasi-static steps are left out: what a snap of theirs loses is no fault of a scheme.
+void Remarks::weigh(dynamics::Ledger const& ledger) {
+  if (!dynamics::weights(scene_->model->scheme).inertia)
+    return;
+  turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
+                           std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond)});
+  lost_ = ledger.scheme_loss();
+  made_ = std::max({made_, -lost_, -ledger.damping_loss});
+}
+
 std::vector<std::string> Remarks::texts() const {
   std::vector<std::string> all;
   for (auto const* remark : {&friction_, &softening_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
+  if (made_ > worth_telling_made * turned_over_)
+    all.push_back(
+        fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or a "
+                    "scheme that damps",
+                    percent(made_ / turned_over_)));
+  else if (lost_ > worth_telling_lost * turned_over_)
+    all.push_back(
+        fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "
+                    "mesh where bodies land lose less",
+                    percent(lost_ / turned_over_)));
   return all;
 }
 

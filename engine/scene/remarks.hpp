@@ -1,4 +1,5 @@
-// What a run has to say about its own answers: where theory promises no single one.
+// What a run has to say about its own answers: where theory promises no single one, and energy made or lost
+// by the time scheme.
 #pragma once
 #include "contact/uniqueness.hpp"
 #include "dynamics/contact_stage.hpp"
@@ -12,6 +13,8 @@ public:
   explicit Remarks(Scene const& scene) : scene_(&scene) {}
   /// A step to time t, accepted, or without an answer to its contact problem: then all points are looked at.
   void look(dynamics::ContactStage const& contact, double t, contact::Look look);
+  /// The account of energy after an accepted step.
+  void weigh(dynamics::Ledger const& ledger);
   /// In the order in which they are made; empty where nothing is in doubt.
   [[nodiscard]] std::vector<std::string> texts() const;
 
@@ -23,6 +26,8 @@ private:
   Scene const* scene_;
   Remark friction_, softening_;
   long steps_ = 0;
+  double turned_over_ = 0;     ///< largest energy or work so far, J
+  double made_ = 0, lost_ = 0; ///< by the time scheme: the most so far, and in the end, J
 };
 
 } // namespace stiction::scene

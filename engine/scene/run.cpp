@@ -381,6 +381,7 @@ private:
     if (++result_.steps == 1)
       blocks_ = linear::blocks_from_system();
     remarks_.look(stepper_.contact(), state_.t, contact::Look::bearing);
+    remarks_.weigh(state_.ledger);
     Timed const timed(*this);
     recorder_.step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;

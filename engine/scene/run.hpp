@@ -30,8 +30,9 @@ struct RunOptions {
 struct RunResult {
   std::string
       verdict; ///< "finished", "stopped", "not converged", "unstable" (not even begun), "output failed"
-  std::string reason;               ///< one sentence, empty when finished
-  std::vector<std::string> remarks; ///< where theory promises no single answer, one sentence per kind
+  std::string reason; ///< one sentence, empty when finished
+  std::vector<std::string>
+      remarks; ///< no single answer by theory, energy made or lost: one sentence per kind
   long steps = 0, iterations = 0, factorizations = 0, cuts = 0;
   double seconds = 0;
   std::map<std::string, double>

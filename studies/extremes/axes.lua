@@ -17,7 +17,7 @@ end
 
 local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd" }
 
-axis("base", "ordinary values", everything, { { "ordinary", {}, want = "converged" } })
+axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
 axis("C", "bond stiffness C [N/m^3]", { "law", "punch" }, of("C", { 0, 1e3, 1e6, 1e8, 1e11, 1e13, 1e16 }))
 axis("w", "decohesion energy w [J/m^2]", { "law", "punch" }, of("w", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
@@ -40,8 +40,8 @@ axis("density", "mass density [kg/m^3]", { "bar", "drop", "crowd" }, {
   { "0", { rho = 0 }, want = "refused" }, { "1e-3", { rho = 1e-3 } }, { "1e5", { rho = 1e5 } },
   { "1e8", { rho = 1e8 }, slow = true },
 })
-axis("dt", "steps", everything, {
-  { "one_step", { whole = true } }, { "1e-12", { pace = 1e-12 } }, { "1e6", { pace = 1e6 } },
+axis("dt", "time step over the ordinary one", everything, {
+  { "one_step", { whole = true } }, { "1e-12", { pace = 1e-12 } }, { "1e6", { pace = 1e6, halvings = 3 } },
 })
 axis("speed", "speed over the wave speed", { "bar" }, {
   { "1e-9", { speed = 30e-9, gap = 1e-8 } }, { "0.01", { speed = 0.3, gap = 0.05 } }, { "0.5", { speed = 15 } },
@@ -52,7 +52,7 @@ axis("speed", "speed over the wave speed", { "drop", "crowd" }, {
   { "0.01", { speed = 0.1 } }, { "1", { speed = 10, last = 4e-3, steps = 400 } },
   { "3_rubber", { speed = 30, last = 4e-3, steps = 400, material = "neo_hookean" } },
 })
-axis("overlap", "overlap before the first step, or made by it, in heights", { "punch" }, {
+axis("overlap", "overlap at the start or by a step, in heights", { "punch" }, {
   { "start_1e-4", { sink = 5e-7 } }, { "start_0.01", { sink = 5e-5 } },
   { "start_0.1", { sink = 5e-4 }, want = "refused" },
   { "start_0.5", { sink = 2.5e-3 }, want = "refused" }, { "start_all", { sink = 5e-3 }, want = "refused" },
@@ -60,7 +60,7 @@ axis("overlap", "overlap before the first step, or made by it, in heights", { "p
   { "step_0.2", { press = 1e-3, steps = 1 } }, { "step_0.6", { press = 3e-3, steps = 1 } },
   { "step_2", { press = 1e-2, steps = 1 } }, { "step_2_rubber", { press = 1e-2, steps = 1, material = "neo_hookean" } },
 })
-axis("overlap", "overlap before the first step, or made by it, in heights", { "slide", "slide_mortar" }, {
+axis("overlap", "overlap at the start or by a step, in heights", { "slide", "slide_mortar" }, {
   { "start_1e-4", { sink = 3e-7 } }, { "start_0.1", { sink = 3e-4 }, want = "refused" },
   { "start_0.5", { sink = 1.5e-3 }, want = "refused" }, { "start_1.5", { sink = 4.5e-3 }, want = "refused" },
   { "step_0.2", { press = 6e-4, steps = 1 } }, { "step_0.6", { press = 1.8e-3, steps = 1 } },
@@ -73,7 +73,7 @@ axis("shape", "cells and aspect", { "punch" }, {
 })
 axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
   { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } },
-  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true } },
+  { "one_on_many", { cells = { 1, 1 }, below = { 40, 2 }, tilts = true, edge = true } },
   { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
   { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
 })
@@ -82,18 +82,18 @@ axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
   { "flat_1e4", { heights = { 1e-6, 1e-6 }, press = 2e-8 } },
   { "slender_1e4", { heights = { 100, 100 }, press = 1 } },
 })
-axis("place", "where nodes meet the other surface", { "slide", "slide_mortar" }, {
+axis("place", "where nodes meet the other side", { "slide", "slide_mortar" }, {
   { "node_on_node", { at = 0.00125, upper = 0.005 } }, { "node_on_middle", { at = 0.001875, upper = 0.005 } },
   { "flush_corners", { at = 0, upper = 0.01, slip = 0 } }, { "flush_one_side", { at = 0 } },
-  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true } },
-  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true } },
-  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true } },
-  { "past_the_corner", { at = 0.01 + 1e-9 } }, { "half_over", { at = 0.007 } },
-  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60 } },
+  { "corner_on_corner", { at = 0.01, slip = 0, tilts = true, edge = true } },
+  { "corner_nearly", { at = 0.01 - 1e-12, slip = 0, tilts = true, edge = true } },
+  { "over_the_corner", { at = 0.0097, slip = 6e-4, steps = 24, tilts = true, edge = true } },
+  { "past_the_corner", { at = 0.01 + 1e-9, edge = true } }, { "half_over", { at = 0.007, edge = true } },
+  { "slides_off", { at = 0.003, slip = 9e-3, steps = 60, edge = true } },
 })
-axis("place", "where nodes meet the other surface", { "stack", "stack_mortar" }, {
+axis("place", "where nodes meet the other side", { "stack", "stack_mortar" }, {
   { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } },
-  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, uniform_tolerance = 1e-2 } },
+  { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, unmatched = true } },
   { "edge_on_edge", { shift = 0.01 } }, { "edge_beyond", { shift = 0.01 + 1e-9 } }, { "half_over", { shift = 0.005 } },
 })
 
@@ -103,11 +103,11 @@ for _, unit in ipairs { { "nm", { L = 1e-9 } }, { "um", { L = 1e-6 } }, { "km", 
   { "nm_ns", { L = 1e-9, T = 1e-9, M = 1e-15 } } } do
   units[#units + 1] = unit
 end
-axis("units", "the same problem in other units", everything, units)
+axis("units", "the same in other units", everything, units)
 
-axis("steps", "tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
-axis("steps", "tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
-axis("apart", "pulled apart by so many lengths", { "law", "punch" }, {
+axis("steps", "number of tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
+axis("steps", "number of tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
+axis("apart", "pulled apart, in lengths", { "law", "punch" }, {
   { "1", { pull = 1e-2 } }, { "1e3", { pull = 10 } }, { "1e9", { pull = 1e7 } },
   { "dry_1e9", { pull = 1e7, without = { "C" } } },
 })
@@ -115,7 +115,7 @@ axis("support", "nothing holds the body", { "drop", "crowd" }, {
   { "static", { static = true, without = { "eta" } }, want = "refused" }, { "no_floor", { gap = 1 } },
   { "flight", { gap = 1, g = 0, speed = 0.1 } },
 })
-axis("pairs", "which whole boundaries may touch which", { "crowd" }, {
+axis("pairs", "which whole outlines may touch", { "crowd" }, {
   { "one_way", { pairing = "one_way" } }, { "both_ways", { pairing = "both_ways" } },
   { "everything", { pairing = "everything" } }, { "everything_dry", { pairing = "everything", without = { "mu" } } },
 })
@@ -131,7 +131,7 @@ function axes.all()
     for _, entry in ipairs(one.levels) do
       for _, scene in ipairs(one.scenes) do
         local cell = { id = ("%s-%s-%s"):format(scene, one.name, entry[1]), scene = scene, axis = one.name,
-          level = entry[1], changes = entry[2], want = entry.want, slow = entry.slow or false }
+          meaning = one.meaning, level = entry[1], changes = entry[2], want = entry.want, slow = entry.slow or false }
         list[#list + 1], by_id[cell.id] = cell, cell
       end
     end

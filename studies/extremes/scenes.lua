@@ -71,7 +71,7 @@ local function path(q, u, t)
 end
 
 local ordinary = { L = 1, M = 1, T = 1, E = 1e6, nu = 0.3, rho = 1000, material = "linear_elastic", pace = 1, beta0 = 0,
-  interpolation = "plain", discretisation = "node_to_segment", smoothing = "spline", halvings = 10 }
+  interpolation = "plain", discretisation = "node_to_segment", halvings = 10 }
 
 local function floor()
   return { floor = stiction.obstacle { shape = stiction.rigid.plane {} } }
@@ -86,11 +86,12 @@ scenes.law = {
     return {
       bodies = { block = body_of(q, u, block(u, { 0, 0 }, { q.size, q.size }, { 1, 1 })) },
       obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
-      motions = { path(q, u, { set = "block.all", times = { 0, q.until_pull, 2 }, x = { 0, 0, 0 }, y = { 0, 0, q.pull } }) },
+      motions = { path(q, u, { set = "block.all", times = { 0, q.until_pull, 2 }, x = { 0, 0, 0 },
+        y = { 0, 0, q.pull } }) },
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
       probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, 0 }, u.m) },
         contact = stiction.probe.contact { pair = "touch" }, drive = stiction.probe.force { set = "block.all" },
-        driven = node(u, "block.all", { 0, 0 }), energy = stiction.probe.energy {} },
+        driven = node(u, "block.all", { 0, 0 }), energy = stiction.probe.energy { audit = true } },
     }
   end,
 }
@@ -106,9 +107,10 @@ scenes.punch = {
       motions = { path(q, u, { set = "block.top", times = { 0, 1, 2, 3 }, x = { 0, 0, 0, 0 },
         y = { 0, -q.press, -q.press, q.pull } }) },
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2, 3 }),
-      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+      probes = { contact = stiction.probe.contact { pair = "touch" },
+        line = stiction.probe.contact_line { pair = "touch" },
         drive = stiction.probe.force { set = "block.top" }, driven = node(u, "block.top", { 0, q.height }),
-        energy = stiction.probe.energy {},
+        energy = stiction.probe.energy { audit = true },
         sole = node(u, "block.bottom", { 0, 0 }) },
     }
   end,
@@ -128,10 +130,12 @@ scenes.slide = {
       motions = { stiction.motion.fix { set = "lower.bottom" }, path(q, u, { set = "upper.top", times = { 0, 1, 2 },
         x = { 0, 0, q.slip }, y = { 0, -q.press, -q.press } }) },
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
-      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+      probes = { contact = stiction.probe.contact { pair = "touch" },
+        line = stiction.probe.contact_line { pair = "touch" },
         drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.at, q.height }),
-        sole = node(u, "upper.bottom", { q.at + q.upper / 2, 0 }), bed = node(u, "lower.top", { q.at + q.upper / 2, 0 }),
-        energy = stiction.probe.energy {} },
+        sole = node(u, "upper.bottom", { q.at + q.upper / 2, 0 }),
+        bed = node(u, "lower.top", { q.at + q.upper / 2, 0 }),
+        energy = stiction.probe.energy { audit = true } },
     }
   end,
 }
@@ -150,7 +154,7 @@ scenes.bar = {
       motions = { stiction.motion.fix { set = "bar.all", y = false } },
       scheme = stiction.scheme.theta_xi {}, schedule = schedule_of(q, u, { last }),
       probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, q.gap }, u.m) },
-        contact = stiction.probe.contact { pair = "touch" }, energy = stiction.probe.energy {},
+        contact = stiction.probe.contact { pair = "touch" }, energy = stiction.probe.energy { audit = true },
         sole = node(u, "bar.bottom", { 0, q.gap }) },
     }
   end,
@@ -163,7 +167,8 @@ scenes.stack = {
   make = function(q, u)
     local lower, upper = q.heights[1], q.heights[2]
     local function box(z, height, cells, x)
-      return stiction.mesh.box { origin = list({ x, 0, z }, u.m), size = list({ q.size, q.size, height }, u.m), cells = cells }
+      return stiction.mesh.box { origin = list({ x, 0, z }, u.m), size = list({ q.size, q.size, height }, u.m),
+        cells = cells }
     end
     local motions = { stiction.motion.fix { set = "lower.bottom", x = false, y = false },
       path(q, u, { set = "upper.top", times = { 0, 1 }, z = { 0, -q.press } }) }
@@ -176,9 +181,10 @@ scenes.stack = {
         upper = body_of(q, u, box(0, upper, q.cells, q.shift), { factor = q.contrast }) },
       pairs = { touch = pair_of(q, u, "upper.bottom", "lower.top") }, motions = motions,
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1 }),
-      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+      probes = { contact = stiction.probe.contact { pair = "touch" },
+        line = stiction.probe.contact_line { pair = "touch" },
         drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.shift, 0, upper }),
-        energy = stiction.probe.energy {} },
+        energy = stiction.probe.energy { audit = true } },
     }
   end,
 }
@@ -191,7 +197,7 @@ scenes.drop = {
     for i, at in ipairs { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 } } do
       corners["corner_" .. i] = node(u, "block.all", { at[1] * q.size, q.gap + at[2] * q.size })
     end
-    corners.contact, corners.energy = stiction.probe.contact { pair = "touch" }, stiction.probe.energy {}
+    corners.contact, corners.energy = stiction.probe.contact { pair = "touch" }, stiction.probe.energy { audit = true }
     corners.line = stiction.probe.contact_line { pair = "touch" }
     return {
       gravity = list({ 0, -q.g }, u.m / u.s^2),
@@ -213,7 +219,7 @@ local asks = {
 }
 
 local function crowd_pairs(q, u)
-  local pairs, probes = {}, { energy = stiction.probe.energy {} }
+  local pairs, probes = {}, { energy = stiction.probe.energy { audit = true } }
   local function meet(name, secondary, primary)
     pairs[name] = pair_of(q, u, secondary, primary)
     probes[name] = stiction.probe.contact { pair = name }
@@ -239,7 +245,7 @@ local function square(u, x, y, size)
   for i, at in ipairs { { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 } } do
     edges[i] = stiction.edge { to = corner(at[1], at[2]), name = "skin" }
   end
-  return stiction.mesh.gmsh { size = 0.4 * size * u.m, start = corner(0, 0), edges = edges }
+  return stiction.mesh.gmsh { size = size * u.m, start = corner(0, 0), edges = edges }
 end
 
 --- Three loose blocks fall onto each other; in the extreme everything may touch everything.

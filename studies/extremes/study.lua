@@ -22,7 +22,8 @@ local function sweep(slow)
   local list = {}
   for _, cell in ipairs(cells) do
     if slow or not cell.slow then
-      list[#list + 1] = { scene = cell.scene, axis = cell.axis, level = cell.level, want = cell.want or "any" }
+      list[#list + 1] = { scene = cell.scene, axis = cell.axis, meaning = cell.meaning, level = cell.level,
+        want = cell.want or "any" }
     end
   end
   return list

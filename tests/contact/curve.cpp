@@ -183,6 +183,21 @@ TEST_SUITE("contact") {
     CHECK((curve.evaluate(side, x).by_xi[0] - Vec2(0.9, 0)).norm() < 1e-12);
   }
 
+  TEST_CASE("beyond a corner a point is as far off as the side it is further out of, from any guess") {
+    auto const box = square(4);
+    auto const curve = box.curve();
+    auto const x = flat(box.nodes);
+    for (auto const& point : {Vec2(1.001, -0.5), Vec2(1.5, -0.001), Vec2(1.2, -0.19)})
+      for (int guess = 0; guess < curve.size(); ++guess) {
+        CAPTURE(guess);
+        Foot const foot = curve.project(point, {guess, 0.5}, x);
+        REQUIRE(foot.found());
+        auto const at = curve.evaluate(foot, x).by_xi;
+        Vec2 const outward = Vec2(at[1].y(), -at[1].x()).normalized();
+        CHECK(outward.dot(point - at[0]) == doctest::Approx(std::max(point.x() - 1, -point.y())));
+      }
+  }
+
   TEST_CASE("path length: additive across segments, signed, an arc's length at order 4") {
     auto const error = [](int count) {
       auto const arc = Arc(count, 0, pi);

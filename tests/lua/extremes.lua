@@ -36,6 +36,7 @@ end)
 
 test("an outcome that is not the wanted one", function()
   equal(judged(refused, "refused", { count = 0, failed = {} }), "R")
+  equal(judged(refused, "any", { count = 0, failed = {} }), "U")
   equal(judged(refused, "converged", { count = 0, failed = {} }), "U")
   equal(judged(finished, "refused", { count = 1, failed = {} }), "U")
 end)

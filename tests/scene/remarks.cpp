@@ -87,11 +87,12 @@ TEST_CASE("a rod that slides downhill jams with more friction than 4/3, and the 
   test::Folder const folder;
   auto const jams = run(rod(1.6, 1), folder);
   CAPTURE(all(jams.remarks));
-  REQUIRE(jams.remarks.size() == 1);
+  REQUIRE(jams.remarks.size() == 2);
   CHECK(jams.remarks[0].find("more than one answer, or none") != std::string::npos);
+  CHECK(jams.remarks[1].find("lost energy") != std::string::npos); // it stands still at once
   auto const slides = run(rod(1.2, 1), folder);
   CHECK(slides.cuts == 0);
-  CHECK(all(slides.remarks) == "");
+  CHECK(all(slides.remarks).find("answer") == std::string::npos);
 }
 
 TEST_CASE("solving a saved problem tells of what theory does not promise") {
@@ -106,4 +107,16 @@ TEST_CASE("solving a saved problem tells of what theory does not promise") {
   CHECK(report.doubts[0].find("contact 1 (1 such): W_nn") != std::string::npos);
   CHECK(report.answers.size() == 3);
   CHECK(report.contacts == 1);
+}
+
+TEST_CASE(
+    "a rod that flies off keeps its energy, one that is stopped in four steps loses it and the run says so") {
+  test::Folder const folder;
+  auto const remarks = [&](double speed) {
+    auto table = rod(0.1, 0);
+    test::at(table, "bodies.rod.velocity") = test::values({0.0, speed}, "m/s");
+    return all(run(table, folder).remarks);
+  };
+  CHECK(remarks(1) == "");
+  CHECK(remarks(-1).find("lost energy") != std::string::npos);
 }

@@ -25,7 +25,8 @@ folder per case with series.h5, fields.pvd, manifest.json, result.json.
 A remark at the end of a case (also in its result.json and manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
 of a pulled bond's force (bonds snap; RCC without viscosity: 3 C beta^2 A). Each kind is told once, at its first step,
-with the number of steps. W: the displacements of a contact point for unit forces on it.]]
+with the number of steps. W: the displacements of a contact point for unit forces on it. In dynamics a remark also
+tells when the time steps made more than 1 % of the largest energy of the run, or lost more than 10 %.]]
 
 pages.units = [[
 local units = stiction.units; local mm, ms = units.mm, units.ms

@@ -68,7 +68,7 @@ local function converged(plan, rows)
     if (letter == "C" or letter == "S") and outcome.holes(case) > 0 then
       row.outcome.letter, row.outcome.reason = "N", "a history holds numbers that are not finite"
     elseif letter == "C" then
-      case.results = row.outcome.results
+      case.results, case.remarks = row.outcome.results, row.outcome.remarks
       list[#list + 1] = case
     end
   end

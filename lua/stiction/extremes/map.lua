@@ -14,11 +14,12 @@ end
 
 --- map.csv: one row per cell.
 function map.write(plan, rows)
-  local lines = { "cell,scene,axis,level,outcome,verdict,checks,steps,cuts,iterations,seconds,reason" }
+  local lines = { "cell,scene,axis,level,outcome,verdict,checks,steps,cuts,iterations,seconds,reason,remarks" }
   for _, row in ipairs(rows) do
     local p, o, words = row.case.p, row.outcome, {}
     for i, value in ipairs { row.case.id, p.scene, p.axis, p.level, o.letter, o.verdict or "", o.checks or 0,
-      o.steps or "", o.cuts or "", o.iterations or "", o.seconds or "", o.reason or "" } do
+      o.steps or "", o.cuts or "", o.iterations or "", o.seconds or "", o.reason or "",
+      table.concat(o.remarks or {}, " | ") } do
       words[i] = csv(value)
     end
     lines[#lines + 1] = table.concat(words, ",")
@@ -52,6 +53,32 @@ local function distinct(rows, key)
   return list, place
 end
 
+local raised = { ["-"] = "⁻", ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
+  ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹" }
+
+local function power(exponent)
+  return (("%d"):format(exponent):gsub(".", raised))
+end
+
+--- "1e-09" -> "10⁻⁹", "3e4" -> "3·10⁴", "1000" -> "10³", "um" -> "µm"; other words as they are.
+local function word(text)
+  local mantissa, exponent = text:match("^(%-?[%d.]+)e([+-]?%d+)$")
+  if text:match("^10000*$") then
+    mantissa, exponent = "1", #text - 1
+  elseif text:match("^0%.00+1$") then
+    mantissa, exponent = "1", 2 - #text
+  end
+  if not mantissa then
+    return (text:gsub("^u(%l)$", "µ%1"))
+  end
+  return (mantissa == "1" and "" or mantissa .. "·") .. "10" .. power(tonumber(exponent))
+end
+
+--- A level as the figure shows it.
+local function label(level)
+  return (level:gsub("_", " "):gsub("%S+", word))
+end
+
 --- Rows of the map: a level of an axis each, a letter for every scene that has it.
 local function lines_of(rows, scenes, place)
   local lines, of_level = {}, {}
@@ -59,7 +86,7 @@ local function lines_of(rows, scenes, place)
     local p = row.case.p
     local key = p.axis .. "-" .. p.level
     if not of_level[key] then
-      of_level[key] = { axis = p.axis, level = p.level, cells = {} }
+      of_level[key] = { axis = p.axis, meaning = p.meaning or p.axis, level = p.level, cells = {} }
       for i = 1, #scenes do
         of_level[key].cells[i] = "."
       end
@@ -84,14 +111,16 @@ local function grouped(lines)
     return rank[a.axis] < rank[b.axis] or (rank[a.axis] == rank[b.axis] and a.number < b.number)
   end)
   return numeric.map(lines, function(line)
-    return { group = line.axis, label = (line.level:gsub("_", " ")), cells = table.concat(line.cells) }
+    return { group = line.meaning:gsub("%^(%d)", raised), label = label(line.level), cells = table.concat(line.cells) }
   end)
 end
 
 --- figures/map.png; false if the figure program failed.
 function map.draw(plan, rows)
   local scenes, place = distinct(rows, "scene")
-  local picture = figure.map { name = "map", title = plan.study.title, blocks = 3, columns = scenes, kinds = kinds(rows),
+  local columns = numeric.map(scenes, function(name) return (name:gsub("_", ", ")) end)
+  local title = ("%s: how each of %d cells ends"):format(plan.study.title, #rows)
+  local picture = figure.map { name = "map", title = title, blocks = 3, columns = columns, kinds = kinds(rows),
     rows = grouped(lines_of(rows, scenes, place)) }
   return drawing.draw({ figures = function() return { picture } end }, {}, plan.folder)
 end

@@ -23,7 +23,8 @@ function outcome.of(result)
     letter = "X" -- an end without a word
   end
   return { letter = letter, verdict = result.verdict, reason = result.reason, results = result.results,
-    steps = result.steps, cuts = result.cuts, iterations = result.iterations, seconds = result.seconds }
+    remarks = result.remarks or {}, steps = result.steps, cuts = result.cuts, iterations = result.iterations,
+    seconds = result.seconds }
 end
 
 --- How many entries of a case's histories are not finite.
@@ -44,7 +45,8 @@ function outcome.holes(case)
   return holes
 end
 
---- Sets the letter from a cell's checks {count =, failed = {text}} and from the outcome it must have.
+--- Sets the letter from a cell's checks {count =, failed = {text}} and from the outcome it must have; "any" is to
+--- converge or to stop: only values that are out of range may be refused.
 function outcome.judge(row, checks)
   local own, want = row.outcome, row.case.p.want
   own.checks = checks.count
@@ -52,8 +54,9 @@ function outcome.judge(row, checks)
     own.letter, own.reason = "W", "nothing checks it"
   elseif own.letter == "C" and #checks.failed > 0 then
     own.letter, own.reason = "W", table.concat(checks.failed, "; ")
-  elseif good[own.letter] and want ~= "any" and words[own.letter] ~= want then
-    own.letter, own.reason = "U", ("%s, but must be %s: %s"):format(words[own.letter], want, own.reason or "")
+  elseif good[own.letter] and words[own.letter] ~= want and (want ~= "any" or own.letter == "R") then
+    own.letter, own.reason = "U", ("%s, but must be %s: %s"):format(words[own.letter],
+      want == "any" and "converged or stopped" or want, own.reason or "")
   end
 end
 
