@@ -317,7 +317,8 @@ local function carried(say, force, pressures, part, where)
     end
     off = math.max(off, math.abs(force[i] - sum))
   end
-  say("force of the floor against pressure, over the largest" .. (where or ""), off / math.max(largest(force), 1e-300), 1e-6)
+  off = off / math.max(largest(force), 1e-300)
+  say("force of the floor against pressure, over the largest" .. (where or ""), off, 1e-6)
 end
 
 local function pressures_of(case, line, q)
