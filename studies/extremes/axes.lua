@@ -69,7 +69,9 @@ axis("overlap", "overlap at the start or by a step, in heights", { "slide", "sli
 axis("shape", "cells and aspect", { "punch" }, {
   { "one_cell", { cells = { 1, 1 } } }, { "flat_1e4", { size = 1, height = 1e-4, press = 2e-6, pull = 1e-3 } },
   { "flat_100", { size = 0.1, height = 1e-3, press = 2e-5 } },
+  { "slender_100", { size = 1e-2, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
   { "slender_1e4", { size = 1e-4, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
+  { "slender_1e4_smooth", { mu = 0, size = 1e-4, height = 1, press = 1e-4, pull = 1e-2, cells = { 1, 20 } } },
 })
 axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
   { "one_cell", { cells = { 1, 1 }, below = { 1, 1 } } },

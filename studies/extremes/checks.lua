@@ -306,6 +306,46 @@ local function other_units(case, _, say, base)
   end
 end
 
+--- The force of a flat floor is the pressure of its points times the part of the surface that each of them has, all
+--- the same.
+local function carried(say, force, pressures, part, where)
+  local off = 0
+  for i = 2, #force do
+    local sum = 0
+    for _, pressure in ipairs(pressures) do
+      sum = sum + pressure[i] * part
+    end
+    off = math.max(off, math.abs(force[i] - sum))
+  end
+  off = off / math.max(largest(force), 1e-300)
+  say("force of the floor against pressure, over the largest" .. (where or ""), off, 1e-6)
+end
+
+local function pressures_of(case, line, q)
+  local list = {}
+  for k, point in ipairs(measure.points(case, line, q)) do
+    list[k] = point.pressure
+  end
+  return list
+end
+
+local function carried_by_bar(case, q, say)
+  local width = q.size / q.cells * q.L
+  carried(say, case:series("contact", "force_y"), { (case:series("point", "pressure")) }, width)
+end
+
+local function carried_by_drop(case, q, say)
+  carried(say, case:series("contact", "force_y"), pressures_of(case, "line", q), 0.5 * q.size * q.L)
+end
+
+local function carried_by_crowd(case, q, say)
+  for i = 1, 3 do
+    local pair = "floor_" .. i
+    carried(say, case:series(pair, "force_y"), pressures_of(case, "line_" .. pair, q), 0.5 * q.size * q.L,
+      " at " .. pair)
+  end
+end
+
 local function lines_of_crowd(case, q, say)
   for _, name in ipairs(case:columns()) do
     local line = name:match("^(line_[%w_]+)/gap$")
@@ -319,10 +359,10 @@ local of_scene = {
   law = { law, driven, balance, account, closed_ledger },
   punch = { balance, complementarity, above_floor, symmetry, released, account, closed_ledger },
   slide = { balance, complementarity, above_bed, sliding, account, closed_ledger },
-  bar = { above_floor, wave, account, energy_kept },
+  bar = { above_floor, wave, carried_by_bar, account, energy_kept },
   stack = { balance, complementarity, channel, account, closed_ledger },
-  drop = { complementarity, momentum, account, energy_kept },
-  crowd = { lines_of_crowd, centre, account, energy_kept },
+  drop = { complementarity, momentum, carried_by_drop, account, energy_kept },
+  crowd = { lines_of_crowd, centre, carried_by_crowd, account, energy_kept },
 }
 of_scene.slide_mortar, of_scene.stack_mortar = of_scene.slide, of_scene.stack
 
