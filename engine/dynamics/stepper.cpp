@@ -196,9 +196,10 @@ double Stepper::imbalance() const {
 }
 
 bool Stepper::converged(Outcome& outcome) const {
+  double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
+  double const beside_one = structure_.linear_bodies() ? 0 : 1e-15 * structure_.cell_size(); // F = 1 + grad u
   double const rounding =
-      structure_.stiffness_scale() * (1e-14 * (u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>()) +
-                                      1e-15 * structure_.gradient_size());
+      1e-14 * way * structure_.stiffness_scale() + beside_one * structure_.bodies_stiffness();
   double const tolerance = model_->control.force_tolerance * force_scale_ + rounding;
   double const worst = std::max(imbalance(), contact_->residual());
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
@@ -274,9 +275,10 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
   auto const &before = old.ledger, &after = next.ledger;
   auto const change = [&](double Ledger::*part) { return std::abs(after.*part - before.*part); };
   double const rounding =
+      1e-14 * structure_.bodies_stiffness() * structure_.cell_size() * structure_.cell_size() +
       1e-9 * (std::abs(after.start) + std::abs(after.motion_work) + std::abs(after.load_work) +
               std::abs(after.potential) + std::abs(after.bond));
-  double const there = before.kinetic + before.strain + change(&Ledger::motion_work) +
+  double const there = before.kinetic + std::abs(before.strain) + change(&Ledger::motion_work) +
                        change(&Ledger::load_work) + change(&Ledger::potential) + rounding;
   if (before.damping_loss - after.damping_loss > there)
     return "the viscosity of the bodies gave back more energy than there was";

@@ -82,8 +82,7 @@ Structure::Structure(Model const& model, StepWeights const& weights)
     return std::holds_alternative<material::LinearElastic>(body->material);
   });
   linear_ = diagonal_ || linear_bodies_;
-  if (!linear_bodies_ && !weights.inertia)
-    gradient_size_ = largest_cell(model);
+  cell_size_ = largest_cell(model);
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
 }
@@ -243,9 +242,12 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
   Timer const timer(cost.factorization);
   auto& now = kept_.front();
   auto const& columns = now.factor->pattern().columns;
-  now.shift = now.scale = 0;
-  for (Index j = 0; j < unknowns(); ++j)
-    now.scale = std::max(now.scale, values_[ix(columns[ix(j)])]);
+  now.shift = now.scale = now.bodies = 0;
+  for (Index j = 0; j < unknowns(); ++j) {
+    auto const k = ix(columns[ix(j)]);
+    now.scale = std::max(now.scale, values_[k]);
+    now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
+  }
   ++cost.factorizations;
   now.ready = now.factor->factorize(values_);
   if (now.ready || trailing_ == 0)

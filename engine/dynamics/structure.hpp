@@ -57,17 +57,18 @@ public:
   [[nodiscard]] linear::Effort effort() const { return kept_.front().factor->effort(); }
   /// Largest diagonal entry of the present factor's matrix, N/m: sets the floor of rounding.
   [[nodiscard]] double stiffness_scale() const { return kept_.front().scale; }
-  /// Displacement over which F = 1 + grad u differs from 1 by about 1, m; 0 where grad u alone is needed and
-  /// where inertia holds a body that nothing strains.
-  [[nodiscard]] double gradient_size() const { return gradient_size_; }
+  /// The same of the bodies alone, without mass, N/m.
+  [[nodiscard]] double bodies_stiffness() const { return kept_.front().bodies; }
+  /// Largest distance of a cell's nodes from its first, m: a displacement that makes grad u about 1.
+  [[nodiscard]] double cell_size() const { return cell_size_; }
 
 private:
   /// A factor, and what it is the factor of.
   struct Kept {
     std::unique_ptr<linear::Cholesky> factor;
     bool ready = false;
-    double xi = 0, mass = 0;     ///< coefficients of K and of M, 1 and 1/s^2
-    double scale = 0, shift = 0; ///< N/m
+    double xi = 0, mass = 0;                 ///< coefficients of K and of M, 1 and 1/s^2
+    double scale = 0, bodies = 0, shift = 0; ///< N/m
     [[nodiscard]] bool is(double of_xi, double of_mass) const {
       return ready && xi == of_xi && mass == of_mass;
     }
@@ -91,7 +92,7 @@ private:
   std::vector<Kept> kept_; ///< the present one first, then by when they were used; at least one
   std::size_t kept_at_most_ = 1;
   bool linear_ = false, linear_bodies_ = false, damped_ = false;
-  double gradient_size_ = 0; ///< m
+  double cell_size_ = 0; ///< m
 };
 
 } // namespace stiction::dynamics
