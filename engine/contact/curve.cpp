@@ -131,7 +131,8 @@ std::vector<Chain> smooth_runs(Chain const& chain, Matrix const& reference) {
 /// gap: beyond the end of a side a point may be below its tangent and outside the body all the same.
 double height(Curve const& curve, Vec2 const& point, Foot foot, std::span<double const> x) {
   auto const at = curve.evaluate(foot, x).by_xi;
-  Vec2 const d = point - at[0], along = at[1];
+  auto const& along = at[1];
+  Vec2 const d = point - at[0];
   return (along.y() * d.x() - along.x() * d.y()) / along.norm(); // the body lies to the left
 }
 

@@ -23,6 +23,30 @@ double bond_loss(interface::Rcc const& law, ContactState const& before, ContactS
          growth;
 }
 
+/// Step of a contact point: weight of its end forces in their work, and length, s.
+struct PointStep {
+  double chi, dt;
+};
+
+struct PointAudit {
+  double work = 0, loss = 0; ///< of the forces along gap and slip, and lost by the scheme, J (J/m)
+};
+
+/// A point that leaves the search has no gap any more: what its bond held is let go.
+PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, ContactState const& before,
+                       ContactState const& after, PointStep step) {
+  if (before.foot.found() && !after.foot.found())
+    return {0, adhesion ? before.area * interface::bond_energy(*adhesion, before.bond, before.gap) : 0};
+  double const chi = step.chi;
+  Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
+  Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
+  Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
+  double loss = -dry[0] * moved[0] - (chi - 0.5) * (pull_1 - pull_0).dot(moved);
+  if (auto const* rcc = adhesion ? std::get_if<interface::Rcc>(&*adhesion) : nullptr)
+    loss += after.area * bond_loss(*rcc, before, after, step.dt);
+  return {(dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved), loss};
+}
+
 } // namespace
 
 /// M dv/dt less the mean forces that do the ledger's work, at free unknowns, N; what the schemes say it is:
@@ -75,29 +99,16 @@ double Stepper::path_work(State const& old) const {
 /// Loss at the contact points, and what the nodal reactions do beside the work at the points.
 void Stepper::audit_contact(State const& old, State& next) const {
   auto& loss = next.ledger.predicted;
-  double const chi = weights_.contact_work;
+  double const chi = weights_.contact_work, dt = next.t - old.t;
   Vector const mean = (1 - chi) * old.reaction + chi * next.reaction;
   double nodes = mean.dot(d_), points = 0;
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
     nodes -= obstacle_work(model_->pairs[p], old, next);
-    auto const& adhesion = model_->pairs[p].law.adhesion;
-    auto const* rcc = adhesion ? std::get_if<interface::Rcc>(&*adhesion) : nullptr;
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
-      auto const& before = old.contacts[p][i];
-      auto const& after = next.contacts[p][i];
-      if (before.foot.found() &&
-          !after.foot.found()) { // its gap is no longer one; what its bond held is let go
-        if (adhesion)
-          loss.contact += before.area * interface::bond_energy(*adhesion, before.bond, before.gap);
-        continue;
-      }
-      Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
-      Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
-      Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
-      points += (dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved);
-      loss.contact -= dry[0] * moved[0] + (chi - 0.5) * (pull_1 - pull_0).dot(moved);
-      if (rcc != nullptr)
-        loss.contact += after.area * bond_loss(*rcc, before, after, next.t - old.t);
+      auto const point =
+          audit_point(model_->pairs[p].law.adhesion, old.contacts[p][i], next.contacts[p][i], {chi, dt});
+      points += point.work;
+      loss.contact += point.loss;
     }
   }
   loss.turning += points - nodes;
