@@ -49,7 +49,7 @@ namespace {
 template<int D> void start_open_in(Problem const& problem, Index point, Vector& force) {
   auto const& data = problem.points[ix(point)];
   Local<D> const x = problem.free.segment<D>(D * point) + problem.W.middleRows<D>(D * point) * force;
-  if (!(x[0] > data.shift[0]))
+  if (!(x[0] >= data.shift[0])) // one that just touches needs no push either
     return;
   force.segment<D>(D * point).setZero();
   if (data.law >= 0)

@@ -127,6 +127,20 @@ TEST_SUITE("contact") {
     CHECK_FALSE(leaps(problem, 0.1 * guess, Vector::Zero(1)));
   }
 
+  TEST_CASE("a bonded point that nothing moves and that just touches pulls as its law says") {
+    for (int const dim : {2, 3}) {
+      auto problem = bonded(dim, 1, 0, 0);
+      problem.free[1] = 0.1 * u0;
+      auto const newton = make_solver(BipotentialNewton{})->solve(problem, Vector::Zero(dim));
+      REQUIRE(newton.converged);
+      CHECK(newton.force[0] == 0);
+      CHECK(newton.force[1] == doctest::Approx(-1e-6 * C * 0.1 * u0).epsilon(1e-12));
+      auto const sweeps = make_solver(GaussSeidel{})->solve(problem, Vector::Zero(dim));
+      REQUIRE(sweeps.converged);
+      CHECK((sweeps.force - newton.force).norm() == 0);
+    }
+  }
+
   TEST_CASE("a singular W has no potential in x") {
     auto problem = bonded(1, 3, 3, 0);
     problem.W.setOnes();
