@@ -188,7 +188,18 @@ private:
     }
     solution.force = newton.force();
     solution.work = newton.work() + judgements;
-    return stagnated ? swept<D>(problem, std::move(solution)) : solution;
+    return stagnated && single<D>(problem) ? swept<D>(problem, std::move(solution)) : solution;
+  }
+
+  /// Does each point alone have one answer, W_nn > mu |W_nt|? Where it has not there may be none to sweep to.
+  template<int D> static bool single(Problem const& problem) {
+    for (Index i = 0; i < problem.size(); ++i) {
+      auto const row = problem.W.template block<1, D>(D * i, D * i);
+      double const coupled = row.template tail<D - 1>().norm();
+      if (problem.points[ix(i)].mu > 0 && !(row[0] > problem.points[ix(i)].mu * coupled))
+        return false;
+    }
+    return true;
   }
 
   /// Sweeps alone, as many as cost no more than some dozen Newton steps of large problems: slow where Newton
