@@ -2,7 +2,6 @@
 // update.
 #include <Eigen/LU>
 
-#include "contact/point_newton.hpp"
 #include "contact/solver.hpp"
 
 namespace stiction::contact {

@@ -1,14 +1,15 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
 #include <Eigen/LU>
-#include <algorithm>
+#include <limits>
 
 #include "contact/descent.hpp"
-#include "contact/point_newton.hpp"
 #include "contact/solver.hpp"
 
 namespace stiction::contact {
 
 namespace {
+
+constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -186,34 +187,22 @@ private:
       }
       newton.sweep(10 * restarts);
     }
+    // Sweeps are slow where Newton is quick, but they do not cycle. Where the residual no longer falls there
+    // may be nothing to sweep to.
+    double before = std::numeric_limits<double>::infinity();
+    for (int swept = 0; stagnated && !solution.converged && swept < most_sweeps; swept += sweeps) {
+      if (!(solution.verdict.relative() < 0.99 * before))
+        break;
+      before = solution.verdict.relative();
+      newton.sweep(sweeps);
+      solution.iterations += sweeps;
+      judged();
+    }
     solution.force = newton.force();
     solution.work = newton.work() + judgements;
-    return stagnated && single<D>(problem) ? swept<D>(problem, std::move(solution)) : solution;
+    return solution;
   }
 
-  /// Does each point alone have one answer, W_nn > mu |W_nt|? Where it has not there may be none to sweep to.
-  template<int D> static bool single(Problem const& problem) {
-    for (Index i = 0; i < problem.size(); ++i) {
-      auto const row = problem.W.template block<1, D>(D * i, D * i);
-      double const coupled = row.template tail<D - 1>().norm();
-      if (problem.points[ix(i)].mu > 0 && !(row[0] > problem.points[ix(i)].mu * coupled))
-        return false;
-    }
-    return true;
-  }
-
-  /// Sweeps alone, as many as cost no more than some dozen Newton steps of large problems: slow where Newton
-  /// is quick, but they do not cycle.
-  template<int D> Solution swept(Problem const& problem, Solution solution) const {
-    double const size = static_cast<double>(D * problem.size()), most = 1e8 / (size * size);
-    GaussSeidel const sweeps{settings_.tolerance, static_cast<int>(std::clamp(most, 10.0, 5000.0))};
-    auto second = sweeps.make()->solve(problem, solution.force);
-    solution.iterations += second.iterations;
-    solution.work += second.work;
-    second.iterations = solution.iterations;
-    second.work = solution.work;
-    return second.converged ? second : solution;
-  }
   BipotentialNewton settings_;
 };
 

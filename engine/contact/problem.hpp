@@ -47,43 +47,7 @@ template<int D> struct PointState {
 /// pressure is that of pbar itself, one that follows the speed that of x: both belong to the map.
 template<int D>
 [[nodiscard]] PointState<D> evaluate(Problem const& problem, ProblemPoint const& data, Local<D> const& p,
-                                     Local<D> const& x, double rho) {
-  PointState<D> state;
-  interface::Coefficient<D> friction {
-    data.mu
-  };
-  double factor = 1;
-  Local<D> factor_by_x = Local<D>::Zero();
-  state.dry = p;
-  if (data.law >= 0) {
-    auto const adhesion = interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x);
-    state.dry -= data.area * adhesion.traction;
-    state.adhesion_by_x = data.area * adhesion.traction_by_x;
-    factor = adhesion.friction;
-    factor_by_x = adhesion.friction_by_x;
-  }
-  Local<D> v = x - data.shift.head<D>();
-  if (data.friction >= 0)
-    friction = interface::coefficient<D>(problem.frictions[ix(data.friction)],
-                                         {state.dry / data.area, v, data.bond.dt});
-  double const mu = state.mu = friction.mu * factor;
-  Local<D> const mu_by_x = factor * friction.by_x + friction.mu * factor_by_x;
-  double const slip = v.template tail<D - 1>().norm();
-  v[0] += mu * slip;
-  LocalMatrix<D> v_by_x = LocalMatrix<D>::Identity();
-  if (slip > 0)
-    v_by_x.row(0).template tail<D - 1>() = mu / slip * v.template tail<D - 1>().transpose();
-  v_by_x.row(0) += slip * mu_by_x.transpose();
-  auto const projection = interface::project<D>(state.dry - rho * v, mu);
-  state.status = projection.status;
-  state.residual = state.dry - projection.value;
-  state.residual_by_dry = LocalMatrix<D>::Identity() - projection.by_z;
-  state.residual_by_x = rho * projection.by_z * v_by_x - projection.by_mu * mu_by_x.transpose();
-  if (data.friction >= 0) // z and the cone follow pbar also through mu
-    state.residual_by_dry += (rho * slip * projection.by_z.col(0) - projection.by_mu) *
-                             (factor / data.area * friction.by_dry).transpose();
-  return state;
-}
+                                     Local<D> const& x, double rho);
 
 template<int D>
 [[nodiscard]] PointState<D> evaluate(Problem const& problem, Index point, Local<D> const& p,
@@ -100,6 +64,13 @@ template<class Call> auto by_dimension(int dim, Call&& call) {
 
 /// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.
 [[nodiscard]] double natural_scale(Problem const& problem, Index point);
+
+/// The force of one point, everything else held fixed: x = free + W p with W of the point alone. Where the
+/// search from p gets stuck, as at the fold of a snapping bond or past the single answer of friction, it
+/// starts again from no force, then from the force that would make the point stick.
+template<int D>
+[[nodiscard]] Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
+                                   double rho);
 
 /// x = free + W p.
 [[nodiscard]] Vector displacement(Problem const& problem, Vector const& force);

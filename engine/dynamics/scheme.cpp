@@ -13,8 +13,7 @@ template<class T> core::Describe<T>& add_inertia(core::Describe<T>& description)
   return description.choice("contact_inertia", &T::contact_inertia, {"full", "implicit", "none"},
                             Need::optional,
                             "contact nodes: as all others (an impact rings, and with Newmark's trapezium it "
-                            "makes energy), by backward "
-                            "Euler, or massless (mass redistribution)");
+                            "makes energy), by backward Euler, or massless (mass redistribution)");
 }
 
 template<class T> core::Describe<T>& add_level(core::Describe<T>& description) {

@@ -47,38 +47,22 @@ struct Law {
   }
 };
 
-// What each law defines for itself, dispatched.
+// What each law defines for itself, dispatched; D = 1, 2, 3.
 
-template<int D> [[nodiscard]] Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at) {
-  return std::visit([&](auto const& law) { return coefficient<D>(law, at); }, friction);
-}
+template<int D> [[nodiscard]] Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at);
 template<int D>
-[[nodiscard]] Adhesion<D> adhere(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
-  return std::visit([&](auto const& law) { return adhere<D>(law, step, x); }, adhesion);
-}
+[[nodiscard]] Adhesion<D> adhere(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x);
 template<int D>
-[[nodiscard]] Bond advance(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
-  return std::visit([&](auto const& law) { return advance<D>(law, step, x); }, adhesion);
-}
+[[nodiscard]] Bond advance(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x);
 /// What the step dissipates by bonding, viscosity and damage, J/m^2.
 template<int D>
-[[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x) {
-  return std::visit([&](auto const& law) { return dissipation<D>(law, step, x); }, adhesion);
-}
+[[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x);
 /// What the bond stores, zero when it is gone, J/m^2.
-[[nodiscard]] inline double bond_energy(AdhesionLaw const& adhesion, Bond const& bond, double x_n) {
-  return std::visit([&](auto const& law) { return bond_energy(law, bond, x_n); }, adhesion);
-}
+[[nodiscard]] double bond_energy(AdhesionLaw const& adhesion, Bond const& bond, double x_n);
 /// The bond at the start of a point with this gap.
-[[nodiscard]] inline Bond initial_bond(AdhesionLaw const& adhesion, double gap) {
-  return std::visit([&](auto const& law) { return law.initial(gap); }, adhesion);
-}
-[[nodiscard]] inline Scales scales(AdhesionLaw const& adhesion) {
-  return std::visit([](auto const& law) { return law.scales(); }, adhesion);
-}
+[[nodiscard]] Bond initial_bond(AdhesionLaw const& adhesion, double gap);
+[[nodiscard]] Scales scales(AdhesionLaw const& adhesion);
 /// Steepest fall of the normal traction with the opening that a bond without shear has in this step, N/m^3.
-[[nodiscard]] inline double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step) {
-  return std::visit([&](auto const& law) { return law.steepest_fall(step); }, adhesion);
-}
+[[nodiscard]] double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step);
 
 } // namespace stiction::interface

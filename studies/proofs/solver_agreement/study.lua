@@ -21,7 +21,7 @@ local problems = {
   "plate_mu00_descent", "plate_mu00_slide", "plate_mu04_descent", "plate_mu04_slide", "plate_mu04_end",
   "plate_mu08_descent", "plate_mu08_slide", "block_3d_flat", "sphere_3d_bonded", "sphere_axisymmetric_bonded",
   "greco_mu15", "greco_quadratic", "greco_fine", "hertz_frictionless", "jkr_softening", "jkr_stiff", "bar_snaps",
-  "rod_slides_mu16", "rod_jams_mu16", "cube_pushed_3d",
+  "rod_slides_mu16", "rod_jams_mu16", "cube_pushed_3d", "nearly_incompressible",
 }
 local open = {
   "plate_mu08_indefinite", "plate_mu08_indefinite_late", "coarse_primary_rank_deficient", "rigid_plate_rank_3",
