@@ -189,7 +189,8 @@ CommandLine parse_command_line(int count, char const* const* words) {
   app.footer("'stiction COMMAND --help' lists a command's options. Also: 'stiction test [--all]'.");
   app.set_version_flag("--version", STICTION_VERSION);
   app.require_subcommand(1);
-  Commands(app, line).add_all();
+  Commands commands(app, line); // called back while the words are parsed
+  commands.add_all();
   if (count < 2) {
     std::cout << app.help();
     line.code = 2;

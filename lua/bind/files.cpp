@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 #include <unistd.h>
 
 #include "bind/push.hpp"
@@ -29,7 +30,10 @@ int read_file(lua_State* lua) {
   std::ifstream file(path, std::ios::binary);
   if (!file || fs::is_directory(path))
     return refuse(lua, fmt::format("cannot read {}", path));
-  push(lua, std::string(std::istreambuf_iterator<char>(file), {}));
+  std::ostringstream text; // in blocks: a script's version is the hash of the whole program
+  if (file.peek() != std::ifstream::traits_type::eof()) // nothing read would count as a failure
+    text << file.rdbuf();
+  push(lua, text.str());
   return 1;
 }
 

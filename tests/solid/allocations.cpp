@@ -12,7 +12,7 @@ long stiction::test::allocations() {
   return calls.load();
 }
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !STICTION_SANITIZED
 extern "C" {
 
 void* __libc_malloc(std::size_t size);

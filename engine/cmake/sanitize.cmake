@@ -1,0 +1,43 @@
+# What makes STICTION_SANITIZE quick; no-ops without it. Clang parses what most files include, and makes its templates, once a
+# target (GCC gains nothing by it); the layers that compute are optimized, and what they share with the tests is theirs.
+set(STICTION_COMPUTES linear interface solid contact dynamics)
+set(STICTION_PATIENCE 120) # s, for a test
+if(STICTION_SANITIZE)
+  set(STICTION_PATIENCE 900)
+endif()
+
+function(precompile target) # precompile(TARGET [HEADER...]), headers of the engine or in <brackets>
+  if(STICTION_SANITIZE)
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/engine/ REGEX "^[^<]")
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp ${ARGN})
+  endif()
+endfunction()
+
+function(optimize target)
+  if(STICTION_SANITIZE)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
+# Several files at a time share their templates; those whose local names clash with others' stay alone.
+function(compile_together layer)
+  if(NOT STICTION_SANITIZE)
+    return()
+  endif()
+  if(layer IN_LIST STICTION_COMPUTES)
+    optimize(stiction_${layer})
+  endif()
+  if(NOT layer STREQUAL mesh)
+    set_target_properties(stiction_${layer} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+  foreach(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
+    set_source_files_properties(${layer}/${clashing}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endforeach()
+endfunction()
+
+function(prefer_what_is_optimized program) # the linker takes the first of several copies of a template
+  if(STICTION_SANITIZE)
+    list(TRANSFORM STICTION_COMPUTES REPLACE "(.+)" "$<TARGET_FILE:stiction_\\1>" OUTPUT_VARIABLE archives)
+    target_link_options(${program} PRIVATE -Wl,--whole-archive ${archives} -Wl,--no-whole-archive -fuse-ld=gold)
+  endif()
+endfunction()
