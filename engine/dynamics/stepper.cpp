@@ -24,9 +24,8 @@ core::Schema const& StepControl::schema() {
           .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-14, 1e-2, false, false},
                   Need::optional, "out-of-balance force and contact residual over the largest nodal force")
           .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
-                   "Newton iterations at most; three times as many for damped bodies whose contact nodes "
-                   "move by a "
-                   "scheme of their own, while the residual falls steadily")
+                   "Newton iterations at most; three times as many for damped bodies with contact nodes "
+                   "apart (contact_inertia), while the residual falls steadily")
           .build();
   return made;
 }

@@ -26,9 +26,9 @@ struct Cholesky::Workspace {
 Cholesky::Cholesky(Pattern pattern, Index trailing)
     : pattern_(std::move(pattern)), trailing_(trailing), work_(std::make_unique<Workspace>()) {
   recycle_suitesparse_memory();
-  openblas_set_num_threads(1); // cases are the unit of parallelism
-  omp_set_max_active_levels(
-      0); // CHOLMOD's own threads: four for every larger supernode, a quarter of the time
+  // cases are the unit of parallelism; CHOLMOD would start four threads for every larger supernode
+  openblas_set_num_threads(1);
+  omp_set_max_active_levels(0);
   auto& common = work_->common;
   cholmod_start(&common);
   common.print = 0;

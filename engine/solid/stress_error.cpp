@@ -33,8 +33,8 @@ Apart take_apart(Body const& body, std::span<double const> u) {
   return apart;
 }
 
-/// int |s|^2 of s[nodes, 11, 22, 33, 12 [, 23, 13]] between the nodes of a cell.
-/// mass over density: int N_a N_b
+/// int |s|^2 of s[nodes, 11, 22, 33, 12 [, 23, 13]] between the nodes of a cell;
+/// mass over density: int N_a N_b.
 double square(Dense const& s, Dense const& mass, double density) {
   auto const each = s.cwiseProduct(mass * s).colwise().sum().eval();
   return (each.head<3>().sum() + 2 * each.tail(each.size() - 3).sum()) / density;

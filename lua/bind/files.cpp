@@ -30,7 +30,7 @@ int read_file(lua_State* lua) {
   std::ifstream file(path, std::ios::binary);
   if (!file || fs::is_directory(path))
     return refuse(lua, fmt::format("cannot read {}", path));
-  std::ostringstream text; // in blocks: a script's version is the hash of the whole program
+  std::ostringstream text; // in blocks: each start reads the program itself, for its hash
   if (file.peek() != std::ifstream::traits_type::eof()) // nothing read would count as a failure
     text << file.rdbuf();
   push(lua, text.str());
