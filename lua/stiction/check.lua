@@ -1,4 +1,5 @@
 -- The checks of a study: each a name, a value, what was expected, and whether it held.
+local accuracy = require "stiction.trade.accuracy"
 local fault = require "stiction.fault"
 local ledger = require "stiction.ledger"
 local proof = require "stiction.proof"
@@ -122,11 +123,14 @@ function check.recorder()
   return recorder, list
 end
 
---- Runs a study's checks on its cases.
-function check.run(study, cases)
+--- Runs a study's checks on its cases, and that of what `measured` (or nil) says of them, as --accuracy gives it.
+function check.run(study, cases, measured)
   local recorder, list = check.recorder()
   if study.check then
     study.check(cases, recorder)
+  end
+  if measured then
+    accuracy.check(measured, cases, recorder)
   end
   return list
 end

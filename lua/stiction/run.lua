@@ -46,7 +46,7 @@ local function judge(plan, rows)
     report.line("%d of %d cases finished: no checks, no figures until all are", #cases, #rows)
     return true
   end
-  local checks = check.run(plan.study, cases)
+  local checks = check.run(plan.study, cases, plan.measured)
   output.write_checks(plan.folder, checks)
   local good = report.checks(checks) == 0
   if not plan.options.no_figures then
@@ -55,18 +55,18 @@ local function judge(plan, rows)
   return good
 end
 
---- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}.
+--- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; of --accuracy also measured =, errors =.
 local function make_plan(options)
-  local study, errors = study_module.load(options.study, options.trust), nil
+  local study, measured = study_module.load(options.study, options.trust), nil
   if options.accuracy then
-    options, errors = accuracy.apply(study, options)
+    options, measured = accuracy.apply(study, options)
   end
   local cases, names = sweep.cases(study, options)
   if options.case then
     sweep.find(cases, options.case)
   end
   return { study = study, cases = cases, names = names, folder = output.folder(study, options),
-    options = options, errors = errors }
+    options = options, measured = measured, errors = measured and measured.errors }
 end
 
 --- Runs a study; its exit code, its output folder and its study table.

@@ -26,6 +26,12 @@ holds "the trade does not repeat" [ "$(cut -d, -f1-10 again/trade.csv)" = "$(cat
 
 expect 0 "--accuracy 20%: cells = |of the default's work" "$stiction" run soft --accuracy 20% --no-figures
 holds "errors in summary.csv" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error$' out/soft/summary.csv
+promise="force_y within its error of what its trade measured"
+holds "what was measured is checked once, at mu = 0.2" [ "$(grep -c "$promise" out/soft/checks.json)" = 1 ]
+cp soft/trade.json measured
+sed -i 's/"force_y": 2[0-9]\./"force_y": 99./' soft/trade.json
+expect 1 "$promise" "$stiction" run soft --accuracy 20% --no-figures
+mv measured soft/trade.json
 expect 2 "the best that was measured is|finer levels" "$stiction" run soft --accuracy 1e-9 --no-figures
 expect 2 "write a share above 0" "$stiction" run soft --accuracy lots --no-figures
 sed -i 's/soft rubber/softer rubber/' soft/study.lua
@@ -40,9 +46,11 @@ expect 2 "the default cells = 4 must be one of its levels" "$stiction" trade sof
 sed -i 's/"force_x",$/"farce_x",/; s/{ 2, 5, 8 }/{ 2, 4, 8 }/' soft/study.lua
 expect 2 "no result 'farce_x'" "$stiction" trade soft
 
-# what was measured of the repository's own studies still stands beside them and is of their present words
+# what was measured of the repository's own studies still stands beside them, is of their present words and still comes out
 for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die; do
-  expect 0 "--accuracy 10%:|of the default's work" "$stiction" run "$here/../../studies/trade/$name" --accuracy 10% --list
+  expect 0 "--accuracy 10%:|of the default's work|checks held" "$stiction" run "$here/../../studies/trade/$name" \
+    --accuracy 10% --no-figures --out "$name"
+  holds "$name: what was measured is checked" grep -q "within its error of what" "$name/checks.json"
   expect 2 "the best that was measured is|./stiction trade" "$stiction" run "$here/../../studies/trade/$name" \
     --accuracy 1e-9 --list
 done

@@ -7,9 +7,10 @@ local ladder = {}
 
 local most = 5000 -- combinations of all levels
 
-local function same(a, b)
+--- Whether two settings are one: numbers and quantities to what a text of them keeps.
+function ladder.same(a, b)
   if units.is_quantity(a) or units.is_quantity(b) then
-    return units.same_dimension(a, b) and same(a.si, b.si)
+    return units.same_dimension(a, b) and ladder.same(a.si, b.si)
   elseif type(a) == "number" and type(b) == "number" then
     return math.abs(a - b) <= 1e-9 * math.max(math.abs(a), math.abs(b))
   end
@@ -19,7 +20,7 @@ end
 --- Position of a value among the levels of a knob, nil if it is none of them.
 function ladder.level_of(knob, value)
   for i, level in ipairs(knob.levels) do
-    if same(level, value) then
+    if ladder.same(level, value) then
       return i
     end
   end
