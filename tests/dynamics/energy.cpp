@@ -1,9 +1,37 @@
-// The ledger against closed forms of quasi-static runs.
+// The ledger against closed forms of quasi-static runs, and steps that are refused for what it says.
 #include <doctest/doctest.h>
 
 #include "dynamics/marching.hpp"
 
 using namespace stiction;
+
+namespace {
+
+/// A bar above the floor that falls at 3 m/s; waves take 1/3 s from end to end.
+test::Input falling_bar() {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot") = test::block({{0, 0.5}, {0.5, 10}, {1, 20}}, test::linear_elastic(900, 0));
+  test::at(table, "bodies.foot.velocity") = test::values({0, -3}, "m/s");
+  test::at(table, "motions") = test::list({test::fix("foot.all", true, false)});
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  return table;
+}
+
+/// A single light cell of great viscosity, 0.1 mm above the floor, which begins to fall.
+test::Input light_and_viscous() {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot") =
+      test::block({{0, 1e-4}, {0.01, 0.01}, {1, 1}}, test::linear_elastic(1e5, 0.3), 1e-3);
+  test::at(table, "bodies.foot.damping") =
+      test::make("damping.kelvin_voigt",
+                 {{"shear_viscosity", test::value(3, "Pa s")}, {"bulk_viscosity", test::value(3, "Pa s")}});
+  test::at(table, "gravity") = test::values({0, -9.81}, "m/s^2");
+  test::at(table, "motions") = test::list({});
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  return table;
+}
+
+} // namespace
 
 TEST_CASE("friction takes mu N along the path of a rigidly dragged block") {
   double const mu = 0.3, press = 1000 * 0.01;
@@ -72,4 +100,34 @@ TEST_CASE("gravity: a falling block turns potential into kinetic energy") {
   CHECK(state.ledger.potential == doctest::Approx(2 * 10 * fall).epsilon(1e-9));
   CHECK(state.ledger.kinetic == doctest::Approx(0.5 * 2 * (9 + 81)).epsilon(1e-9));
   CHECK(std::abs(state.ledger.scheme_loss()) < 1e-8);
+}
+
+TEST_CASE("a step whose time scheme makes more energy than there was is refused, and none that does not") {
+  auto const scene = scene::build(falling_bar());
+  dynamics::Stepper stepper(*scene.model);
+  for (double const dt : {1.0, 10.0, 1e2, 1e4}) {
+    INFO("dt = " << dt);
+    auto const landed = test::march(stepper, stepper.initial(), dt, 1);
+    auto const outcome = stepper.step(landed, dt);
+    CHECK(outcome.verdict == dynamics::StepVerdict::unstable);
+    CHECK(outcome.reason == "the time scheme made more energy than there was");
+    CHECK(outcome.state.ledger.kinetic > 2 * landed.ledger.start);
+  }
+  for (double const dt : {0.01, 0.1, 0.2, 0.5})
+    test::march(stepper, stepper.initial(), dt, 10, [](test::State const& old, test::State const& next) {
+      CHECK(next.ledger.kinetic + next.ledger.strain < 2 * (old.ledger.kinetic + old.ledger.strain));
+    });
+}
+
+TEST_CASE("a step whose viscosity gives back more energy than there was is refused") {
+  auto const scene = scene::build(light_and_viscous());
+  dynamics::Stepper stepper(*scene.model);
+  for (double const dt : {1e-4, 1e-3}) {
+    INFO("dt = " << dt);
+    auto const outcome = stepper.step(stepper.initial(), dt);
+    CHECK(outcome.verdict == dynamics::StepVerdict::unstable);
+    CHECK(outcome.reason == "the viscosity of the bodies gave back more energy than there was");
+    CHECK(outcome.state.ledger.damping_loss < 0);
+  }
+  CHECK(stepper.step(stepper.initial(), 1e-6).converged());
 }

@@ -213,7 +213,7 @@ TEST_CASE("an explicit run under error control tries steps above its limit now a
   REQUIRE(ran.result.verdict == "finished");
   CHECK(ran.log.find("above the stability limit") != std::string::npos);
   CHECK(ran.result.counters.at("cut_not_converged") > 0);
-  CHECK(ran.result.counters.at("cut_not_converged") < 0.15 * ran.result.steps);
+  CHECK(ran.result.counters.at("cut_not_converged") < 0.15 * static_cast<double>(ran.result.steps));
 }
 
 TEST_CASE("the same run under error control is the same to the last bit") {
