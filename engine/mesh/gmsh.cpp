@@ -126,12 +126,19 @@ void check_sizes(Complaints& complaints, GmshGeometry const& geometry) {
           {"", "gmsh.sizes", fmt::format("asks for a size of {:g} m; it must be > 0 m", sizes[i])});
 }
 
+/// Longest way from the start to a corner of the outer outline, m.
+double extent_of(GmshGeometry const& geometry) {
+  double extent = 0;
+  for (auto const& edge : geometry.edges)
+    extent = std::max(extent, distance(geometry.start, edge.to));
+  return extent;
+}
+
 /// Refuses sizes that would keep the mesher busy for hours.
 void check_cell_number(Complaints& complaints, GmshGeometry const& geometry) {
   constexpr double most_cells_across = 2000;
-  double extent = 0, finest = geometry.size;
-  for (auto const& edge : geometry.edges)
-    extent = std::max(extent, distance(geometry.start, edge.to));
+  double const extent = extent_of(geometry);
+  double finest = geometry.size;
   for (auto const& refinement : geometry.refine)
     finest = std::min(finest, refinement.size);
   for (std::size_t i = 2; i < geometry.sizes.size(); i += 3)
@@ -165,28 +172,48 @@ template<class T> std::vector<T> read_list(core::Reader& reader, std::string_vie
   return all;
 }
 
-Json to_json(Outline const& outline) {
-  Json edges = Json::array();
-  for (auto const& edge : outline.edges)
-    edges.push_back(
-        {{"to", edge.to}, {"centre", edge.centre}, {"through", edge.through}, {"name", edge.name}});
-  return {{"start", outline.start}, {"edges", edges}};
+/// length / unit without the rounding of its last bit, by which the mesher would count one cell more or less.
+double over(double length, double unit) {
+  return std::stod(fmt::format("{:.15g}", length / unit));
 }
 
-Json to_json(GmshGeometry const& geometry) {
+core::Numbers over(core::Numbers lengths, double unit) {
+  for (double& length : lengths)
+    length = over(length, unit);
+  return lengths;
+}
+
+Json to_json(Outline const& outline, double unit) {
+  Json edges = Json::array();
+  for (auto const& edge : outline.edges)
+    edges.push_back({{"to", over(edge.to, unit)},
+                     {"centre", over(edge.centre, unit)},
+                     {"through", over(edge.through, unit)},
+                     {"name", edge.name}});
+  return {{"start", over(outline.start, unit)}, {"edges", edges}};
+}
+
+/// The geometry with lengths over its extent: gmsh's tolerances are absolute, and so every unit of length
+/// gives one mesh.
+Json request_for(GmshGeometry const& geometry) {
+  double const unit = extent_of(geometry);
   Json curves = Json::array();
   for (auto const& outline : outlines(geometry))
-    curves.push_back(to_json(outline));
+    curves.push_back(to_json(outline, unit));
   Json refine = Json::array();
   for (auto const& r : geometry.refine)
-    refine.push_back({{"near", r.near}, {"size", r.size}, {"within", r.within}, {"until", r.until}});
+    refine.push_back({{"near", r.near},
+                      {"size", over(r.size, unit)},
+                      {"within", over(r.within, unit)},
+                      {"until", over(r.until, unit)}});
   Json request{{"task", "geometry"},
                {"kind", info(geometry.kind).name},
-               {"size", geometry.size},
+               {"size", over(geometry.size, unit)},
                {"outlines", curves},
-               {"refine", refine}};
+               {"refine", refine},
+               {"scale", unit}};
   if (!geometry.sizes.empty()) {
-    request["sizes"] = geometry.sizes;
+    request["sizes"] = over(geometry.sizes, unit);
     request["growth"] = geometry.growth;
   }
   return request;
@@ -275,7 +302,7 @@ core::Schema const& MshFile::schema() {
 
 Mesh gmsh_geometry(GmshGeometry const& geometry) {
   check(geometry);
-  Mesh mesh = mesh_for_request(to_json(geometry).dump(1), "gmsh");
+  Mesh mesh = mesh_for_request(request_for(geometry).dump(1), "gmsh");
   check(mesh, "gmsh");
   return mesh;
 }

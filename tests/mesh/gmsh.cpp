@@ -111,6 +111,35 @@ TEST_SUITE("mesh") {
     CHECK(after.sets.at("outer").facets.size() < 2 * before.sets.at("outer").facets.size());
   }
 
+  TEST_CASE("an outline gives the same cells in every unit of length") {
+    if (no_mesher())
+      return;
+    OwnCache const cache;
+    auto const in_units = [](double metre) {
+      auto ring = quarter_ring(CellKind::quad4);
+      auto const scale = [&](core::Numbers& lengths) {
+        for (double& length : lengths)
+          length *= metre;
+      };
+      scale(ring.start);
+      for (auto& edge : ring.edges) {
+        scale(edge.to);
+        scale(edge.centre);
+      }
+      ring.size *= metre;
+      ring.refine = {{"inner", 0.05 * metre, 0.1 * metre, 0.6 * metre}};
+      return gmsh_geometry(ring);
+    };
+    auto const mesh = in_units(1);
+    for (double const metre : {1e-9, 3e-4, 1e6}) {
+      CAPTURE(metre);
+      auto const same = in_units(metre);
+      REQUIRE(same.blocks[0].nodes == mesh.blocks[0].nodes);
+      CHECK((same.nodes / metre - mesh.nodes).cwiseAbs().maxCoeff() < 1e-12);
+      CHECK(same.sets.at("inner").nodes == mesh.sets.at("inner").nodes);
+    }
+  }
+
   TEST_CASE("a mesh is made once and is the same from the cache, and a damaged cache is made anew") {
     if (no_mesher())
       return;
