@@ -51,7 +51,7 @@ await 2
 holds "two children run" [ "$(children | wc -l)" = 2 ]
 kill -KILL "$id"
 wait "$id" 2>/dev/null
-sleep 1
+await 0
 holds "children outlive their parent" [ -z "$(children)" ]
 expect 0 "mu0  to run" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --out killed --list
 finish
