@@ -172,17 +172,6 @@ template<class T> std::vector<T> read_list(core::Reader& reader, std::string_vie
   return all;
 }
 
-/// length / unit without the rounding of its last bit, by which the mesher would count one cell more or less.
-double over(double length, double unit) {
-  return std::stod(fmt::format("{:.15g}", length / unit));
-}
-
-core::Numbers over(core::Numbers lengths, double unit) {
-  for (double& length : lengths)
-    length = over(length, unit);
-  return lengths;
-}
-
 Json to_json(Outline const& outline, double unit) {
   Json edges = Json::array();
   for (auto const& edge : outline.edges)

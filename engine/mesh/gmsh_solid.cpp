@@ -73,21 +73,19 @@ void check(GmshSolid const& solid) {
 
 /// The solid about the origin, lengths over `unit`.
 nlohmann::json request_for(GmshSolid const& solid, double unit) {
-  auto extent = solid.extent, near = near_of(solid);
-  for (double& e : extent)
-    e /= unit;
+  auto near = near_of(solid);
   for (std::size_t i = 0; i < 3; ++i)
-    near[i] = (near[i] - solid.at[i]) / unit;
+    near[i] -= solid.at[i];
   bool const fine = solid.fine_size > 0;
   return {{"task", "solid"},
           {"shape", shapes()[static_cast<std::size_t>(solid.shape)]},
-          {"extent", extent},
+          {"extent", over(solid.extent, unit)},
           {"quarter", solid.quarter},
-          {"size", solid.size / unit},
-          {"fine_size", (fine ? solid.fine_size : solid.size) / unit},
-          {"near", near},
-          {"within", fine ? solid.within / unit : 0.0},
-          {"until", fine ? solid.until / unit : 1.0},
+          {"size", over(solid.size, unit)},
+          {"fine_size", over(fine ? solid.fine_size : solid.size, unit)},
+          {"near", over(near, unit)},
+          {"within", fine ? over(solid.within, unit) : 0.0},
+          {"until", fine ? over(solid.until, unit) : 1.0},
           {"kind", info(solid.kind).name},
           {"scale", unit}};
 }

@@ -1,4 +1,4 @@
-// Wording of complaints about lists of numbers.
+// Wording of complaints about lists of numbers; quotients of lengths.
 #include "mesh/numbers.hpp"
 
 #include <algorithm>
@@ -21,6 +21,16 @@ bool check_numbers(core::Complaints& complaints, GivenNumbers const& given) {
                         fmt::format("is {}{}; {}", core::to_string(shown),
                                     given.unit == "1" ? "" : " " + given.unit, wanted)});
   return false;
+}
+
+double over(double length, double unit) {
+  return std::stod(fmt::format("{:.15g}", length / unit));
+}
+
+core::Numbers over(core::Numbers lengths, double unit) {
+  for (double& length : lengths)
+    length = over(length, unit);
+  return lengths;
 }
 
 } // namespace stiction::mesh

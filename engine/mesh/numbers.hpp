@@ -1,4 +1,4 @@
-// Checks the lists of numbers that a schema cannot check by itself.
+// Lists of numbers that a schema cannot check by itself, and lengths as the mesher is asked for them.
 #pragma once
 #include <string>
 
@@ -18,5 +18,9 @@ struct GivenNumbers {
 
 /// Adds a complaint and returns false when the length or a number is wrong.
 bool check_numbers(core::Complaints& complaints, GivenNumbers const& given);
+
+/// length / unit, the rounding of its last bit taken away: by it the mesher may count one cell more or less.
+[[nodiscard]] double over(double length, double unit);
+[[nodiscard]] core::Numbers over(core::Numbers lengths, double unit);
 
 } // namespace stiction::mesh

@@ -11,8 +11,10 @@ local figure = {}
 local figure_mark = {}
 
 local function factor_of(unit, what)
-  local factor = engine.parse_unit(unit or "1")
-  return factor or fault.script("%s: unknown unit '%s'%s", what, unit, fault.meant(unit, engine.unit_words()))
+  unit = unit or "1"
+  local factor = type(unit) == "string" and engine.parse_unit(unit)
+  return factor or fault.script("%s: unknown unit '%s'%s", what, tostring(unit),
+    fault.meant(tostring(unit), engine.unit_words()))
 end
 
 --- SI number or quantity (or a list of them) in the unit with this factor.

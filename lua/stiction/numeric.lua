@@ -3,7 +3,18 @@ local fault = require "stiction.fault"
 
 local numeric = {}
 
-local function best(values, better)
+--- The lists that a function called `what` is given, so that a wrong name in a script is told as such.
+local function need_lists(what, ...)
+  for i = 1, select("#", ...) do
+    local list = select(i, ...)
+    if type(list) ~= "table" then
+      fault.script("numeric.%s needs a list of numbers, not %s", what, tostring(list))
+    end
+  end
+end
+
+local function best(what, values, better)
+  need_lists(what, values)
   if #values == 0 then
     fault.script("this list is empty: it has no largest or smallest element")
   end
@@ -18,17 +29,17 @@ end
 
 --- Largest value and its position (the first of equals).
 function numeric.max(values)
-  return best(values, function(a, b) return a > b end)
+  return best("max", values, function(a, b) return a > b end)
 end
 
 --- Smallest value and its position.
 function numeric.min(values)
-  return best(values, function(a, b) return a < b end)
+  return best("min", values, function(a, b) return a < b end)
 end
 
 --- Value of largest magnitude, with its sign, and its position.
 function numeric.extreme(values)
-  return best(values, function(a, b) return math.abs(a) > math.abs(b) end)
+  return best("extreme", values, function(a, b) return math.abs(a) > math.abs(b) end)
 end
 
 function numeric.argmax(values)
@@ -41,6 +52,7 @@ end
 
 --- Piecewise linear y(x), xs ascending; held constant outside.
 function numeric.interpolate(xs, ys, x)
+  need_lists("interpolate", xs, ys)
   if #xs == 0 or #xs ~= #ys then
     fault.script("interpolate needs two lists of one length, not %d and %d", #xs, #ys)
   end
@@ -64,6 +76,7 @@ end
 
 --- First position whose value satisfies the test, from `start` on (default 1); nil if none does.
 function numeric.first_where(values, test, start)
+  need_lists("first_where", values)
   for i = start or 1, #values do
     if test(values[i]) then
       return i
@@ -73,6 +86,10 @@ end
 
 --- Integral of y over x by trapezia.
 function numeric.integral(xs, ys)
+  need_lists("integral", xs, ys)
+  if #xs ~= #ys then
+    fault.script("integral needs two lists of one length, not %d and %d", #xs, #ys)
+  end
   local sum = 0
   for i = 2, #xs do
     sum = sum + 0.5 * (ys[i] + ys[i - 1]) * (xs[i] - xs[i - 1])
@@ -82,6 +99,7 @@ end
 
 --- Arithmetic mean.
 function numeric.mean(values)
+  need_lists("mean", values)
   if #values == 0 then
     fault.script("this list is empty: it has no mean")
   end
@@ -111,6 +129,7 @@ end
 
 --- What the polynomial of least squares over xs, of this degree, leaves of ys (Gram and Schmidt on its powers).
 function numeric.without_trend(xs, ys, degree)
+  need_lists("without_trend", xs, ys)
   if #xs ~= #ys or #xs <= degree then
     fault.script("without_trend needs two lists of one length, longer than the degree %d; got %d and %d", degree, #xs, #ys)
   end
@@ -138,6 +157,7 @@ end
 
 --- f(a[i]) for every element, as a new list.
 function numeric.map(values, f)
+  need_lists("map", values)
   local list = {}
   for i, value in ipairs(values) do
     list[i] = f(value)

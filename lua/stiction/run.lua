@@ -55,7 +55,8 @@ local function judge(plan, rows)
   return good
 end
 
---- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; of --accuracy also measured =, errors =.
+--- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; of --accuracy also {measured =,
+--- errors =}.
 local function make_plan(options)
   local study, measured = study_module.load(options.study, options.trust), nil
   if options.accuracy then

@@ -67,8 +67,8 @@ local function read_result(name, entry)
     fault.script("study.results.%s must be { unit = ..., meaning = ..., function(run, p) ... end }", tostring(name))
   end
   local unit = entry.unit or "1"
-  if not engine.parse_unit(unit) then
-    fault.script("study.results.%s: unknown unit '%s'", name, unit)
+  if type(unit) ~= "string" or not engine.parse_unit(unit) then
+    fault.script("study.results.%s: unknown unit '%s'", name, tostring(unit))
   end
   return { name = name, unit = unit, meaning = entry.meaning or "", compute = body }
 end

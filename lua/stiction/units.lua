@@ -171,6 +171,9 @@ meta.__concat = function(a, b)
 end
 
 local function parse(text)
+  if type(text) ~= "string" then
+    fault.script("a unit is a text like \"mm/s\", not %s", type(text) == "table" and "a table" or tostring(text))
+  end
   local factor, metre, kilogram, second = engine.parse_unit(text)
   if not factor then
     local word = text:match("^[^ /*^]+$") or ""

@@ -24,3 +24,13 @@ test("a trend of its degree is taken off whole, what is orthogonal to it stays",
   equal(math.abs(amplitude - 0.1) < 0.01, true)
   fails("without_trend needs two lists of one length", numeric.without_trend, { 1, 2 }, { 1 }, 0)
 end)
+
+test("what is no list is told with the line of the script", function()
+  for _, name in ipairs { "max", "min", "extreme", "argmax", "argmin", "mean", "amplitude", "map", "first_where", "integral",
+    "interpolate", "without_trend" } do
+    fails("needs a list of numbers, not nil", numeric[name])
+    fails("needs a list of numbers, not 5", numeric[name], 5)
+  end
+  fails("numeric.lua:34: numeric.mean needs a list of numbers, not nil", function() numeric.mean(nil) end)
+  fails("integral needs two lists of one length, not 2 and 1", numeric.integral, { 1, 2 }, { 1 })
+end)

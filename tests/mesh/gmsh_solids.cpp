@@ -176,6 +176,29 @@ TEST_SUITE("mesh") {
     CHECK(mentions(refusal([&] { (void)msh_file({prism}); }), "gmsh's type 7"));
   }
 
+  TEST_CASE("a solid gives the same cells in every unit of length") {
+    if (test::no_mesher())
+      return;
+    OwnCache const cache;
+    auto const in_units = [](double metre) {
+      GmshSolid box;
+      box.shape = SolidShape::box;
+      box.extent = {3 * metre, 0.7 * metre, 1.1 * metre};
+      box.size = 0.3 * metre;
+      box.fine_size = 0.1 * metre;
+      box.within = 0.2 * metre;
+      box.until = 1.3 * metre;
+      return gmsh_solid(box);
+    };
+    auto const mesh = in_units(1);
+    for (double const metre : {1e-9, 3e-4, 1e6}) {
+      CAPTURE(metre);
+      auto const same = in_units(metre);
+      REQUIRE(same.blocks[0].nodes == mesh.blocks[0].nodes);
+      CHECK((same.nodes / metre - mesh.nodes).cwiseAbs().maxCoeff() < 1e-12);
+    }
+  }
+
   TEST_CASE("a solid refuses wrong numbers with their names") {
     auto const words = [](auto change) {
       GmshSolid solid{.shape = SolidShape::cylinder, .extent = {1, 1}, .size = 0.2};

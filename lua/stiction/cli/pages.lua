@@ -114,7 +114,7 @@ at least, are the front.
 
 The full form is kept beside the study (trade.json) for 'stiction run STUDY --accuracy 2%', which takes the cheapest
 measured settings whose bound is within 2 % and adds to summary.csv what each result may be off by (NAME_error, in the
-result's unit; of a curve relative to its norm). They hold for the scene that was measured, that of study.trade.set; where that
-is among the cases, each number is checked to be within its error of what it was then.]]
+result's unit; of a curve relative to its norm). They hold for the scene that was measured, that of study.trade.set;
+where that is among the cases, each number is checked to be within its error of what it was then.]]
 
 return pages
