@@ -1,11 +1,15 @@
 #!/bin/sh
-# Runs the engine's tests, or those that a doctest filter names, and the replay of the seeds under valgrind:
-# valgrind.sh [FILTER]. It takes tens of minutes; a read or write out of bounds, or of nothing, or a leak fails it.
+# Runs the engine's tests, or those that a doctest filter names, and the replay of the seeds under valgrind, in a build of
+# their own: valgrind.sh [FILTER]. It takes tens of minutes; a read or write out of bounds, or of nothing, or a leak fails it.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-build=$here/../build
-command -v valgrind >/dev/null || { echo "apt-get install valgrind" >&2; exit 2; }
-[ -x "$build/tests/stiction_tests" ] || { echo "no tests are built: run ./stiction test first" >&2; exit 2; }
+build=$here/../build/valgrind
+for tool in valgrind clang++-16; do
+  command -v $tool >/dev/null || { echo "apt-get install valgrind clang-16" >&2; exit 2; }
+done
+cd "$here/.."
+cmake --preset valgrind >/dev/null
+cmake --build "$build" --target stiction_tests stiction_seeds stiction-mesher
 export OPENBLAS_NUM_THREADS=1 OPENBLAS_CORETYPE=Haswell # valgrind knows no AVX-512
 check() {
   valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \
