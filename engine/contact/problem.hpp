@@ -81,7 +81,7 @@ template<int D>
 
 /// What the judge says of forces p.
 struct Verdict {
-  double residual = 0; ///< largest |pbar - Proj(...)| / A over the points, Pa
+  double residual = 0; ///< largest |pbar - Proj(...)| / A over the points, Pa; 0 for rounding alone
   double scale = 0;    ///< largest traction that the problem can feel, Pa: the yardstick of `residual`
   /// Infinite when any force or displacement is not finite.
   [[nodiscard]] double relative() const;

@@ -122,6 +122,23 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE("points that just touch and slide are solved as far as rounding lets them be") {
+    Problem problem = one_point(Dense(4, 4), Vector::Zero(4), 0.3);
+    problem.points.push_back(problem.points[0]);
+    // the wall of tests/dynamics/audit.cpp at the step that ends where it is met
+    problem.W << 12, -32, -4, -32, -32, 176.7, 32, 175.3, -4, 32, 12, 32, -32, 175.3, 32, 176.7;
+    int seed = 0;
+    for (double const touch : {1.3e-18, -1.2e-17, 6.9e-17, -6.1e-17, 0.0, -3.3e-18})
+      for (double const other : {-1.2e-17, 5.9e-17, 1.1e-18, 0.0}) {
+        double const more = 1e-17 * ++seed;
+        problem.free = Eigen::Vector4d(touch, -0.0025 + more, other, -0.0025 - more);
+        INFO(touch << " " << other);
+        auto const answer = solve(BipotentialNewton{}, problem);
+        CHECK(answer.converged);
+        CHECK(answer.force.norm() < 1e-15);
+      }
+  }
+
   TEST_CASE("giving up is a verdict, not a lie") {
     auto const problem = random_problem(3, 20, 2, 0.1);
     BipotentialNewton newton;
