@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdlib>
+#include <string_view>
 
 namespace {
 std::atomic<long> calls{0};
@@ -10,6 +12,13 @@ std::atomic<long> calls{0};
 
 long stiction::test::allocations() {
   return calls.load();
+}
+
+bool stiction::test::counts_allocations() {
+  char const* const preloaded = std::getenv("LD_PRELOAD");
+  bool const valgrind =
+      preloaded != nullptr && std::string_view(preloaded).find("vgpreload") != std::string_view::npos;
+  return !STICTION_SANITIZED && !valgrind;
 }
 
 #if !STICTION_SANITIZED

@@ -11,8 +11,8 @@
 
 namespace stiction::test {
 
-/// Whether this build can count: a sanitizer brings its own malloc.
-inline constexpr bool counts_allocations = !STICTION_SANITIZED;
+/// Whether they can be counted: a sanitizer and valgrind bring their own malloc.
+[[nodiscard]] bool counts_allocations();
 
 /// Calls of malloc and its relatives so far; 0 where they cannot be counted.
 [[nodiscard]] long allocations();

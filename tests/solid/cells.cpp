@@ -236,7 +236,7 @@ TEST_SUITE("solid") {
       body.damping = material::KelvinVoigt{10, 5};
       auto const at_first = allocations();
       Cells const cells(body, each.kinematics);
-      CHECK((allocations() > at_first || !counts_allocations));
+      CHECK((allocations() > at_first || !counts_allocations()));
       auto const n = each.dim() * body.mesh.node_count();
       std::vector<double> u(ix(n), 0.001), f(ix(n), 0), values(ix(n) * ix(n), 0);
       auto const map = dense_map(cells, n, each.dim());
