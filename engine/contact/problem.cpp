@@ -82,10 +82,14 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
   for (Index i = 0; i < problem.size(); ++i) {
     double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
     Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
-    double const residual = evaluate<D>(problem, i, p, at, rho).residual.norm();
-    // a point that just touches and slides carries what rounding makes of its slip
-    double const rounding = 4 * std::numeric_limits<double>::epsilon() *
-                            (p.norm() + rho * (at.norm() + problem.free.segment<D>(D * i).norm()));
+    auto const state = evaluate<D>(problem, i, p, at, rho);
+    double const residual = state.residual.norm();
+    // the cone takes rho |x_t| off the pressure and gives it back: what that rounds to, a point that just
+    // touches while it slides cannot do without
+    double const rounding =
+        state.status == interface::Status::open
+            ? 0.0
+            : 4 * std::numeric_limits<double>::epsilon() * rho * at.template tail<D - 1>().norm();
     if (!(residual <= rounding))
       verdict.residual = std::max(verdict.residual, residual / area);
     // a separated point far away must not set the yardstick: only pushing free gaps count
