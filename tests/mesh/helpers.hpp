@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <doctest/doctest.h>
 #include <filesystem>
 #include <string>
 #include <unistd.h>
@@ -48,6 +49,19 @@ inline double volume(Mesh const& mesh) {
     }
   }
   return sum;
+}
+
+/// Checks that make(metre), of a shape whose lengths are so many metres, gives one mesh in every unit.
+template<class Make> void check_units(Make const& make) {
+  Mesh const mesh = make(1.0);
+  for (double const metre : {1e-9, 3e-4, 1e6}) {
+    CAPTURE(metre);
+    Mesh const same = make(metre);
+    REQUIRE(same.blocks[0].nodes == mesh.blocks[0].nodes);
+    CHECK((same.nodes / metre - mesh.nodes).cwiseAbs().maxCoeff() < 1e-12);
+    for (auto const& [name, set] : mesh.sets)
+      CHECK(same.sets.at(name).nodes == set.nodes);
+  }
 }
 
 /// Integral over facets of a function of place and outward normal times area, f(x, n dA).
