@@ -61,7 +61,7 @@ template<int D> void start_open_in(Problem const& problem, Index point, Vector& 
 
 Vector open_where_given(Problem const& problem, Vector force) {
   for (Index i = 0; i < problem.size(); ++i)
-    if (!(problem.W(problem.dim * i, problem.dim * i) > 0))
+    if (problem.W(problem.dim * i, problem.dim * i) == 0) // below zero the body softens, and may be closed
       by_dimension(problem.dim, [&]<int D>() { start_open_in<D>(problem, i, force); });
   return force;
 }

@@ -127,6 +127,24 @@ TEST_SUITE("contact") {
     CHECK_FALSE(leaps(problem, 0.1 * guess, Vector::Zero(1)));
   }
 
+  TEST_CASE(
+      "a closed point of a body that softens, W below zero, stays closed from forces that are an answer") {
+    for (int const dim : {1, 2, 3}) {
+      auto problem = bonded(dim, 1, 1, 0);
+      double const unit = problem.W(0, 0), force = 2;
+      problem.W(0, 0) = -unit;
+      problem.free[0] = unit * force;
+      Vector answer = Vector::Zero(dim);
+      answer[0] = force;
+      REQUIRE(displacement(problem, answer)[0] == 0);
+      for (auto const& choice : {SolverChoice(BipotentialNewton{}), SolverChoice(GaussSeidel{})}) {
+        auto const found = make_solver(choice)->solve(problem, answer);
+        REQUIRE(found.converged);
+        CHECK(found.force == answer);
+      }
+    }
+  }
+
   TEST_CASE("a bonded point that nothing moves and that just touches pulls as its law says") {
     for (int const dim : {2, 3}) {
       auto problem = bonded(dim, 1, 0, 0);
