@@ -43,4 +43,8 @@ holds "checks.json names the failure" grep -q '"pass": false' out/wrong/checks.j
 expect 0 "A block on a plane|phase|iterations" "$stiction" bench "$tiny" --quick
 expect 0 '"phases"|"factorizations"' "$stiction" bench "$tiny" --json
 expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
+expect 2 "no finished case in out/wrong with these parameters" "$stiction" figures wrong --set steps=7
+rm out/wrong/mu0/result.json
+sed -i 's/soft rubber/stiffer rubber/' wrong/study.lua
+expect 0 "2 of 3 cases finished with these parameters|has changed since" "$stiction" figures wrong
 finish

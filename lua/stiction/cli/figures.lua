@@ -1,36 +1,49 @@
 -- stiction figures: a study's figures again, from the output of its finished cases.
 local case_module = require "stiction.case"
 local drawing = require "stiction.drawing"
+local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local output = require "stiction.output"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
+--- True if the result is one of the case's present parameters.
+local function is_of(case, result)
+  local present = engine.decode_json(engine.encode_json(output.plain(case.p)))
+  return engine.encode_json(present) == engine.encode_json(result.parameters)
+end
+
+--- The cases that finished with their present parameters, the number of all, and whether what they ran has changed since.
 local function finished(study, options, folder)
-  local list = {}
+  local list, changed = {}, false
   local all = sweep.cases(study, options)
   for _, case in ipairs(all) do
     local result = output.read_result(folder, case)
-    if result and result.verdict == "finished" then
+    if result and result.verdict == "finished" and is_of(case, result) then
+      changed = changed or not output.is_done(result, output.fingerprint(study, case))
       local entry = case_module.new(case.id, case.p, output.case_folder(folder, case))
       entry.results = result.results
       list[#list + 1] = entry
     end
   end
-  return case_module.list(list, options.quick), #all
+  return case_module.list(list, options.quick), #all, changed
 end
 
 return function(options)
   local study = study_module.load(options.study, options.trust)
   local folder = output.folder(study, options)
-  local cases, count = finished(study, options, folder)
+  local cases, count, changed = finished(study, options, folder)
   if not study.figures then
     fault.input("the study '%s' has no figures", study.name)
   elseif #cases == 0 then
-    fault.input("no finished case in %s; run the study first", folder)
-  elseif #cases < count then
-    report.line("%d of %d cases finished; the figures show these", #cases, count)
+    fault.input("no finished case in %s with these parameters; run the study first", folder)
+  end
+  if #cases < count then
+    report.line("%d of %d cases finished with these parameters; the figures show these", #cases, count)
+  end
+  if changed then
+    report.line("the study, a file that it reads or the program has changed since; the figures show what was run")
   end
   local drawn = drawing.draw(study, cases, folder)
   report.line("figures: %s/figures", folder)
