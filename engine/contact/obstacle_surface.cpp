@@ -70,7 +70,7 @@ Foot FixedSurface::project(Vec3 const& point, int facet) const {
 core::Schema const& RigidSurface::schema() {
   static auto const made =
       core::Describe<RigidSurface>{"surface", "rigid surface of triangles, in 3D", ""}
-          .text("path", &RigidSurface::path, Need::required,
+          .file("path", &RigidSurface::path, Need::required,
                 "file of its triangles, seen from outside counter-clockwise; ends in .stl or .msh")
           .number("scale", &RigidSurface::scale, "m", core::positive, Need::optional,
                   "length of the file's unit")

@@ -187,6 +187,7 @@ bool Reader::parse(Parameter const& parameter, Input const& given, Value& value)
     value = flag_or(parameter.name, false);
     return true;
   case Kind::text:
+  case Kind::file:
     value = text(parameter.name);
     return given.text() != nullptr;
   case Kind::nested:

@@ -32,7 +32,8 @@ enum class Need { required, optional };
 /// One named parameter of a struct, type-erased: `set` and `get` act on a pointer to that struct.
 struct Parameter {
   /// `nested` is another table of the script, made by a constructor of category `unit`; its reader fills it.
-  enum class Kind { flag, number, integer, choice, text, numbers, nested };
+  /// `file` is a text that names one, from the study's folder on.
+  enum class Kind { flag, number, integer, choice, text, file, numbers, nested };
   std::string name;
   Kind kind = Kind::number;
   std::string unit; ///< "" or "1" for a pure number
@@ -106,9 +107,10 @@ public:
                 [member](void* p, Value const& v) { static_cast<T*>(p)->*member = std::get<bool>(v); },
                 [member](void const* p) { return Value{static_cast<T const*>(p)->*member}; }});
   }
-  Describe& text(std::string name, std::string T::*member, Need need, std::string meaning) {
+  Describe& text(std::string name, std::string T::*member, Need need, std::string meaning,
+                 Parameter::Kind kind = Parameter::Kind::text) {
     return add({std::move(name),
-                Parameter::Kind::text,
+                kind,
                 "",
                 any_number,
                 need,
@@ -116,6 +118,9 @@ public:
                 {},
                 [member](void* p, Value const& v) { static_cast<T*>(p)->*member = std::get<std::string>(v); },
                 [member](void const* p) { return Value{static_cast<T const*>(p)->*member}; }});
+  }
+  Describe& file(std::string name, std::string T::*member, Need need, std::string meaning) {
+    return text(std::move(name), member, need, std::move(meaning), Parameter::Kind::file);
   }
   Describe& numbers(std::string name, Numbers T::*member, std::string unit, Need need, std::string meaning) {
     return add({std::move(name),

@@ -283,7 +283,7 @@ core::Schema const& MshFile::schema() {
   using core::Need;
   static auto const result =
       core::Describe<MshFile>("msh_file", "mesh file of gmsh; sets are its physical groups, and all")
-          .text("path", &MshFile::path, Need::required, "file name, ends in .msh")
+          .file("path", &MshFile::path, Need::required, "file name, ends in .msh")
           .number("scale", &MshFile::scale, "m", core::positive, Need::optional, "length of the file's unit")
           .build();
   return result;

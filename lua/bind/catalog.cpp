@@ -22,6 +22,8 @@ char const* kind_word(core::Parameter::Kind kind) {
     return "choice";
   case text:
     return "text";
+  case file:
+    return "file";
   case numbers:
     return "numbers";
   case nested:

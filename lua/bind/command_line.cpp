@@ -138,6 +138,7 @@ void Commands::add_internal() {
   one_case(one)->required();
   out(one)->required();
   flag(one, "trade", "");
+  value<std::string>(one, "--fingerprint", "HEX", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();

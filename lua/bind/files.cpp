@@ -123,9 +123,17 @@ int hash(lua_State* lua) {
   return 1;
 }
 
-/// program() -> path of this executable
+/// program() -> path of this executable, also where another one has been installed in its place meanwhile
 int program(lua_State* lua) {
-  push(lua, fs::read_symlink("/proc/self/exe").string());
+  auto const path = fs::read_symlink("/proc/self/exe");
+  std::error_code missing;
+  push(lua, fs::exists(path, missing) ? path.string() : "/proc/self/exe");
+  return 1;
+}
+
+/// program_folder() -> the folder that this executable was started from
+int program_folder(lua_State* lua) {
+  push(lua, fs::read_symlink("/proc/self/exe").parent_path().string());
   return 1;
 }
 
@@ -141,6 +149,7 @@ void add_file_functions(lua_State* lua) {
   add<remove>(lua, "remove");
   add<hash>(lua, "hash");
   add<program>(lua, "program");
+  add<program_folder>(lua, "program_folder");
 }
 
 } // namespace stiction::bind

@@ -7,13 +7,12 @@ local problem = require "stiction.problem"
 
 local campaign = {}
 
---- Cases with what they left behind: list of {case =, result = nil | table, done =}.
+--- Cases with what they left behind: list of {case =, fingerprint =, result = nil | table, done =}.
 function campaign.survey(plan)
-  local fingerprint = output.fingerprinter(plan.study)
   local rows = {}
   for i, case in ipairs(plan.cases) do
-    local result = output.read_result(plan.folder, case)
-    rows[i] = { case = case, result = result, done = output.is_done(result, fingerprint(case)) }
+    local result, fingerprint = output.read_result(plan.folder, case), output.fingerprint(plan.study, case)
+    rows[i] = { case = case, fingerprint = fingerprint, result = result, done = output.is_done(result, fingerprint) }
   end
   return rows
 end
@@ -23,7 +22,7 @@ function campaign.validate(study, case)
   if study.problem then
     problem.read(study, case.p)
   else
-    engine.validate(study.scene(case.p))
+    engine.validate(study:scene_of(case))
   end
 end
 
@@ -50,20 +49,22 @@ function campaign.rows_with_result(rows)
   return kept
 end
 
+--- The cases to run, and the fingerprints of all by id.
 local function pending_cases(plan, rows)
-  local pending = {}
+  local pending, fingerprints = {}, {}
   for _, row in ipairs(rows) do
+    fingerprints[row.case.id] = row.fingerprint
     local wanted = not plan.options.case or row.case.id == plan.options.case
     if wanted and (plan.options.force or not row.done) then
       pending[#pending + 1] = row.case
     end
   end
-  return pending
+  return pending, fingerprints
 end
 
 --- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop.
 function campaign.run(plan, rows)
-  local pending, row_of = pending_cases(plan, rows), {}
+  local row_of, pending, fingerprints = {}, pending_cases(plan, rows)
   for _, row in ipairs(rows) do
     row_of[row.case.id] = row
   end
@@ -71,7 +72,8 @@ function campaign.run(plan, rows)
   output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
-    trust = options.trust, trade = options.trade, jobs = math.floor(options.jobs or engine.cores()) }
+    trust = options.trust, trade = options.trade, jobs = math.floor(options.jobs or engine.cores()),
+    fingerprints = fingerprints }
   return jobs.run(pending, settings, function(case, result)
     local row = row_of[case.id]
     row.result, row.fresh, row.done = result, true, result.verdict == "finished"

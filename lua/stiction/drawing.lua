@@ -8,7 +8,7 @@ local drawing = {}
 
 --- The figure program: beside this one when installed, in its build folder otherwise.
 local function find_program()
-  local folder = engine.program():match("^(.*)/[^/]+$")
+  local folder = engine.program_folder()
   for _, path in ipairs { folder .. "/stiction-figures", folder .. "/../../postproc/stiction-figures" } do
     if engine.kind_of_path(path) == "file" then
       return path

@@ -12,6 +12,11 @@ function fault.input(format, ...)
   raise("input", format:format(...))
 end
 
+--- What was loaded is no longer what is there: exit code 2, and nothing more is started.
+function fault.changed(format, ...)
+  raise("changed", format:format(...))
+end
+
 --- Bad input in the script: the message starts with the line of the script that is running.
 function fault.script(format, ...)
   local place = engine.where()

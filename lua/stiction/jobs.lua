@@ -10,6 +10,9 @@ local patience = 15 -- s that a child told to stop may take to close its files
 --- Command line of the child that runs one case.
 local function words_for(case, options)
   local words = { engine.program(), "case", options.study, "--case", case.id, "--out", options.folder }
+  if options.fingerprints then
+    words[#words + 1], words[#words + 2] = "--fingerprint", options.fingerprints[case.id]
+  end
   if options.quick then
     words[#words + 1] = "--quick"
   end
@@ -114,12 +117,13 @@ end
 
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
 --- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
---- limit (s that a case may take), tolerant (bad input stops nothing).
+--- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
+--- must find too; nil: any).
 function jobs.run(cases, options, on_end)
   local pool = { options = options, running = {}, display = progress.display(options.quiet) }
   local next_case, bad = 1, false
   local function ended(case, result)
-    bad = bad or (result.bad_input and not options.tolerant)
+    bad = bad or (result.bad_input and (result.kind == "changed" or not options.tolerant))
     pool.display:note(("%s  %s%s"):format(case.id, result.verdict,
       result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""))
     on_end(case, result)

@@ -62,7 +62,8 @@ local function make_require(source)
   local loaded = {}
   return function(name)
     if name == "stiction" then
-      return require "stiction"
+      source.stiction = source.stiction or require "stiction.api"(source.folder)
+      return source.stiction
     elseif name:find("/", 1, true) then
       return load_other(source, name)
     elseif name:find("^stiction%.") then
@@ -133,6 +134,15 @@ function loader.contents(source)
     add(file)
   end
   return files
+end
+
+--- Text that changes when the content of one of the files does.
+function loader.hash(files)
+  local hashes = {}
+  for i, file in ipairs(files) do
+    hashes[i] = engine.hash(engine.read_file(file) or "")
+  end
+  return engine.hash(table.concat(hashes, " "))
 end
 
 return loader

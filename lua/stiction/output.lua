@@ -3,6 +3,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
+local parts = require "stiction.parts"
 local problem = require "stiction.problem"
 local units = require "stiction.units"
 
@@ -25,14 +26,6 @@ function output.prepare(folder)
   end
 end
 
-local function hash_of_files(files)
-  local hashes = {}
-  for i, file in ipairs(files) do
-    hashes[i] = engine.hash(engine.read_file(file) or "")
-  end
-  return engine.hash(table.concat(hashes, " "))
-end
-
 --- Parameters as plain values for JSON: SI numbers with their dimension.
 function output.plain(parameters)
   local plain = setmetatable({}, { json = "object" })
@@ -47,16 +40,28 @@ function output.plain(parameters)
   return plain
 end
 
---- Function giving the fingerprint of a case: of the study's files, the library, the program, the parameters, and
---- the file of a saved problem.
-function output.fingerprinter(study)
-  local library = engine.list(engine.library_root() .. "/stiction", true)
-  local fixed = hash_of_files(loader.contents(study.source)) .. hash_of_files(library)
-    .. hash_of_files { engine.program() }
-  return function(case)
-    local own = study.problem and problem.identity(study, case.p) or ""
-    return engine.hash(fixed .. case.id .. engine.encode_json(output.plain(case.p)) .. own)
+--- Text that changes when a file does that the scene or the saved problem of a case consists of; "" if none.
+function output.data_identity(study, case)
+  if study.problem then
+    return problem.identity(study, case.p)
   end
+  local made, scene = engine.call(study.scene_of, study, case) -- one that cannot be made is told before it runs
+  local files = made and parts.files(scene) or {}
+  return #files > 0 and loader.hash(files) or ""
+end
+
+local function identity_of_program()
+  return loader.hash(engine.list(engine.library_root() .. "/stiction", true)) .. loader.hash { "/proc/self/exe" }
+end
+
+local own_identity -- as this process found it: what is installed meanwhile did not make its results
+
+--- Fingerprint of a case: of the study's files as they were loaded, the library, the program, the parameters, and the
+--- files of its scene or saved problem.
+function output.fingerprint(study, case)
+  own_identity = own_identity or identity_of_program()
+  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p))
+    .. output.data_identity(study, case))
 end
 
 function output.result_file(folder, case)

@@ -2,13 +2,32 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local ordered = require "stiction.ordered"
 
-local function construct(tag, t)
-  if type(t) ~= "table" or getmetatable(t) ~= nil then
-    fault.script("%s takes one table: %s{ ... }", tag, tag)
+local files_of = setmetatable({}, { __mode = "k" }) -- the files that a part names, by the part
+
+--- Lets file names stand from `folder` on, and remembers them.
+local function place_files(part, names, folder)
+  for _, name in ipairs(names) do
+    local path = part[name]
+    if type(path) == "string" then
+      part[name] = path:sub(1, 1) == "/" and path or folder .. "/" .. path
+      files_of[part] = files_of[part] or {}
+      table.insert(files_of[part], part[name])
+    end
   end
-  -- a copy: one table of the script may serve several parts
-  return setmetatable(copy(t), { tag = tag, place = engine.where(), __metatable = "part" })
+end
+
+--- kind: {tag =, files = names of the parameters that name files}
+local function construct(kind, t, folder)
+  if type(t) ~= "table" or getmetatable(t) ~= nil then
+    fault.script("%s takes one table: %s{ ... }", kind.tag, kind.tag)
+  end
+  local part = copy(t) -- a copy: one table of the script may serve several parts
+  if folder then
+    place_files(part, kind.files, folder)
+  end
+  return setmetatable(part, { tag = kind.tag, place = engine.where(), __metatable = "part" })
 end
 
 local function names_of(list)
@@ -19,13 +38,21 @@ local function names_of(list)
   return names
 end
 
-local function category_table(category)
+local function file_parameters(kind)
+  local names = {}
+  for _, parameter in ipairs(kind.parameters) do
+    names[#names + 1] = parameter.kind == "file" and parameter.name or nil
+  end
+  return names
+end
+
+local function category_table(category, folder)
   local kinds = names_of(category.kinds)
   local constructors = {}
-  for _, kind in ipairs(kinds) do
-    local tag = category.name .. "." .. kind
-    constructors[kind] = function(t)
-      return construct(tag, t)
+  for _, kind in ipairs(category.kinds) do
+    local made = { tag = category.name .. "." .. kind.name, files = file_parameters(kind) }
+    constructors[kind.name] = function(t)
+      return construct(made, t, folder)
     end
   end
   local alone = #kinds == 1 and kinds[1] == category.name
@@ -36,7 +63,7 @@ local function category_table(category)
     end,
     __call = function(_, t)
       if alone then
-        return construct(category.name .. "." .. category.name, t)
+        return constructors[category.name](t)
       end
       fault.script("%s needs a kind, e.g. %s.%s{ ... }; kinds: %s", category.name, category.name, tostring(kinds[1]),
         table.concat(kinds, ", "))
@@ -46,8 +73,32 @@ local function category_table(category)
 end
 
 local parts = {}
-for _, category in ipairs(engine.catalog()) do
-  parts[category.name] = category_table(category)
+local catalog = engine.catalog()
+
+--- The constructors by category; file names stand from `folder` on (nil: from the current one).
+function parts.constructors(folder)
+  local made = {}
+  for _, category in ipairs(catalog) do
+    made[category.name] = category_table(category, folder)
+  end
+  return made
+end
+
+--- The files that the parts of a scene name, in the order of the scene's keys.
+function parts.files(scene)
+  local files, seen = {}, {}
+  local function visit(x)
+    if type(x) ~= "table" or seen[x] then
+      return
+    end
+    seen[x] = true
+    table.move(files_of[x] or {}, 1, #(files_of[x] or {}), #files + 1, files)
+    for _, key in ipairs(ordered.keys(x)) do
+      visit(x[key])
+    end
+  end
+  visit(scene)
+  return files
 end
 
 return parts

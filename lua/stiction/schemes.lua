@@ -1,6 +1,6 @@
 -- The time schemes that studies compare, each with its settings and what theory says of it.
 local fault = require "stiction.fault"
-local parts = require "stiction.parts"
+local parts = require("stiction.parts").constructors()
 
 local schemes = {}
 

@@ -175,13 +175,19 @@ function methods.variant(self, changes)
   return study.define(t)
 end
 
---- Loads the study at `path`; it knows its source and its name for output folders.
+--- The scene of a case, made once.
+function methods.scene_of(self, case)
+  case.scene = case.scene or self.scene(case.p)
+  return case.scene
+end
+
+--- Loads the study at `path`; it knows its source, the identity of its files, and its name for output folders.
 function study.load(path, trust)
   local value, source = loader.load(path, trust)
   if getmetatable(value) ~= study_mark then
     fault.input("%s must end with: return stiction.study{ ... }", source.name)
   end
-  value.source = source
+  value.source, value.identity = source, loader.hash(loader.contents(source))
   local whole = source.whole and source.folder or source.file:gsub("%.lua$", "")
   value.name = whole:match(".*/studies/(.+)$") or whole:match("[^/]+$")
   return value

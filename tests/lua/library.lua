@@ -65,3 +65,16 @@ test("a script sees neither files nor clock, and cannot reach the library", func
   equal(engine.load_script("return getmetatable('')", "x.lua", environment)(), false)
   equal(type(loader.environment(true)), "table")
 end)
+
+test("files of parts stand from the folder of the study on, and a scene knows them", function()
+  local parts = require "stiction.parts"
+  local own = require "stiction.api"("/studies/own")
+  local body = own.body { mesh = own.mesh.msh_file { path = "meshes/block.msh" } }
+  local scene = { bodies = { a = body, b = { mesh = body.mesh } },
+    obstacles = { own.obstacle { shape = own.rigid.surface { path = "/data/head.stl" } } } }
+  scene.again = scene
+  equal(body.mesh.path, "/studies/own/meshes/block.msh")
+  equal(table.concat(parts.files(scene), " "), "/studies/own/meshes/block.msh /data/head.stl")
+  equal(stiction.mesh.msh_file { path = "block.msh" }.path, "block.msh")
+  equal(#parts.files { stiction.mesh.block {}, 3, "words" }, 0)
+end)

@@ -38,7 +38,8 @@ std::pair<test::Input, Value> sample(Parameter const& parameter, Value const& fa
     auto const& name = names[(static_cast<std::size_t>(usual + variant)) % names.size()];
     return {test::text(name), name};
   }
-  case Kind::text: {
+  case Kind::text:
+  case Kind::file: {
     std::string const word = variant == 0 ? "some.word" : "another.word";
     return {test::text(word), word};
   }

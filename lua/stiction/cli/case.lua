@@ -1,6 +1,7 @@
 -- One case of a sweep, run in a process of its own for `stiction run`.
 local case_module = require "stiction.case"
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
@@ -48,10 +49,21 @@ local function progress_teller()
   end
 end
 
+--- Fingerprint of the case; a fault if it is not the one that its sweep began with.
+local function fingerprint_of(study, case, wanted)
+  local own = output.fingerprint(study, case)
+  if wanted and own ~= wanted then
+    fault.changed("%s: the study, a file that it reads or the program was changed while its cases ran; cases that ended "
+      .. "are kept, the same command runs what must run anew", study.source.name)
+  end
+  return own
+end
+
 local function run(options)
   local study = study_module.load(options.study, options.trust)
   local cases, names = sweep.cases(study, options)
   local case = sweep.find(cases, options.case)
+  local fingerprint = fingerprint_of(study, case, options.fingerprint)
   local folder = output.case_folder(options.out, case)
   engine.remove(output.result_file(options.out, case))
   local result, answers
@@ -60,13 +72,13 @@ local function run(options)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
-    result = engine.run(study.scene(case.p), settings, progress_teller())
+    result = engine.run(study:scene_of(case), settings, progress_teller())
   end
   if result.verdict == "finished" then
     result.results = case_module.compute(study, answers or case_module.new(case.id, case.p, folder))
   end
   result.case, result.parameters = case.id, output.plain(case.p)
-  result.fingerprint = output.fingerprinter(study)(case)
+  result.fingerprint = fingerprint
   output.write_result(options.out, case, result)
   tell { ended = result }
   return result.verdict == "finished" and 0 or 1
@@ -81,5 +93,5 @@ return function(options)
   if not tell { fault = tostring(value) .. (value.trace or ""), kind = value.kind } then
     error(value, 0)
   end
-  return (value.kind == "input" or value.kind == "script") and 2 or 1
+  return (value.kind == "input" or value.kind == "script" or value.kind == "changed") and 2 or 1
 end

@@ -93,7 +93,7 @@ return function(options)
   end
   local cases, names = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
-  local explanation = engine.explain(study.scene(case.p))
+  local explanation = engine.explain(study:scene_of(case))
   if options.json then
     explanation.study, explanation.case, explanation.parameters = study.name, case.id, output.plain(case.p)
     engine.write(engine.encode_json(explanation, 2) .. "\n")

@@ -22,6 +22,8 @@ local function show_parameter(parameter)
     words[2] = parameter.range .. (parameter.kind == "integer" and ", whole" or "")
   elseif parameter.kind == "numbers" then
     words[2] = "list of numbers" .. (parameter.unit ~= "1" and " in " .. parameter.unit or "")
+  elseif parameter.kind == "file" then
+    words[2] = "file, named from the study's folder on"
   else
     words[2] = parameter.kind
   end

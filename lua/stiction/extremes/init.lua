@@ -2,6 +2,7 @@
 local case_module = require "stiction.case"
 local check = require "stiction.check"
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
 local map = require "stiction.extremes.map"
 local outcome = require "stiction.extremes.outcome"
@@ -28,28 +29,33 @@ end
 
 --- Rows {case =, outcome = nil | what an earlier run with the same files left}.
 local function survey(plan)
-  local fingerprint, rows = output.fingerprinter(plan.study), {}
+  local rows = {}
   for i, case in ipairs(plan.cases) do
     local text = engine.read_file(outcome_file(plan, case))
     local kept = text and engine.decode_json(text)
-    local current = kept and kept.fingerprint == fingerprint(case) and not plan.options.force
-    rows[i] = { case = case, fingerprint = fingerprint(case), outcome = current and kept or nil }
+    local fingerprint = output.fingerprint(plan.study, case)
+    local current = kept and kept.fingerprint == fingerprint and not plan.options.force
+    rows[i] = { case = case, fingerprint = fingerprint, outcome = current and kept or nil }
   end
   return rows
 end
 
 local function run_cells(plan, rows)
-  local pending, row_of = {}, {}
+  local pending, row_of, fingerprints, changed = {}, {}, {}, nil
   for _, row in ipairs(rows) do
-    row_of[row.case.id] = row
+    row_of[row.case.id], fingerprints[row.case.id] = row, row.fingerprint
     pending[#pending + 1] = not row.outcome and row.case or nil
   end
   local options = plan.options
   local limit = seconds_of_a_cell[options.quick and "quick" or "full"]
   local settings = { study = options.study or default_study, folder = plan.folder, quick = options.quick,
-    jobs = math.floor(options.jobs or engine.cores()), limit = limit, tolerant = true }
-  return jobs.run(pending, settings, function(case, result)
+    jobs = math.floor(options.jobs or engine.cores()), limit = limit, tolerant = true, fingerprints = fingerprints }
+  local stopped = jobs.run(pending, settings, function(case, result)
     local row = row_of[case.id]
+    if result.kind == "changed" then
+      changed = result.reason
+      return
+    end
     row.outcome = outcome.of(result)
     row.outcome.fingerprint = row.fingerprint
     engine.make_folder(output.case_folder(plan.folder, case))
@@ -57,6 +63,10 @@ local function run_cells(plan, rows)
       engine.write_file(outcome_file(plan, case), engine.encode_json(row.outcome, 2) .. "\n")
     end
   end)
+  if changed then
+    fault.input("%s", changed)
+  end
+  return stopped
 end
 
 --- The converged cells as checks see them; holes in any history become the outcome of their cell.

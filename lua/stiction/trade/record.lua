@@ -1,7 +1,8 @@
 -- What a trade leaves behind: trade.csv, trade.json in its output and, of the full form, beside the study.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
-local loader = require "stiction.loader"
+local output = require "stiction.output"
+local sweep = require "stiction.sweep"
 local units = require "stiction.units"
 
 local record = {}
@@ -15,13 +16,9 @@ function record.kept_file(study)
   return source.whole and source.folder .. "/trade.json" or source.file:gsub("%.lua$", ".trade.json")
 end
 
---- Hash of what the study says; a trade measured on other words does not count.
-function record.fingerprint(study)
-  local words = {}
-  for i, file in ipairs(loader.contents(study.source)) do
-    words[i] = engine.hash(engine.read_file(file) or "")
-  end
-  return engine.hash(table.concat(words, " "))
+--- Of what the study says and of the files in its scene; a trade measured on others does not count.
+local function fingerprint(study)
+  return study.identity .. output.data_identity(study, sweep.trade(study, {})[1])
 end
 
 --- "0.00025 m" of a level, as --set reads it.
@@ -116,7 +113,7 @@ end
 
 local function plain(trade)
   local kept = {
-    study = trade.study.name, fingerprint = record.fingerprint(trade.study), quick = trade.quick,
+    study = trade.study.name, fingerprint = fingerprint(trade.study), quick = trade.quick,
     references = plain_references(trade), runs = {},
   }
   for _, run in ipairs(trade.runs) do
@@ -147,7 +144,7 @@ function record.read(study, name)
       command)
   end
   local kept = engine.decode_json(text)
-  if not kept or kept.fingerprint ~= record.fingerprint(study) then
+  if not kept or kept.fingerprint ~= fingerprint(study) then
     fault.input("--accuracy: '%s' was changed since its trade was measured; measure again with: %s", study.name,
       command)
   end

@@ -1,0 +1,37 @@
+-- What a study sees of Stiction: made for each study, whose file names stand from its own folder on.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local figure = require "stiction.figure"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
+local parts = require "stiction.parts"
+local reference = require "stiction.reference"
+local schemes = require "stiction.schemes"
+local study = require "stiction.study"
+local units = require "stiction.units"
+
+local own = {
+  version = engine.version,
+  units = units.units,
+  is_quantity = units.is_quantity,
+  study = study.define,
+  figure = figure,
+  numeric = numeric,
+  reference = reference,
+  schemes = schemes,
+}
+
+--- The table for studies in `folder`; nil: file names stand from the current folder on.
+return function(folder)
+  local stiction = parts.constructors(folder)
+  for name, value in pairs(own) do
+    stiction[name] = value
+  end
+  return setmetatable(stiction, {
+    __index = function(_, name)
+      fault.script("stiction has no '%s'%s; 'stiction help' lists what there is", tostring(name),
+        fault.meant(name, ordered.keys(stiction)))
+    end,
+    __metatable = "stiction",
+  })
+end

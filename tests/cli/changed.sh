@@ -1,0 +1,56 @@
+#!/bin/sh
+# Studies, their files and the program changed after or while cases run: nothing stale is taken for new, nothing is mixed.
+. "$(dirname "$0")/common.sh"
+
+appears() { # FILE: waits for it, a minute at most
+  for _ in $(seq 600); do
+    [ -e "$1" ] && return
+    sleep 0.1
+  done
+}
+
+# a mesh is named from the study's folder on, wherever the program is started; a changed one makes results stale
+mkdir elsewhere
+sed -e 's/local block = .*//' -e 's/block\.bottom/block.floor/' -e 's/block\.top/block.ceiling/' \
+  -e 's|block(p)|stiction.body { density = p.density, material = material(p), mesh = mesh }|' \
+  -e 's|^return|local mesh = stiction.mesh.msh_file { path = "plate.msh", scale = 1*mm }\
+local function material(p) return stiction.material.neo_hookean { young = p.young, poisson = 0.3 } end\
+return|' "$tiny/study.lua" >elsewhere/imported.lua
+cp "$here/../mesh/data/plate_quad4_binary.msh" elsewhere/plate.msh
+expect 0 "checks held" "$stiction" run elsewhere/imported.lua --no-figures
+expect 0 "mu0  finished|mu0.4  finished" "$stiction" run elsewhere/imported.lua --list
+cp "$here/../mesh/data/plate_quad8_v41.msh" elsewhere/plate.msh
+expect 0 "mu0  to run|mu0.4  to run" "$stiction" run elsewhere/imported.lua --list
+rm elsewhere/plate.msh
+expect 2 "mesh file $work/elsewhere/plate.msh: cannot be read" "$stiction" run elsewhere/imported.lua
+
+# a study changed while it runs: what has begun ends as the study was, nothing else begins
+changed edited ''
+"$stiction" run edited --set steps=20000 --no-figures --jobs 1 --out edits >output 2>&1 </dev/null &
+id=$!
+appears edits/mu0/series.h5
+cp edited/block.lua before.lua
+sed -i 's/poisson = 0.3/poisson = 0.4/' edited/block.lua
+wait "$id"
+code=$?
+holds "the changed sweep ended with $code: $(cat output)" [ "$code" = 2 ]
+holds "no message: $(cat output)" grep -q "study.lua: the study, a file that it reads or the program was changed" output
+expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run edited --set steps=20000 --out edits --list
+cp before.lua edited/block.lua
+expect 0 "mu0  finished|mu0.2  to run|mu0.4  to run" "$stiction" run edited --set steps=20000 --out edits --list
+
+# a program built anew while its sweep runs: the sweep ends as it began
+mkdir -p program/lua/bind
+own=$work/program/lua/bind/stiction-engine
+cp "$stiction" "$own"
+"$own" run edited --set steps=20000 --no-figures --jobs 1 --out rebuilt >output 2>&1 </dev/null &
+id=$!
+appears rebuilt/mu0/series.h5
+rm "$own"
+printf '#!/bin/sh\nexit 7\n' >"$own"
+chmod +x "$own"
+wait "$id"
+code=$?
+holds "the sweep of a replaced program ended with $code: $(cat output)" [ "$code" = 0 ]
+holds "three finished rows" [ "$(grep -c ',finished,' rebuilt/summary.csv)" = 3 ]
+finish
