@@ -85,11 +85,19 @@ bool& heard() {
   return listening;
 }
 
+/// Whether the process at the other end of the pipe 3 is gone.
+bool is_orphan() {
+  pollfd end{3, 0, 0};
+  return poll(&end, 1, 0) == 1 && (end.revents & POLLERR) != 0;
+}
+
 /// follow_parent(): this process ends with the one that started it; call before any file is opened
 int follow(lua_State*) {
   struct stat status {};
   heard() = fstat(3, &status) == 0 && !S_ISREG(status.st_mode);
   follow_parent();
+  if (heard() && is_orphan()) // it ended before it could be followed
+    std::raise(SIGTERM);
   return 0;
 }
 

@@ -51,13 +51,19 @@ local function show_text(pool, job, text)
   job.text = job.text:match("[^\n]*$")
 end
 
+local verdict_of = { stopped = "stopped", run = "failed", bug = "crashed" } -- by kind of fault; else bad input
+local signals_to_stop = { [2] = true, [15] = true }
+
 local function outcome(job, code)
+  local signal = code > 128 and code - 128
   if job.fault then
-    return { verdict = "bad input", reason = job.fault, bad_input = code == 2, kind = job.kind }
+    return { verdict = verdict_of[job.kind] or "bad input", reason = job.fault, bad_input = code == 2, kind = job.kind }
   elseif job.ended then
     return job.ended
+  elseif signals_to_stop[signal] and engine.stopped() then
+    return { verdict = "stopped", reason = "stopped by the user before it began" }
   end
-  local how = code > 128 and ("by signal %d"):format(code - 128) or ("with exit code %d"):format(code)
+  local how = signal and ("by signal %d"):format(signal) or ("with exit code %d"):format(code)
   return { verdict = "crashed", reason = ("its process ended %s%s"):format(how, job.text ~= "" and ": " .. job.text or "") }
 end
 

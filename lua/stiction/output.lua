@@ -45,8 +45,11 @@ function output.data_identity(study, case)
   if study.problem then
     return problem.identity(study, case.p)
   end
-  local made, scene = engine.call(study.scene_of, study, case) -- one that cannot be made is told before it runs
-  local files = made and parts.files(scene) or {}
+  local made, scene = engine.call(study.scene_of, study, case)
+  if not made and scene.kind == "stopped" then
+    error(scene, 0)
+  end
+  local files = made and parts.files(scene) or {} -- a scene that cannot be made is told before it runs
   return #files > 0 and loader.hash(files) or ""
 end
 

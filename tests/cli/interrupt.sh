@@ -2,56 +2,74 @@
 # Ctrl-C: endless scripts and running sweeps end cleanly with exit code 1, and what was computed is readable.
 . "$(dirname "$0")/common.sh"
 
-# interrupted CHILDREN COMMAND...: SIGINT once that many run, and a little later; leaves code and output
+# interrupted "CONDITION" COMMAND...: SIGINT once the condition holds, and a little later; leaves code and output
 interrupted() {
-  wanted=$1
+  condition=$1
   shift
   "$@" >output 2>&1 </dev/null &
   id=$!
-  await "$wanted"
+  await "$condition"
   kill -INT "$id"
   wait "$id"
   code=$?
 }
 
-children() { # processes that run a case of the study `drag`
+children() { # processes that run a case of a study made here
   for words in /proc/[0-9]*/cmdline; do
-    { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -o "case $work/drag --case .*"
+    { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -o "case $work/[a-z]* --case .*"
   done
 }
 
-await() { # a number of children, for a minute at most, then half a second
+await() { # "CONDITION": for a minute at most, then half a second
   for _ in $(seq 600); do
-    [ "$(children | wc -l)" = "$1" ] && break
+    eval "$1" && break
     sleep 0.1
   done
   sleep 0.5
 }
 
+printed() { # TEXT...: every one is among what the command printed
+  for text in "$@"; do
+    grep -qs "$text" output || return 1
+  done
+}
+
+running() { [ "$(children | wc -l)" = "$1" ]; }
+
 cat >endless.lua <<'L'
+print "begun"
 while true do
   pcall(function() while true do end end)
 end
 L
-interrupted 0 "$stiction" run endless.lua
+interrupted "printed begun" "$stiction" run endless.lua
 holds "the endless script ended with $code" [ "$code" = 1 ]
-holds "no message: $(cat output)" grep -q "stopped by the user while a script was running, in endless.lua:2" output
+holds "no message: $(cat output)" printed "stopped by the user while a script was running, in endless.lua:3"
 
 changed drag ''
-interrupted 2 "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
+interrupted "running 2" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
 holds "the sweep ended with $code" [ "$code" = 1 ]
-holds "no message: $(cat output)" grep -q "stopped; finished cases are kept" output
+holds "no message: $(cat output)" printed "stopped; finished cases are kept"
 holds "no row of a stopped case: $(cat long/summary.csv)" grep -q "^mu0,.*,stopped," long/summary.csv
-holds "children are left" [ -z "$(children)" ]
+holds "children are left" running 0
+
+# a script that is caught at work in a case is stopped, not bad input
+changed busy 's/return run:at(1\*s, "sole", "force_y")/print("at work") while true do end/'
+interrupted 'printed "mu0: at work" "mu0.2: at work"' "$stiction" run "$work/busy" --no-figures --jobs 2 --out busy_out
+holds "the busy sweep ended with $code" [ "$code" = 1 ]
+for case in mu0 mu0.2; do
+  holds "no row of the stopped script: $(cat busy_out/summary.csv)" grep -q "^$case,.*,stopped," busy_out/summary.csv
+  holds "no reason: $(cat output)" printed "$case: stopped: stopped by the user while a script was running, in .*study.lua"
+done
 
 # killed outright: its children end too, and the sweep goes on
 "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out killed >output 2>&1 </dev/null &
 id=$!
-await 2
-holds "two children run" [ "$(children | wc -l)" = 2 ]
+await "running 2"
+holds "two children run" running 2
 kill -KILL "$id"
 wait "$id" 2>/dev/null
-await 0
-holds "children outlive their parent" [ -z "$(children)" ]
+await "running 0"
+holds "children outlive their parent" running 0
 expect 0 "mu0  to run" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --out killed --list
 finish
