@@ -12,7 +12,7 @@ namespace stiction::contact {
 namespace {
 
 constexpr int nodes_of[] = {2, 3, 3, 4, 6, 8};
-constexpr int corners_of[] = {2, 2, 3, 4, 3, 4};
+constexpr int corner_counts[] = {2, 2, 3, 4, 3, 4};
 constexpr double square[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
 
 std::size_t row(FacetKind kind) {
@@ -115,7 +115,7 @@ int node_count(FacetKind kind) {
   return nodes_of[row(kind)];
 }
 int corner_count(FacetKind kind) {
-  return corners_of[row(kind)];
+  return corner_counts[row(kind)];
 }
 
 FacetKind kind_of(int dim, std::size_t nodes) {

@@ -60,11 +60,11 @@ double thickness(auto const& shape) {
 }
 
 template<class Shape>
-concept Round = requires(Shape const& shape, Vec3 const& x) {
+concept RoundBody = requires(Shape const& shape, Vec3 const& x) {
   away_from(shape, x);
 };
 
-Look3d look_3d(Round auto const& shape, Vec3 const& x, Foot /*guess*/) {
+Look3d look_3d(RoundBody auto const& shape, Vec3 const& x, Foot /*guess*/) {
   auto const away = away_from(shape, x);
   double const sign = sign_of(shape.side);
   return {away.distance > 0 ? 0 : -1, sign * (away.distance - thickness(shape)), sign * away.direction,

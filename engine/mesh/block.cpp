@@ -12,22 +12,20 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 4e6;
-
 void check(BlockOptions const& options) {
   core::Complaints complaints;
   check_numbers(complaints, {"block.origin", options.origin, "m", core::any_number});
   check_numbers(complaints, {"block.size", options.size, "m", core::positive});
   check_numbers(complaints, {"block.grading", options.grading, "1", {1e-3, 1e3}});
-  if (check_numbers(complaints, {"block.cells", options.cells, "1", {1, most_cells}})) {
+  if (check_numbers(complaints, {"block.cells", options.cells, "1", {1, most_cells_2d}})) {
     if (!core::whole_number(options.cells[0]) || !core::whole_number(options.cells[1]))
       complaints.push_back(
           {"", "block.cells",
            fmt::format("is {}; two whole numbers are wanted", core::to_string(options.cells))});
-    else if (options.cells[0] * options.cells[1] > most_cells)
+    else if (options.cells[0] * options.cells[1] > most_cells_2d)
       complaints.push_back({"", "block.cells",
                             fmt::format("makes {:g} cells; at most {:g} are allowed",
-                                        options.cells[0] * options.cells[1], most_cells)});
+                                        options.cells[0] * options.cells[1], most_cells_2d)});
   }
   if (!complaints.empty())
     throw core::InputError(complaints);

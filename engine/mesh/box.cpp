@@ -10,14 +10,12 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 2e6;
-
 void check(BoxOptions const& options) {
   core::Complaints complaints;
   check_numbers(complaints, {"box.origin", options.origin, "m", core::any_number, 3});
   check_numbers(complaints, {"box.size", options.size, "m", core::positive, 3});
   check_numbers(complaints, {"box.grading", options.grading, "1", {1e-3, 1e3}, 3});
-  if (check_numbers(complaints, {"box.cells", options.cells, "1", {1, most_cells}, 3}))
+  if (check_numbers(complaints, {"box.cells", options.cells, "1", {1, most_cells_3d}, 3}))
     for (double const count : options.cells)
       if (!core::whole_number(count)) {
         complaints.push_back(
@@ -27,7 +25,7 @@ void check(BoxOptions const& options) {
       }
   if (!complaints.empty())
     throw core::InputError(complaints);
-  check_cell_count("box.cells", options.cells[0] * options.cells[1] * options.cells[2], most_cells);
+  check_cell_count("box.cells", options.cells[0] * options.cells[1] * options.cells[2], most_cells_3d);
 }
 
 } // namespace

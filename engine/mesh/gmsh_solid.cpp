@@ -15,7 +15,7 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 5e6;
+constexpr double most_tetrahedra = 5e6;
 
 std::vector<std::string> const& shapes() {
   static std::vector<std::string> const names{"box", "cylinder", "ball", "half_ball"};
@@ -68,7 +68,7 @@ void check(GmshSolid const& solid) {
     check_fine(complaints, solid);
   if (!complaints.empty())
     throw core::InputError(complaints);
-  check_cell_count("gmsh_solid", cells_about(solid), most_cells);
+  check_cell_count("gmsh_solid", cells_about(solid), most_tetrahedra);
 }
 
 /// The solid about the origin, lengths over `unit`.

@@ -10,8 +10,6 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 4e6;
-
 void check(GradedBlockOptions const& options, Grading const& grading) {
   core::Complaints complaints;
   check_numbers(complaints, {"graded_block.origin", options.origin, "m", core::any_number});
@@ -52,7 +50,7 @@ Mesh graded_block(GradedBlockOptions const& options) {
   Lines xs = graded_lines(options.size[0], options.fine[0], grading);
   Lines ys = graded_lines(height, options.fine[1], grading);
   check_cell_count("graded_block", static_cast<double>(xs.size() - 1) * static_cast<double>(ys.size() - 1),
-                   most_cells);
+                   most_cells_2d);
   for (double& x : xs)
     x += x0;
   for (double& depth : ys)

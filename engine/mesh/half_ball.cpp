@@ -9,8 +9,6 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 2e6;
-
 using Options = HalfBallOptions;
 
 void check(Options const& options, Grading const& grading) {
@@ -30,7 +28,7 @@ Hexes standing(Options const& options, Grading const& grading) {
              equator = static_cast<double>(lines.equator.size());
   int const eighths = options.part == Part::quarter ? 1 : options.part == Part::half ? 2 : 4;
   check_cell_count("half_ball", eighths * polar * (polar * (equator + rings) + 2 * equator * rings),
-                   most_cells);
+                   most_cells_3d);
   Hexes hexes = eighth_ball_net({lines.polar, lines.polar, lines.equator}, lines.rings);
   if (options.part != Part::quarter)
     hexes = doubled(hexes, 0);

@@ -13,14 +13,13 @@ namespace stiction::mesh {
 
 namespace {
 
-using Place = std::array<double, 2>;
+using Point = std::array<double, 2>;
 
 constexpr double half_square = 0.5; // half width of the inner square over the radius
 constexpr double bulge = 0.1;       // of its sides: corners of about 112 degrees instead of 90
 constexpr double inner_ratio =
     0.64;                         // inner cell size over arc cell size without coarsening: 4 half_square / pi
 constexpr int rows_per_level = 3; // rings of equal cell count before the next 3 to 1 transition
-constexpr double most_cells = 4e6;
 
 /// One ring of cells, counted from the arc inwards.
 struct Row {
@@ -39,7 +38,7 @@ void check(HalfDiscOptions const& options) {
   check_numbers(complaints, {"half_disc.centre", options.centre, "m", core::any_number});
   check_numbers(complaints, {"half_disc.radius", {options.radius}, "m", core::positive, 1});
   check_numbers(complaints, {"half_disc.grading", {options.grading}, "1", {1, 9}, 1});
-  double const finest = options.radius * std::sqrt(3 / most_cells);
+  double const finest = options.radius * std::sqrt(3 / most_cells_2d);
   if (complaints.empty())
     check_numbers(complaints, {"half_disc.size", {options.size}, "m", {finest, options.radius}, 1});
   if (!complaints.empty())
@@ -47,7 +46,7 @@ void check(HalfDiscOptions const& options) {
 }
 
 /// Point of the inner square's outline; w in [-2, 2] runs from its lower left end over the top to the right.
-Place outline(double w) {
+Point outline(double w) {
   double const c = half_square;
   if (std::abs(w) <= 1)
     return {c * w, c * (1 + bulge * (1 - w * w))};
@@ -56,7 +55,7 @@ Place outline(double w) {
 }
 
 /// Point of the ring: t = 0 on the inner square, 1 on the arc; i of n counts from the right end.
-Place ring_point(double t, Index i, Index n) {
+Point ring_point(double t, Index i, Index n) {
   double const w = 2.0 * (n - 2 * i) / n; // 0 at the crown, exactly antisymmetric
   double const angle = w * std::numbers::pi / 4;
   auto const [x, y] = outline(w);

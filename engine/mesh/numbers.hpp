@@ -7,6 +7,10 @@
 
 namespace stiction::mesh {
 
+/// That a structured mesh may have, in the plane and in space.
+constexpr double most_cells_2d = 4e6;
+constexpr double most_cells_3d = 2e6;
+
 /// A list given under `path` that must hold `count` numbers of `unit`, each in `range`.
 struct GivenNumbers {
   std::string path;

@@ -11,7 +11,6 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 2e6;
 constexpr double ring_thickness = 0.4; // between inner square and first circle over its radius, mean
 
 using Options = QuarterCylinderOptions;
@@ -86,7 +85,7 @@ Mesh quarter_cylinder(Options const& options) {
   Lines heights = graded_lines(options.height, options.fine[1], grading);
   check_cell_count("quarter_cylinder",
                    static_cast<double>(section.cells.size()) * static_cast<double>(heights.size() - 1),
-                   most_cells);
+                   most_cells_3d);
   std::reverse(heights.begin(), heights.end());
   for (double& depth : heights)
     depth = 0.0 - depth;

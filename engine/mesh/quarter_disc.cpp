@@ -10,8 +10,6 @@ namespace stiction::mesh {
 
 namespace {
 
-constexpr double most_cells = 4e6;
-
 void check(QuarterDiscOptions const& options, Grading const& grading) {
   core::Complaints complaints;
   check_numbers(complaints, {"quarter_disc.centre", options.centre, "m", core::any_number});
@@ -28,7 +26,7 @@ Quads net(QuarterDiscOptions const& options, Grading const& grading) {
   check_cell_count("quarter_disc",
                    static_cast<double>(lines.polar.size()) *
                        static_cast<double>(lines.equator.size() + lines.rings.size()),
-                   most_cells);
+                   most_cells_2d);
   return quarter_disc_net(lines.polar, lines.equator, lines.rings);
 }
 

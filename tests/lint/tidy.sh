@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs clang-tidy over the sources of ROOT that BUILD compiles, two at a time: tidy.sh ROOT BUILD.
+# Runs clang-tidy over the sources of ROOT that BUILD compiles, two batches at a time: tidy.sh ROOT BUILD.
 # A file whose text, headers, configuration and command are as when it last passed is not checked again: its stamp,
 # named by their hash, lies in BUILD/lint.
 set -eu
@@ -11,7 +11,7 @@ cd "$root"
 
 common=$({
   clang-tidy --version
-  cat .clang-tidy "$here/source_location.hpp" "$here/tidy_one.sh"
+  cat .clang-tidy "$here/source_location.hpp" "$here/tidy_batch.sh"
   sed -n 's/.*"command": *//p' "$build/compile_commands.json" | sed 's/ -o .*//' | sort -u # flags, each kind once
 } | sha256sum)
 todo=$(mktemp)
@@ -24,4 +24,12 @@ find engine lua postproc \( -name '*.hpp' -o -name '*.cpp' \) | sort | xargs awk
     [ -e "$stamps/$hash" ] || echo "$source $stamps/$hash"
   done > "$todo"
 
-xargs -r -P2 -L1 sh "$here/tidy_one.sh" "$build" < "$todo"
+batches=$(awk '{ # up to 8 of a folder
+    folder = $1
+    sub(/\/[^\/]*$/, "", folder)
+    if (NR == 1 || folder != last || count == 8) { separator = NR == 1 ? "" : "\n"; count = 0 } else separator = " "
+    printf "%s%s", separator, $0
+    ++count
+    last = folder
+  }' "$todo")
+echo "$batches" | xargs -r -P2 -L1 sh "$here/tidy_batch.sh" "$build"
