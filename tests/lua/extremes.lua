@@ -20,6 +20,7 @@ test("ends of a case", function()
   equal(letter(refused), "R")
   equal(letter { verdict = "not converged", reason = "at t = 0 s" }, "S")
   equal(letter { verdict = "crashed", reason = "by signal 11" }, "X")
+  equal(letter { verdict = "failed", reason = "cannot write" }, "X")
   equal(letter { verdict = "hung", reason = "" }, "H")
 end)
 
