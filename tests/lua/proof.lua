@@ -62,18 +62,18 @@ test("mistakes are told", function()
   fails("values is a list", row, { values = { 3 } })
 end)
 
-local function audited(open)
+local function audited(open, largest)
   local series = { unaccounted = { 0, open, 0 } }
   return { id = "run", series = function(_, probe, name)
     equal(probe, "energy")
-    return series[name] or { 0, name == "kinetic" and -2 or 0.5, 0 }
+    return series[name] or { 0, name == "kinetic" and -(largest or 2) or 0, 0 }
   end }
 end
 
 test("a ledger closes to a part of its largest term", function()
-  local function held(open, tolerance)
+  local function held(open, tolerance, largest)
     local recorder, list = check.recorder()
-    recorder.ledger(audited(open), tolerance)
+    recorder.ledger(audited(open, largest), tolerance)
     return list[1].pass
   end
   equal(held(1.9e-6), true)
@@ -82,4 +82,6 @@ test("a ledger closes to a part of its largest term", function()
   equal(held(-2.1e-6), false)
   equal(held(0 / 0), false)
   equal(held(0.1, 0.1), true)
+  equal(held(0.9e-9, 1e-6, 1e-3), true)
+  equal(held(1.1e-9, 1e-6, 1e-3), false)
 end)

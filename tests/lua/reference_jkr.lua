@@ -45,3 +45,10 @@ test("without adhesion a sphere follows Hertz", function()
   near(a ^ 2, R * d)
   near(jkr.sphere.force(E, R, 0, a), 4 / 3 * E * math.sqrt(R) * d ^ 1.5)
 end)
+
+test("adhesion acts on a sphere as a flat punch of its contact does", function()
+  for _, a in ipairs { 1e-4, 4e-4 } do
+    local less = 4 * E * a ^ 3 / (3 * R) - jkr.sphere.force(E, R, w, a)
+    near(less / (a ^ 2 / R - jkr.sphere.depth(E, R, w, a)), 2 * E * a)
+  end
+end)

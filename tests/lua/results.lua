@@ -3,7 +3,10 @@ local test, equal, fails = ...
 local stiction = require "stiction"
 local case_module = require "stiction.case"
 local check = require "stiction.check"
+local engine = require "stiction.engine"
 local numeric = stiction.numeric
+local output = require "stiction.output"
+local report = require "stiction.report"
 local units = stiction.units
 local mm, ms, s = units.mm, units.ms, units.s
 
@@ -13,6 +16,7 @@ test("numeric tools on lists", function()
   equal(at, 2)
   equal(numeric.min { 3, 1, 2 }, 1)
   equal(numeric.extreme { 3, -7, 2 }, -7)
+  equal(numeric.extreme { 7, -7 }, 7)
   equal(numeric.argmax { 3, 9 }, 2)
   equal(numeric.interpolate({ 0, 1, 3 }, { 0, 10, 30 }, 2), 20)
   equal(numeric.interpolate({ 0, 1, 3 }, { 0, 10, 30 }, -1), 0)
@@ -47,6 +51,16 @@ test("cases are picked by their parameters", function()
   fails("a case has no 'peak'", function() return cases[1].peak end)
 end)
 
+--- What f(...) writes.
+local function printed(f, ...)
+  local words, write = {}, engine.write
+  engine.write = function(text) words[#words + 1] = text end
+  local held, reason = pcall(f, ...)
+  engine.write = write
+  assert(held, tostring(reason))
+  return table.concat(words)
+end
+
 local function verdicts(f)
   local recorder, list = check.recorder()
   f(recorder)
@@ -67,9 +81,10 @@ test("checks hold exactly where they should", function()
     c.close("f", -104, -100, 0.03)
     c.within("g", 2, 2, 3)
     c.within("h", 1.9, 2, 3)
-    c.holds("i", true)
-    c.holds("j", nil)
-  end), "yes no no no yes no yes no yes no")
+    c.within("i", 3.1, 2, 3)
+    c.holds("j", true)
+    c.holds("k", nil)
+  end), "yes no no no yes no yes no no yes no")
   equal(verdicts(function(c)
     c.non_decreasing("a", { 1, 1, 2 })
     c.non_decreasing("b", { 1, 0.9, 2 })
@@ -93,11 +108,42 @@ test("checks keep their numbers and refuse nonsense", function()
   fails("there is no check.equals; did you mean 'equal'?", verdicts, function(c) c.equals("x", 1) end)
 end)
 
+test("results are kept in SI, whatever their unit, and printed in it", function()
+  local study = { results = { { name = "peak", unit = "mm", compute = function(case) return 2 * case.p.size end },
+    { name = "rise", unit = "mm", compute = function() return 0.003 end } } }
+  local case = case_module.new("one", { size = 4*mm }, "nowhere")
+  local results = case_module.compute(study, case)
+  equal(results.peak, 0.008)
+  equal(results.rise, 0.003)
+  local text = printed(report.cases, study, { { case = case, result = { verdict = "finished", results = results } } })
+  assert(text:find("one +finished +8 +3\n"), text)
+end)
+
+test("checks that failed are counted and told", function()
+  local list = select(2, verdicts(function(c)
+    c.equal("low", 1, 2, 0.5)
+    c.holds("right", true)
+    c.within("high", 4, 2, 3)
+  end))
+  local failed
+  local text = printed(function() failed = report.checks(list) end)
+  equal(failed, 2)
+  assert(text:find("check failed: high: value 4", 1, true) and text:find("1 of 3 checks held", 1, true), text)
+end)
+
+test("a result counts as done only for what it was run with", function()
+  equal(output.is_done({ verdict = "finished", fingerprint = "a" }, "a"), true)
+  equal(output.is_done({ verdict = "finished", fingerprint = "a" }, "b"), false)
+  equal(output.is_done({ verdict = "not converged", fingerprint = "a" }, "a"), false)
+  equal(output.is_done(nil, "a"), false)
+end)
+
 test("figures are written in the units of their axes", function()
   local case = some_cases()[2]
   local lines = stiction.figure.lines { name = "f", x = { label = "t", unit = "ms", range = { 0, 5*ms } },
     y = { label = "u", unit = "mm" }, curves = { { label = "a", case = case, y = "crown/u", x_shift = 2*ms },
-      { label = "b", x = { 0, 0.001 }, y = { 1*mm, 0.002 } } }, marks = { { x = 1*ms, label = "onset" } } }
+      { label = "b", x = { 0, 0.001 }, y = { 1*mm, 0.002 } }, { label = "c", case = case, y = "line/u", component = 3 } },
+    marks = { { x = 1*ms, label = "onset" } } }
   equal(lines.x.range[2], 5.0)
   equal(lines.curves[1].file, "v1_mu0.4/series.h5")
   equal(lines.curves[1].x, "/time")
@@ -106,6 +152,7 @@ test("figures are written in the units of their axes", function()
   equal(lines.curves[2].x[2], 1.0)
   equal(lines.curves[2].y[1], 1.0)
   equal(lines.curves[2].y[2], 2.0)
+  equal(lines.curves[3].component, 2)
   equal(lines.marks[1].x, 1.0)
   local field = stiction.figure.field { name = "g", case = case, array = "von_mises", unit = "MPa", time = 2*ms,
     range = { 0, 2e6 }, window = { 0, 1e-3, 0, 1*mm }, window_unit = "mm" }

@@ -36,6 +36,7 @@ end)
 
 test("quick and --set change values, a swept one is fixed", function()
   equal(ids(make(two), { quick = true }), "v1000_mu0 v1000_mu0.4")
+  equal(ids(make { sweep = { mu = { 0, 1 } }, quick = { sweep = { mu = { 0.1, 0.2 } } } }, { quick = true }), "mu0.1 mu0.2")
   equal(ids(make(two), { set = { "mu=0.2" } }), "v1000_mu0.2 v333.3_mu0.2")
   equal(ids(make(two), { set = { "v=0.5 m/s", "mu = 1e-1" } }), "v0.5_mu0.1")
   equal(sweep.cases(make(two), { quick = true })[1].p.dt, 1*s)

@@ -59,6 +59,13 @@ test("knobs know where they stand and where they are refined to", function()
   equal(#ladder.first_round(knobs), 7) -- the default, two more of each number, one word, the corner
 end)
 
+test("levels that lie close are told apart", function()
+  local close = ladder.knobs({ { "n", { 1000, 1001, 1002 } } }, { n = 1001 })
+  equal(close[1].default, 2)
+  equal(ladder.level_of(close[1], 1001 * (1 + 1e-12)), 2)
+  equal(ladder.level_of(close[1], 1001.5), nil)
+end)
+
 test("knobs that cannot be are refused", function()
   fails("must be one of its levels", function() ladder.knobs({ { "n", { 1, 2 } } }, { n = 3 }) end)
   fails("has no parameter", function() ladder.knobs({ { "n", { 1, 2 } } }, { m = 3 }) end)
@@ -88,6 +95,16 @@ test("the reference is the limit in all numbers at once", function()
   exchange.judge(runs, references, quantities)
   near(runs[1].error, 0.05, 1e-6) -- 0.4 of the size, 0.1 of the steps, over 10
   assert(runs[1].bound > runs[1].error)
+end)
+
+test("what two numbers do together adds to the reference's uncertainty", function()
+  local runs = world(ladder.first_round(knobs))
+  for _, run in ipairs(runs) do
+    local size, steps = knobs[1].levels[run.levels[1]].si, knobs[2].levels[run.levels[2]]
+    run.values.q = run.values.q + 4 * (1e5 * size ^ 2) * (2 / steps)
+  end
+  -- corrections of 0.1 (1 + 0.4) and 0.05 (1 + 1.6) with half of each; half of 4 (0.4 - 0.1) (0.1 - 0.05) together
+  near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(0.07 ^ 2 + 0.065 ^ 2 + 0.03 ^ 2), 1e-6)
 end)
 
 test("without its finest run there is no reference", function()
