@@ -78,6 +78,10 @@ void Commands::add_run() {
   out(run);
   value<std::string>(run, "--accuracy", "SHARE",
                      "With the cheapest settings that the study's trade measured to be so near, e.g. 2%");
+  value<std::string>(run, "--of", "NAMES",
+                     "Results or curves of the trade, comma separated, that the accuracy is about");
+  flag(run, "check-accuracy",
+       "Run the cases again with each setting a level finer, and say what they may be off by");
   flag(run, "force", "Run finished cases again");
   flag(run, "no-figures", "Draw no figures");
 }

@@ -1,4 +1,5 @@
 -- What a study sees of Stiction: made for each study, whose file names stand from its own folder on.
+local claim = require "stiction.trade.claim"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local figure = require "stiction.figure"
@@ -19,6 +20,7 @@ local own = {
   numeric = numeric,
   reference = reference,
   schemes = schemes,
+  claim = claim,
 }
 
 --- The table for studies in `folder`; nil: file names stand from the current folder on.

@@ -62,6 +62,11 @@ local function pending_cases(plan, rows)
   return pending, fingerprints
 end
 
+--- summary.csv of what has ended so far.
+function campaign.write_summary(plan, rows)
+  output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.claims)
+end
+
 --- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop.
 function campaign.run(plan, rows)
   local row_of, pending, fingerprints = {}, pending_cases(plan, rows)
@@ -69,7 +74,7 @@ function campaign.run(plan, rows)
     row_of[row.case.id] = row
   end
   validate_all(plan.study, pending)
-  output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
+  campaign.write_summary(plan, rows)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, jobs = math.floor(options.jobs or engine.cores()),
@@ -77,7 +82,7 @@ function campaign.run(plan, rows)
   return jobs.run(pending, settings, function(case, result)
     local row = row_of[case.id]
     row.result, row.fresh, row.done = result, true, result.verdict == "finished"
-    output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.errors)
+    campaign.write_summary(plan, rows)
   end)
 end
 

@@ -123,14 +123,14 @@ function check.recorder()
   return recorder, list
 end
 
---- Runs a study's checks on its cases, and that of what `measured` (or nil) says of them, as --accuracy gives it.
-function check.run(study, cases, measured)
+--- Runs a study's checks on its cases, and those of the accuracy asked for (or nil), as accuracy.choose gives it.
+function check.run(study, cases, asked)
   local recorder, list = check.recorder()
   if study.check then
     study.check(cases, recorder)
   end
-  if measured then
-    accuracy.check(measured, cases, recorder)
+  if asked then
+    accuracy.check(asked, cases, recorder)
   end
   return list
 end

@@ -104,8 +104,9 @@ local function csv_word(value)
   return text:find('[,"\n]') and '"' .. text:gsub('"', '""') .. '"' or text
 end
 
---- summary.csv: one row per case with a result; SI. `errors` (or nil), by result: what it may be off by, a last column.
-function output.write_summary(folder, study, names, rows, errors)
+--- summary.csv: one row per case with a result; SI. `claims` (or nil): {names =, of = {by case, by name}}, what results may
+--- be off by, in last columns; empty where that is not known.
+function output.write_summary(folder, study, names, rows, claims)
   local head = { "case" }
   for _, name in ipairs(names) do
     head[#head + 1] = name
@@ -114,8 +115,8 @@ function output.write_summary(folder, study, names, rows, errors)
     head[#head + 1] = entry.name
   end
   table.move({ "verdict", "steps", "iterations", "seconds" }, 1, 4, #head + 1, head)
-  local estimated = ordered.keys(errors or {})
-  for _, name in ipairs(estimated) do
+  local claimed = claims and claims.names or {}
+  for _, name in ipairs(claimed) do
     head[#head + 1] = name .. "_error"
   end
   local lines = { table.concat(head, ",") }
@@ -130,8 +131,8 @@ function output.write_summary(folder, study, names, rows, errors)
     for _, field in ipairs { "verdict", "steps", "iterations", "seconds" } do
       words[#words + 1] = csv_word(row.result[field])
     end
-    for _, name in ipairs(estimated) do
-      words[#words + 1] = csv_word(errors[name])
+    for _, name in ipairs(claimed) do
+      words[#words + 1] = csv_word((claims.of[row.case.id] or {})[name])
     end
     lines[#lines + 1] = table.concat(words, ",")
   end

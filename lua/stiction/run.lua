@@ -5,6 +5,7 @@ local case_module = require "stiction.case"
 local check = require "stiction.check"
 local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local output = require "stiction.output"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
@@ -46,7 +47,7 @@ local function judge(plan, rows)
     report.line("%d of %d cases finished: no checks, no figures until all are", #cases, #rows)
     return true
   end
-  local checks = check.run(plan.study, cases, plan.measured)
+  local checks = check.run(plan.study, cases, plan.accuracy)
   output.write_checks(plan.folder, checks)
   local good = report.checks(checks) == 0
   if not plan.options.no_figures then
@@ -55,19 +56,28 @@ local function judge(plan, rows)
   return good
 end
 
---- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; of --accuracy also {measured =,
---- errors =}.
+--- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; where accuracy is asked for also
+--- {accuracy =, claims =}.
 local function make_plan(options)
-  local study, measured = study_module.load(options.study, options.trust), nil
-  if options.accuracy then
-    options, measured = accuracy.apply(study, options)
+  local study, own = study_module.load(options.study, options.trust), nil
+  if options.accuracy or options.check_accuracy then
+    options, own = accuracy.choose(study, options)
+  elseif options.of then
+    fault.input("--of names what --accuracy or --check-accuracy is about; give one of them")
   end
   local cases, names = sweep.cases(study, options)
   if options.case then
     sweep.find(cases, options.case)
   end
   return { study = study, cases = cases, names = names, folder = output.folder(study, options),
-    options = options, measured = measured, errors = measured and measured.errors }
+    options = options, accuracy = own, claims = own and accuracy.known(own, cases, options) }
+end
+
+--- What --check-accuracy asks for, and the summary with it; what ended it early, if anything.
+local function recheck(plan, rows)
+  local stopped = accuracy.recheck(plan, rows)
+  campaign.write_summary(plan, rows)
+  return stopped
 end
 
 --- Runs a study; its exit code, its output folder and its study table.
@@ -84,6 +94,7 @@ return function(options)
     return 2, plan.folder, plan.study
   end
   report.cases(plan.study, campaign.rows_with_result(rows))
+  stopped = stopped or options.check_accuracy and recheck(plan, rows)
   if stopped then
     engine.complain("stiction: stopped; finished cases are kept, the same command goes on from here\n")
     return 1, plan.folder, plan.study

@@ -227,8 +227,8 @@ local function settle(plan, values)
   end
 end
 
---- All combinations of the knobs of study.trade: cases that also know their `levels`, the knobs' names, the knobs.
-function sweep.trade(study, options)
+--- The knobs of study.trade, and all values of its scene by name, those of the knobs among them.
+function sweep.knobs(study, options)
   local spec = study.trade or fault.input("the study '%s' has no `trade = { quantities =, knobs = }`; see 'stiction help "
     .. "trade'", study.name)
   local quick = options.quick and spec.quick or {}
@@ -240,7 +240,12 @@ function sweep.trade(study, options)
   end
   apply_settings(plan, values, options.set or {})
   settle(plan, values)
-  local knobs = ladder.knobs(quick.knobs or spec.knobs or {}, values)
+  return ladder.knobs(quick.knobs or spec.knobs or {}, values), values
+end
+
+--- All combinations of the knobs of study.trade: cases that also know their `levels`, the knobs' names, the knobs.
+function sweep.trade(study, options)
+  local knobs, values = sweep.knobs(study, options)
   local names, axes = {}, {}
   for i, knob in ipairs(knobs) do
     names[i], axes[i], values[knob.name] = knob.name, { name = knob.name, values = knob.levels }, nil

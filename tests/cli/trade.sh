@@ -27,12 +27,34 @@ holds "the trade does not repeat" [ "$(cut -d, -f1-10 again/trade.csv)" = "$(cat
 expect 0 "--accuracy 20%: cells = |of the default's work" "$stiction" run soft --accuracy 20% --no-figures
 holds "errors in summary.csv" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error$' out/soft/summary.csv
 promise="force_y within its error of what its trade measured"
+value_of() { # COLUMN CASE: of out/soft/summary.csv
+  awk -F, -v name="$1" -v id="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i } $1 == id { print $at }' out/soft/summary.csv
+}
+holds "only the measured scene has errors" [ "$(value_of force_x_error mu0.2)" != "" ] &&
+  holds "no error where nothing was measured" [ "$(value_of force_x_error mu0.4)$(value_of force_y_error mu0)" = "" ]
+holds "each column its own error" [ "$(value_of force_x_error mu0.2)" != "$(value_of force_y_error mu0.2)" ]
 holds "what was measured is checked once, at mu = 0.2" [ "$(grep -c "$promise" out/soft/checks.json)" = 1 ]
 cp soft/trade.json measured
 sed -i 's/"force_y": 2[0-9]\./"force_y": 99./' soft/trade.json
 expect 1 "$promise" "$stiction" run soft --accuracy 20% --no-figures
 mv measured soft/trade.json
 expect 2 "the best that was measured is|finer levels" "$stiction" run soft --accuracy 1e-9 --no-figures
+# one number decides where one is asked for; a scene that was not measured is told as such, and can be measured
+expect 0 "--accuracy 20% of force_y: " "$stiction" run soft --accuracy 20% --of force_y --no-figures --case mu0.2 --out one
+holds "only what was asked for is claimed" grep -q 'seconds,force_y_error$' one/summary.csv
+expect 2 "no 'force_z'; did you mean 'force_y'?|it measures: force_y, force_x, history, zero" "$stiction" run soft --accuracy 20% --of force_z
+expect 2 "give one of them" "$stiction" run soft --of force_y
+expect 0 "mu0: not the scene that was measured (mu = 0, measured with 0.2; young = |is not known|--check-accuracy" \
+  "$stiction" run soft --accuracy 20% --set young=2MPa --no-figures --out two
+holds "no claim is written" grep -q 'seconds$' two/summary.csv
+expect 0 "with cells=|with steps=|mu0.2: off by at most|(force_x |checks held" \
+  "$stiction" run soft --accuracy 20% --set young=2MPa --check-accuracy --case mu0.2 --no-figures --out two
+holds "now it is" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error$' two/summary.csv
+expect 1 "mu0.2: off by no more than asked for" \
+  "$stiction" run soft --accuracy 3% --of force_y --set young=2MPa --set mu=0.2 --check-accuracy --no-figures --out three
+expect 0 "mu0.4: off by at most" "$stiction" run soft --check-accuracy --of force_y --set mu=0.4 --no-figures --out four
+holds "claims need no measured trade" grep -q 'seconds,force_y_error$' four/summary.csv
+expect 2 "has no \`trade" "$stiction" run "$tiny" --check-accuracy
 expect 2 "write a share above 0" "$stiction" run soft --accuracy lots --no-figures
 sed -i 's/soft rubber/softer rubber/' soft/study.lua
 expect 2 "was changed since its trade was measured" "$stiction" run soft --accuracy 20% --no-figures

@@ -1,9 +1,13 @@
 -- The arithmetic of a trade: limits with their uncertainty, references, the front, promising combinations.
 local test, equal, fails = ...
 local accuracy = require "stiction.trade.accuracy"
+local check = require "stiction.check"
+local claim = require "stiction.trade.claim"
+local engine = require "stiction.engine"
 local exchange = require "stiction.trade.exchange"
 local extrapolation = require "stiction.trade.extrapolation"
 local ladder = require "stiction.trade.ladder"
+local output = require "stiction.output"
 local quantity = require "stiction.trade.quantity"
 local reference = require "stiction.trade.reference"
 local units = require("stiction").units
@@ -277,4 +281,126 @@ test("--accuracy takes the cheapest bound that holds", function()
   local none, nearest = accuracy.cheapest(runs, 0.001)
   equal(none, nil)
   near(nearest, 0.01)
+end)
+
+test("a number is refined to its next level, by half beyond the last, never beyond that of a tolerance", function()
+  local size, steps = knobs[1], knobs[2]
+  local finer, ratio = ladder.finer(size, 4*mm)
+  near(finer.si, 2e-3)
+  near(ratio, 2)
+  near(ladder.finer(size, 1*mm).si, 0.5e-3)
+  near(ladder.finer(size, 3*mm).si, 2e-3)
+  near(ladder.finer(size, 40*mm).si, 20e-3)
+  equal(ladder.finer(steps, 10), 20)
+  equal(ladder.finer(steps, 15), 40)
+  equal(ladder.finer(steps, 40), 80)
+  local tolerance = ladder.knobs({ { "tol", { 1e-8, 1e-10 } } }, { tol = 1e-8 })[1]
+  near(ladder.finer(tolerance, 1e-8) * 1e10, 1)
+  equal(ladder.finer(tolerance, 1e-10), nil)
+end)
+
+test("what is run beside a case: each number finer, each choice that is not the default", function()
+  local list = claim.variants(knobs, { size = 4*mm, steps = 20, scheme = "b" })
+  equal(#list, 3)
+  equal(list[1].knob .. list[2].knob .. list[3].knob, "sizestepsscheme")
+  near(list[1].factor, 1 / (1 - math.sqrt(0.5)))
+  equal(list[3].value, "a")
+  equal(list[3].factor, 1)
+  equal(#claim.variants(knobs, { size = 4*mm, steps = 20, scheme = "a" }), 2)
+end)
+
+--- A study of one judged result, one watched one and a curve, and a case of it.
+local judged_study = {
+  results = { { name = "q" }, { name = "w" } },
+  trade = { quantities = { "q", { name = "c", curve = function(case) return { 0, 1 }, { case.level, case.level } end } } },
+}
+local function judged_case(level)
+  return { p = {}, level = level, results = { q = 10 * level, w = 100 * level } }
+end
+
+test("a claim sums what each finer setting changes, times its factor", function()
+  local found = claim.judge(judged_study, judged_case(1), { { factor = 3 }, { factor = 2 } },
+    { judged_case(1.01), judged_case(0.98) }, judged_case(1.05))
+  near(found.q.absolute, 0.3 + 0.4, 1e-4)
+  near(found.q.relative, 0.07, 1e-4)
+  near(found.w.absolute, 7, 1e-4)
+  near(found.c.absolute, 0.07, 1e-4)
+  near(found.q.error, 0.05)
+  assert(found.q.judged and not found.w.judged)
+  local none = claim.judge(judged_study, { p = {}, level = 1, results = { q = 0 / 0, w = 1 } }, {}, {})
+  equal(none.q, nil)
+end)
+
+test("what an accuracy is about must be measured", function()
+  equal(claim.names(nil, { "peak", "force" }), nil)
+  equal(table.concat(claim.names("force, peak", { "peak", "force" }), " "), "force peak")
+  fails("no 'peek'; did you mean 'peak'? (it measures: peak, force)", claim.names, "peek", { "peak", "force" })
+  fails("name what the trade measures", claim.names, " ", { "peak" })
+end)
+
+--- Two measured scenes, whose errors differ from quantity to quantity.
+local function asked()
+  local function scene(steps)
+    return { p = { steps = steps, mu = 0.2 }, values = { a = 1, b = 2, c = 4 }, errors = { a = 0.1, b = 0.2, c = 0.3 } }
+  end
+  return { scenes = { scene(5), scene(10) }, chosen = { steps = 5, mu = 0.2 }, share = 0.03, judged = { a = true } }
+end
+
+local function case_of(steps, mu, results)
+  return { id = ("s%d_mu%g"):format(steps, mu), p = { steps = steps, mu = mu }, results = results }
+end
+
+test("only the scene that was measured is claimed, in all its parameters", function()
+  local own, cases = asked(), { case_of(5, 0.2), case_of(5, 0.3), case_of(7, 0.2) }
+  local known = accuracy.known(own, cases, {})
+  equal(table.concat(known.names, " "), "a b c")
+  equal(known.of["s5_mu0.2"].b, 0.2)
+  equal(known.of["s5_mu0.3"], nil)
+  equal(known.of["s7_mu0.2"], nil)
+  equal(#accuracy.known(own, { case_of(5, 0.3) }, {}).names, 0)
+end)
+
+test("each column of errors is that of its result, and empty where nothing is claimed", function()
+  local rows = {}
+  for i, case in ipairs { case_of(5, 0.2), case_of(5, 0.3) } do
+    rows[i] = { case = case, result = { verdict = "finished", results = { a = 1, b = 2, c = 4 } } }
+  end
+  local study = { results = { { name = "a" }, { name = "b" }, { name = "c" } } }
+  local write, text = engine.write_file, nil
+  engine.write_file = function(_, written) text = written end
+  output.write_summary("", study, { "mu" }, rows, accuracy.known(asked(), { rows[1].case, rows[2].case }, {}))
+  engine.write_file = write
+  equal(text, "case,mu,a,b,c,verdict,steps,iterations,seconds,a_error,b_error,c_error\n"
+    .. "s5_mu0.2,0.2,1,2,4,finished,,,,0.1,0.2,0.3\ns5_mu0.3,0.3,1,2,4,finished,,,,,,\n")
+end)
+
+--- Names of the checks that fail.
+local function failing(own, cases)
+  local recorder, list = check.recorder()
+  accuracy.check(own, cases, recorder)
+  local names = {}
+  for _, entry in ipairs(list) do
+    names[#names + 1] = not entry.pass and entry.name or nil
+  end
+  return table.concat(names, "; "), #list
+end
+
+test("a measured scene is held to the very error that it was told, each result to its own", function()
+  local _, count = failing(asked(), { case_of(5, 0.2, { a = 1.09, b = 1.81, c = 4.29 }), case_of(5, 0.3, {}) })
+  equal(count, 3)
+  equal((failing(asked(), { case_of(5, 0.2, { a = 1.09, b = 1.81, c = 4.29 }) })), "")
+  equal((failing(asked(), { case_of(5, 0.2, { a = 1.11, b = 1.81, c = 4.29 }) })),
+    "s5_mu0.2: a within its error of what its trade measured")
+  equal((failing(asked(), { case_of(5, 0.2, { a = 1, b = 2.21, c = 4.31 }) })),
+    "s5_mu0.2: b within its error of what its trade measured; s5_mu0.2: c within its error of what its trade measured")
+end)
+
+test("what was found now is held to the share asked for", function()
+  local own = asked()
+  own.worst = { ["s5_mu0.3"] = 0.029 }
+  equal((failing(own, { case_of(5, 0.3, {}) })), "")
+  own.worst["s5_mu0.3"] = 0.031
+  equal((failing(own, { case_of(5, 0.3, {}) })), "s5_mu0.3: off by no more than asked for")
+  own.share = nil
+  equal(select(2, failing(own, { case_of(5, 0.3, {}) })), 0)
 end)

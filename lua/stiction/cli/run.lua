@@ -3,7 +3,7 @@ local collection = require "stiction.collection"
 local run_study = require "stiction.run"
 
 return function(options)
-  options.no_figures = options["no-figures"]
+  options.no_figures, options.check_accuracy = options["no-figures"], options["check-accuracy"]
   local studies = collection.find(options.study)
   if studies then
     return collection.run(studies, options)

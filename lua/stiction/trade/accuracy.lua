@@ -1,9 +1,13 @@
--- The cheapest measured settings of a study that are near enough: `stiction run --accuracy`.
+-- What a run's results may be off by: `stiction run --accuracy`, the cheapest measured settings that are near enough, and
+-- `--check-accuracy`. A claim is made of the scene that was measured, or of what is measured now.
+local claim = require "stiction.trade.claim"
 local copy = require "stiction.copy"
 local fault = require "stiction.fault"
 local ladder = require "stiction.trade.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
+local quantity_module = require "stiction.trade.quantity"
+local recheck = require "stiction.trade.recheck"
 local record = require "stiction.trade.record"
 local report = require "stiction.report"
 local sweep = require "stiction.sweep"
@@ -11,6 +15,7 @@ local sweep = require "stiction.sweep"
 local accuracy = {}
 
 local rounding = 1e-9
+local told = 3 -- cases without a claim that are named
 
 --- 0.02 of "2%" or "0.02"; bad input else.
 function accuracy.share(text)
@@ -22,11 +27,12 @@ function accuracy.share(text)
   return percent == "%" and share / 100 or share
 end
 
---- The run of least work whose bound is within `share`, nil and the best bound there is if none is.
-function accuracy.cheapest(runs, share)
+--- The run of least work whose bound is within `share`, nil and the best bound there is if none is; `bound_of(run)` is
+--- its own by default.
+function accuracy.cheapest(runs, share, bound_of)
   local best, nearest = nil, math.huge
   for _, run in ipairs(runs) do
-    local bound = run.bound or math.huge
+    local bound = (bound_of and bound_of(run) or not bound_of and run.bound) or math.huge
     nearest = math.min(nearest, bound)
     if bound <= share and (not best or run.work < best.work) then
       best = run
@@ -35,12 +41,65 @@ function accuracy.cheapest(runs, share)
   return best, nearest
 end
 
---- Options of the run with the settings of its accuracy, and what was measured of them: {p = of the measured scene,
---- values =, errors = {by quantity, SI; of a curve relative to its norm}}. What the user sets by hand stays set.
-function accuracy.apply(study, options)
-  local share = accuracy.share(options.accuracy)
-  local kept = record.read(study, options.study)
-  local run, nearest = accuracy.cheapest(kept.runs, share)
+--- Names of all that the trade of a study measures, and the set of those that decide by default.
+local function measured_names(study)
+  local names, judged = {}, {}
+  for i, quantity in ipairs(quantity_module.list(study, select(2, sweep.knobs(study, {})))) do
+    names[i], judged[quantity.name] = quantity.name, not quantity.watched or nil
+  end
+  return names, judged
+end
+
+--- Largest error of a run in the quantities named, the reference's own included, relative; nil where it has none.
+local function bound_in(run, references, names, judged)
+  local bound = 0
+  for _, name in ipairs(names) do
+    local reference, error = references[name], (run.errors or {})[name]
+    local scale = reference and (judged[name] and reference.scale or math.abs(reference.value))
+    if not error or scale == 0 then
+      return nil
+    end
+    bound = math.max(bound, (error * reference.scale + reference.uncertainty) / scale)
+  end
+  return bound
+end
+
+--- Parameters of a kept run, read from its settings.
+local function parameters_of(study, run)
+  local settings = numeric.map(ordered.keys(run.settings), function(name) return name .. "=" .. run.settings[name] end)
+  return select(2, sweep.knobs(study, { set = settings }))
+end
+
+--- What the trade knows of its own scene, a list by run: {p =, values =, errors = {by quantity, SI; of a curve relative
+--- to its norm}}.
+local function scenes_of(study, kept, wanted)
+  local list = {}
+  for _, run in ipairs(kept.runs) do
+    local scene = { p = run.errors and parameters_of(study, run), values = run.values, errors = {} }
+    for name, error in pairs(run.errors or {}) do
+      local reference = kept.references[name]
+      if not wanted or numeric.first_where(wanted, function(other) return other == name end) then
+        scene.errors[name] = error * reference.scale + reference.uncertainty
+      end
+    end
+    list[#list + 1] = scene.p and scene or nil
+  end
+  return list
+end
+
+--- The plan's options with the settings of its accuracy, and {share =, of = (names or nil), scenes =, chosen =}. What the
+--- user sets by hand stays set.
+function accuracy.choose(study, options)
+  local names, judged = measured_names(study)
+  local of = claim.names(options.of, names)
+  if not options.accuracy then
+    return options, { of = of, judged = judged, scenes = {} }
+  end
+  local share, kept = accuracy.share(options.accuracy), record.read(study, options.study)
+  local function bound_of(run)
+    return bound_in(run, kept.references, of or ordered.keys(judged), judged)
+  end
+  local run, nearest = accuracy.cheapest(kept.runs, share, bound_of)
   if not run then
     fault.input("--accuracy %s: the best that was measured is %.2g%%; give 'trade' finer levels and measure them: "
       .. "./stiction trade %s", options.accuracy, 100 * nearest, options.study)
@@ -50,33 +109,129 @@ function accuracy.apply(study, options)
     settings[#settings + 1] = name .. "=" .. run.settings[name]
     words[#words + 1] = ("%s = %s"):format(name, run.settings[name])
   end
-  report.line("--accuracy %s: %s (measured: off by at most %.2g%%, %.2g of the default's work)", options.accuracy,
-    table.concat(words, ", "), 100 * run.bound, run.work / accuracy.default_work(kept.runs))
+  report.line("--accuracy %s%s: %s (off by at most %.2g%% in the scene that was measured, %.2g of the default's work)",
+    options.accuracy, of and " of " .. table.concat(of, ", ") or "", table.concat(words, ", "), 100 * bound_of(run),
+    run.work / accuracy.default_work(kept.runs))
   local own = copy(options)
   own.set = table.move(options.set or {}, 1, #(options.set or {}), #settings + 1, settings)
-  local measured = { p = sweep.find(sweep.trade(study, {}), run.case).p, values = run.values, errors = {} }
-  for name, error in pairs(run.errors) do
-    local reference = kept.references[name]
-    measured.errors[name] = error * reference.scale + reference.uncertainty
-  end
-  return own, measured
+  return own, { share = share, of = of, judged = judged, scenes = scenes_of(study, kept, of),
+    chosen = parameters_of(study, run) }
 end
 
---- Checks that the measured scene, where it is among the cases, still gives what was measured: what the program has
---- changed since by more than the error it promises makes that promise void.
-function accuracy.check(measured, cases, check)
-  local function differs(p, name)
-    return not ladder.same(p[name], measured.p[name])
+--- Names of the parameters in which p differs from q.
+local function differences(p, q)
+  local names = {}
+  for _, name in ipairs(ordered.keys(q)) do
+    names[#names + 1] = not ladder.same(p[name], q[name]) and name or nil
   end
+  return names
+end
+
+--- The measured scene whose parameters a case has, all of them; nil if there is none.
+function accuracy.scene_of(scenes, p)
+  return scenes[numeric.first_where(scenes, function(scene) return #differences(p, scene.p) == 0 end)]
+end
+
+--- Says of which cases nothing is known.
+local function tell_unknown(own, cases, options)
+  local lines = {}
   for _, case in ipairs(cases) do
-    if not numeric.first_where(ordered.keys(measured.p), function(name) return differs(case.p, name) end) then
-      for _, name in ipairs(ordered.keys(measured.values)) do
-        local was, error = measured.values[name], measured.errors[name]
-        if error then
-          check.equal(("%s: %s within its error of what its trade measured"):format(case.id, name), case.results[name],
-            was, math.max(error, rounding * math.abs(was)))
-        end
+    local words = {}
+    for i, name in ipairs(differences(case.p, own.chosen)) do
+      words[i] = ("%s = %s, measured with %s"):format(name, report.value(case.p[name]), report.value(own.chosen[name]))
+    end
+    lines[#lines + 1] = ("%s: not the scene that was measured (%s)"):format(case.id, table.concat(words, "; "))
+  end
+  for i = 1, math.min(told, #lines) do
+    report.line("%s", lines[i])
+  end
+  if #lines > told then
+    report.line("and %d more", #lines - told)
+  end
+  if #lines > 0 and not options.check_accuracy then
+    report.line("How far these results are off is not known: the settings are a guess, and no error is written. "
+      .. "--check-accuracy measures it: the same cases with each setting a level finer.")
+  end
+end
+
+--- What is known before anything runs: {names = (columns), of = {by case, {by name}}}.
+function accuracy.known(own, cases, options)
+  local claims, unknown, seen = { of = {} }, {}, {}
+  for _, case in ipairs(cases) do
+    local scene = accuracy.scene_of(own.scenes, case.p)
+    claims.of[case.id] = scene and scene.errors
+    unknown[#unknown + 1] = not scene and case or nil
+    for name in pairs(scene and scene.errors or {}) do
+      seen[name] = true
+    end
+  end
+  if options.accuracy then
+    tell_unknown(own, unknown, options)
+  end
+  claims.names = ordered.keys(seen)
+  return claims
+end
+
+--- {absolute by name} of what was found for a case, with its words, and the largest relative one that decides.
+local function settle(own, id, found)
+  local absolute, words, worst = {}, {}, 0
+  for _, name in ipairs(own.of or ordered.keys(found)) do
+    local its = found[name]
+    absolute[name] = its and its.absolute
+    if own.of or its.judged then
+      worst = math.max(worst, its and its.relative or math.huge)
+      words[#words + 1] = its and ("%s %.2g%%"):format(name, 100 * its.relative) or name .. " not known"
+    end
+  end
+  report.line("%s: off by at most %.2g%% (%s)", id, 100 * worst, table.concat(words, ", "))
+  return absolute, worst
+end
+
+--- Measures what is not known of the rows that have finished, into plan.claims and plan.accuracy.worst; what ended it
+--- early, if anything.
+function accuracy.recheck(plan, rows)
+  local open = {}
+  for _, row in ipairs(rows) do
+    local wanted = not plan.options.case or row.case.id == plan.options.case
+    open[#open + 1] = wanted and row.done and not plan.claims.of[row.case.id] and row or nil
+  end
+  local found, stopped = recheck.run(plan, open)
+  local seen, own = {}, plan.accuracy
+  own.worst = {}
+  for _, name in ipairs(plan.claims.names) do
+    seen[name] = true
+  end
+  for _, row in ipairs(stopped and {} or open) do
+    local id = row.case.id
+    local its = found[id]
+    own.worst[id] = math.huge
+    if its.reason then
+      report.line("%s: how far it is off is not known: %s", id, its.reason)
+    else
+      plan.claims.of[id], own.worst[id] = settle(own, id, its.of)
+      for name in pairs(plan.claims.of[id]) do
+        seen[name] = true
       end
+    end
+  end
+  plan.claims.names = ordered.keys(seen)
+  return stopped
+end
+
+--- Checks that a measured scene among the cases still gives what was measured: what the program has changed since by more
+--- than the error it promises makes that promise void. And that what was found now is within the share asked for.
+function accuracy.check(own, cases, check)
+  for _, case in ipairs(cases) do
+    local scene, worst = accuracy.scene_of(own.scenes, case.p), (own.worst or {})[case.id]
+    for _, name in ipairs(ordered.keys(scene and scene.values or {})) do
+      local was, error = scene.values[name], scene.errors[name]
+      if error then
+        check.equal(("%s: %s within its error of what its trade measured"):format(case.id, name), case.results[name],
+          was, math.max(error, rounding * math.abs(was)))
+      end
+    end
+    if own.share and worst then
+      check.within(("%s: off by no more than asked for"):format(case.id), worst, 0, own.share)
     end
   end
 end

@@ -32,6 +32,27 @@ function ladder.resolution(knob, level)
   return knob.falls and value or 1 / value
 end
 
+local nearest, farthest = 1.5, 4 -- by which one level is finer than another
+local tolerance = 10 -- levels so far apart are of a tolerance, not of a resolution
+
+--- The next value of a number that is finer, and by what its resolution falls; nil beyond the last of a tolerance.
+function ladder.finer(knob, value)
+  local levels, si = knob.levels, units.si(value)
+  for level = 1, #levels do
+    local ratio = knob.falls and si / units.si(levels[level]) or units.si(levels[level]) / si
+    local own = level > 1 and ladder.same(levels[level - 1], value)
+    if own and ratio > 1 or ratio >= nearest and ratio <= farthest then
+      return levels[level], ratio
+    end
+  end
+  local last = ladder.resolution(knob, #levels - 1) / ladder.resolution(knob, #levels)
+  if last >= tolerance then
+    return nil
+  end
+  local whole = math.type(units.si(levels[1])) == "integer"
+  return knob.falls and value / 2 or whole and math.ceil(2 * value) or 2 * value, 2
+end
+
 local function check_numbers(knob)
   local before
   for _, level in ipairs(knob.levels) do

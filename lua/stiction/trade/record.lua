@@ -22,7 +22,7 @@ local function fingerprint(study)
 end
 
 --- "0.00025 m" of a level, as --set reads it.
-local function setting(value)
+function record.setting(value)
   if units.is_quantity(value) then
     return ("%.12g %s"):format(value.si,
       engine.dimension_text(value.metre, value.kilogram, value.second))
@@ -34,7 +34,7 @@ end
 function record.settings(knobs, run)
   local settings = {}
   for i, knob in ipairs(knobs) do
-    settings[knob.name] = setting(knob.levels[run.levels[i]])
+    settings[knob.name] = record.setting(knob.levels[run.levels[i]])
   end
   return settings
 end
