@@ -19,9 +19,11 @@ Series::Series(std::filesystem::path path) : file_(std::make_unique<HistoryFile>
   file_->add_column("time", 1, "s", "simulated time");
 }
 
+Series::Series() = default;
+
 Series::~Series() {
   try {
-    if (!failed_)
+    if (!failed_ && file_)
       flush();
   } catch (std::exception const&) { // NOLINT: a destructor has nobody to tell
   }
@@ -31,18 +33,22 @@ Column Series::add(std::string const& group, std::string const& name, std::strin
                    std::string const& meaning, int width) {
   core::expect(rows() == 0, "all columns of a series before its first row");
   core::expect(width > 0, "a column at least one value wide");
-  file_->add_column(group.empty() ? name : group + "/" + name, width, unit, meaning);
+  names_.emplace_back(group.empty() ? name : group + "/" + name, width);
+  if (file_)
+    file_->add_column(names_.back().first, width, unit, meaning);
   columns_.push_back({width_, static_cast<std::size_t>(width)});
   width_ += columns_.back().width;
   return columns_.back();
 }
 
 void Series::set_attribute(std::string const& group, std::string const& name, std::string const& text) {
-  file_->set_attribute(group, name, text);
+  if (file_)
+    file_->set_attribute(group, name, text);
 }
 
 void Series::set_attribute(std::string const& group, std::string const& name, double value) {
-  file_->set_attribute(group, name, value);
+  if (file_)
+    file_->set_attribute(group, name, value);
 }
 
 void Series::append(double time, std::span<double const> row) {

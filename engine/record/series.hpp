@@ -23,6 +23,7 @@ struct Column {
 class Series {
 public:
   explicit Series(std::filesystem::path path);
+  Series();  ///< without a file: takes columns for their names alone
   ~Series(); ///< flushes and closes; a failure here is silent, call flush() first to hear of it
   Series(Series const&) = delete;
   Series& operator=(Series const&) = delete;
@@ -39,6 +40,9 @@ public:
   void append(double time, std::span<double const> row);
   void flush();
 
+  [[nodiscard]] std::vector<std::pair<std::string, int>> const& names() const {
+    return names_;
+  } ///< and widths
   [[nodiscard]] std::size_t row_width() const { return width_; }
   [[nodiscard]] std::size_t rows() const { return flushed_ + times_.size(); }
 
@@ -47,6 +51,7 @@ private:
 
   std::unique_ptr<HistoryFile> file_;
   std::vector<Column> columns_;
+  std::vector<std::pair<std::string, int>> names_;
   std::size_t width_ = 0;
   std::vector<double> times_, rows_; ///< not yet on disk: [buffered], [buffered, width_]
   std::size_t flushed_ = 0;

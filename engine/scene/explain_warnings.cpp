@@ -96,8 +96,9 @@ void cohesive_length(PairFacts const& pair, Warnings& warnings) {
                                         pair.modulus / (cohesive_cells * cell), strength)
                           : fmt::format("a strength of {} or less at the same work of separation", strength);
   warnings.push_back(
-      {fmt::format("pair {}: cohesive length {}, mesh {}: the pull-off will depend on the mesh",
-                   pair.pair->name, human(length, "m"), human(cell, "m")),
+      {fmt::format("pair {}: cohesive length {}, mesh {}, that is {:.2g} of a cell: the pull-off will depend "
+                   "on the mesh",
+                   pair.pair->name, human(length, "m"), human(cell, "m"), length / cell),
        fmt::format("cells of {} or less at {}, or {}", human(length / cohesive_cells, "m"),
                    pair.part->secondary, softer)});
 }

@@ -275,6 +275,17 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
 
 } // namespace
 
+void add_step_columns(Scene const& scene, record::Series& series) {
+  series.add("step", "dt", "s", "step size");
+  series.add("step", "iterations", "1", "Newton iterations");
+  if (!scene.part.schedule.accuracy)
+    return;
+  series.add("step", "error_u", "1", "estimated local error of u over the largest u so far");
+  series.add("step", "error_beta", "1", "largest estimated local error of any beta");
+  series.add("step", "beta_change", "1", "largest change of any beta in the step");
+  series.add("step", "events", "1", "points that touch or separate, betas that reach or leave an end");
+}
+
 std::vector<Sampler> add_probes(Scene const& scene, record::Series& series) {
   std::vector<Sampler> samplers;
   for (auto const& [name, probe] : scene.part.probes) {

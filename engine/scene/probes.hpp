@@ -10,6 +10,9 @@ namespace stiction::scene {
 /// Appends the probe's values of one state to a row.
 using Sampler = std::function<void(dynamics::State const&, std::vector<double>&)>;
 
+/// Adds the columns "step/..." that every run has.
+void add_step_columns(Scene const& scene, record::Series& series);
+
 /// Adds the columns of every probe of the scene, in the order of their names, and returns their samplers.
 [[nodiscard]] std::vector<Sampler> add_probes(Scene const& scene, record::Series& series);
 

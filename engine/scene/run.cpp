@@ -11,12 +11,13 @@
 #include "dynamics/pace.hpp"
 #include "dynamics/timer.hpp"
 #include "linear/recycling.hpp"
-#include "mesh/quality.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "record/problem_file.hpp"
 #include "record/step_log.hpp"
 #include "scene/frame.hpp"
+#include "scene/manifest.hpp"
+#include "scene/preview.hpp"
 #include "scene/probes.hpp"
 #include "scene/remarks.hpp"
 #include "scene/remesh.hpp"
@@ -53,14 +54,7 @@ public:
   Recorder(Scene const& scene, RunOptions const& options)
       : scene_(&scene), folder_(options.out), series_(options.out / "series.h5"), fields_(options.out),
         log_(options.out) {
-    series_.add("step", "dt", "s", "step size");
-    series_.add("step", "iterations", "1", "Newton iterations");
-    if (controlled()) {
-      series_.add("step", "error_u", "1", "estimated local error of u over the largest u so far");
-      series_.add("step", "error_beta", "1", "largest estimated local error of any beta");
-      series_.add("step", "beta_change", "1", "largest change of any beta in the step");
-      series_.add("step", "events", "1", "points that touch or separate, betas that reach or leave an end");
-    }
+    add_step_columns(scene, series_);
     samplers_ = add_probes(scene, series_);
   }
   void step(dynamics::State const& state, double dt, int iterations, dynamics::StepError const& error = {}) {
@@ -109,56 +103,6 @@ private:
   std::vector<double> row_;
 };
 
-nlohmann::json quality_of(mesh::Mesh const& mesh) {
-  auto const quality = mesh::quality(mesh);
-  return {{"nodes", quality.nodes},
-          {"cells", quality.cells},
-          {"min_scaled_jacobian", quality.min_jacobian},
-          {"median_scaled_jacobian", quality.median_jacobian},
-          {"min_angle_deg", quality.min_angle},
-          {"max_angle_deg", quality.max_angle},
-          {"max_aspect_ratio", quality.max_aspect},
-          {"min_edge_m", quality.min_edge}};
-}
-
-nlohmann::json manifest_of(core::Input const& input, Scene const& scene, RunOptions const& options) {
-  auto manifest =
-      options.manifest_json.empty() ? nlohmann::json::object() : nlohmann::json::parse(options.manifest_json);
-  manifest["case"] = options.case_id;
-  manifest["scene"] = record::to_json(input);
-  manifest["build"] = record::build_identity();
-  auto describe = [](auto const& choice) {
-    return std::visit(
-        [](auto const& part) {
-          return nlohmann::json{{part.schema().name, record::describe(&part, part.schema())}};
-        },
-        choice);
-  };
-  auto& settings = manifest["settings"];
-  settings["scheme"] = describe(scene.part.scheme);
-  settings["solver"] = describe(scene.part.solver);
-  settings["control"] = record::describe(&scene.part.control, scene.part.control.schema());
-  if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
-    settings["accuracy"] = record::describe(&*accuracy, accuracy->schema());
-  for (auto const& [name, body] : scene.part.bodies) {
-    settings["bodies"][name] = describe(body.material);
-    if (body.remesh)
-      settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
-  }
-  for (auto const& [name, pair] : scene.part.pairs) {
-    auto& laws = settings["pairs"][name];
-    laws["pair"] = record::describe(&pair, PairPart::schema());
-    if (pair.law.friction)
-      laws.update(describe(*pair.law.friction));
-    if (pair.law.adhesion)
-      laws.update(describe(*pair.law.adhesion));
-  }
-  for (auto const& body : scene.model->bodies)
-    settings["meshes"][body->name] = quality_of(body->mesh);
-  settings["unknowns"] = scene.model->dofs();
-  return manifest;
-}
-
 /// The case as it runs.
 class Run {
 public:
@@ -191,6 +135,7 @@ public:
   }
 
   [[nodiscard]] MeshJudge const& judge() const { return judge_; }
+  [[nodiscard]] std::vector<Warning> warnings() const { return warnings_of(*scene_, state_); }
 
   RunResult finish() {
     auto const& cost = stepper_.cost();
@@ -452,9 +397,14 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     auto const scene = build(asked);
     record::prepare_output(options.out);
     auto manifest = manifest_of(asked, scene, options);
-    record::write_manifest(options.out / "manifest.json", manifest);
     Run running(scene, options);
+    auto const warnings = running.warnings();
+    auto& told = manifest["warnings"] = nlohmann::json::array();
+    for (auto const& warning : warnings)
+      told.push_back({{"text", warning.text}, {"change", warning.change}});
+    record::write_manifest(options.out / "manifest.json", manifest);
     auto result = run_once(running);
+    result.warnings = warnings;
     auto const& judge = running.judge();
     bool const last = result.verdict != "finished" || judge.fine_enough() || pass >= judge.passes();
     if (judge.wanted()) {

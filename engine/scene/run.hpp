@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/input.hpp"
+#include "scene/explain.hpp"
 
 namespace stiction::scene {
 
@@ -30,7 +31,8 @@ struct RunOptions {
 struct RunResult {
   std::string
       verdict; ///< "finished", "stopped", "not converged", "unstable" (not even begun), "output failed"
-  std::string reason; ///< one sentence, empty when finished
+  std::string reason;            ///< one sentence, empty when finished
+  std::vector<Warning> warnings; ///< known before the first step
   std::vector<std::string>
       remarks; ///< no single answer by theory, energy made or lost: one sentence per kind
   long steps = 0, iterations = 0, factorizations = 0, cuts = 0;

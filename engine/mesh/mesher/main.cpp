@@ -1,10 +1,12 @@
 // stiction-mesher REQUEST OUTPUT: answers a JSON request ("-" is standard input) with an HDF5 mesh file.
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <gmsh.h>
 #include <iostream>
 #include <sstream>
+#include <sys/prctl.h>
 
 #include "core/error.hpp"
 #include "mesh/mesh_file.hpp"
@@ -95,5 +97,6 @@ int main(int argc, char** argv) {
     std::cerr << "usage: stiction-mesher REQUEST.json OUTPUT.h5   (REQUEST may be -)\n";
     return 2;
   }
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would take the mesh
   return guarded(read_all(argv[1]), argv[2]);
 }
