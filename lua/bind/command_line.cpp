@@ -83,6 +83,7 @@ void Commands::add_run() {
   flag(run, "check-accuracy",
        "Run the cases again with each setting a level finer, and say what they may be off by");
   flag(run, "force", "Run finished cases again");
+  flag(run, "strict", "Run nothing that explain would warn of");
   flag(run, "no-figures", "Draw no figures");
 }
 

@@ -86,6 +86,22 @@ int absolute(lua_State* lua) {
   return 1;
 }
 
+/// relative(path, folder) -> the path as it stands from the folder on; both absolute
+int relative(lua_State* lua) {
+  push(lua, fs::path(text_at(lua, 1)).lexically_relative(text_at(lua, 2)).string());
+  return 1;
+}
+
+/// rename(from, to): a file or folder; `to` must not be a folder that holds anything
+int rename(lua_State* lua) {
+  std::error_code failed;
+  fs::rename(text_at(lua, 1), text_at(lua, 2), failed);
+  if (failed)
+    throw core::RunError(
+        fmt::format("cannot rename {} to {}: {}", text_at(lua, 1), text_at(lua, 2), failed.message()));
+  return 0;
+}
+
 /// list(path, deep) -> sorted paths of the files (deep: in all subfolders; else: files and folders) below
 /// path
 int list(lua_State* lua) {
@@ -145,6 +161,8 @@ void add_file_functions(lua_State* lua) {
   add<make_folder>(lua, "make_folder");
   add<kind_of_path>(lua, "kind_of_path");
   add<absolute>(lua, "absolute");
+  add<relative>(lua, "relative");
+  add<rename>(lua, "rename");
   add<list>(lua, "list");
   add<remove>(lua, "remove");
   add<hash>(lua, "hash");

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <fmt/format.h>
+#include <string_view>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -16,9 +17,31 @@ namespace {
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set from a signal handler");
 
+std::atomic<int> at_once{0}; ///< how many EndsAtOnce live
+bool follows = false;
+void on_event(lua_State* lua, lua_Debug* event);
+constexpr int instructions_per_look = 10000;
+long looks_left = -1; ///< before a limited script ends; -1: without limit
+
+[[noreturn]] void end_at_once(int signal) {
+  constexpr std::string_view words = "stiction: stopped by the user\n";
+  if (!follows)
+    static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  _exit(follows ? 128 + signal : 1);
+}
+
 void on_signal(int signal) {
+  if (at_once > 0)
+    end_at_once(signal);
   if (stop.exchange(true) && signal == SIGINT)
     _exit(1);
+}
+
+[[noreturn]] void raise(lua_State* lua, char const* kind, std::string const& message) {
+  lua_sethook(lua, on_event, LUA_MASKCOUNT, 1);
+  push_error(lua, kind, message.c_str());
+  lua_error(lua);
+  throw core::Bug("lua_error returned");
 }
 
 /// After the first stop every further instruction of the user's raises again, so that no pcall of theirs
@@ -26,18 +49,30 @@ void on_signal(int signal) {
 void on_event(lua_State* lua, lua_Debug* event) {
   if (event->event == LUA_HOOKLINE)
     note_line(lua, event);
-  if (!stop || !in_user_code(lua))
+  if (looks_left > 0 && event->event == LUA_HOOKCOUNT)
+    --looks_left;
+  if ((!stop && looks_left != 0) || !in_user_code(lua))
     return;
-  lua_sethook(lua, on_event, LUA_MASKCOUNT, 1);
-  auto const message = fmt::format("stopped by the user while a script was running, in {}", user_place(lua));
-  push_error(lua, "stopped", message.c_str());
-  lua_error(lua);
+  if (stop)
+    raise(lua, "stopped",
+          fmt::format("stopped by the user while a script was running, in {}", user_place(lua)));
+  raise(lua, "script", fmt::format("no end in sight, in {}", user_place(lua)));
 }
 
 } // namespace
 
 std::atomic<bool> const& stop_flag() {
   return stop;
+}
+
+EndsAtOnce::EndsAtOnce() {
+  ++at_once;
+  if (stop)
+    end_at_once(SIGTERM);
+}
+
+EndsAtOnce::~EndsAtOnce() {
+  --at_once;
 }
 
 void watch_signals() {
@@ -48,12 +83,18 @@ void watch_signals() {
 }
 
 void follow_parent() {
+  follows = true;
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   std::signal(SIGPIPE, SIG_IGN);
 }
 
 void watch_script(lua_State* lua) {
-  lua_sethook(lua, on_event, LUA_MASKCOUNT | LUA_MASKLINE, 10000);
+  lua_sethook(lua, on_event, LUA_MASKCOUNT | LUA_MASKLINE, instructions_per_look);
+}
+
+void limit_script(lua_State* lua, long instructions) {
+  looks_left = instructions > 0 ? instructions / instructions_per_look + 1 : -1;
+  watch_script(lua);
 }
 
 } // namespace stiction::bind

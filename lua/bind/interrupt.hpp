@@ -12,8 +12,22 @@ std::atomic<bool> const& stop_flag();
 /// Installs the handlers; a second SIGINT ends the process at once with exit code 1.
 void watch_signals();
 
+/// While one of these lives, a signal ends this process at once: for long work that leaves nothing half done.
+/// Exit code 1; that of the signal in a process that follows its parent, which tells the two apart.
+class EndsAtOnce {
+public:
+  EndsAtOnce();
+  ~EndsAtOnce();
+  EndsAtOnce(EndsAtOnce const&) = delete;
+  EndsAtOnce& operator=(EndsAtOnce const&) = delete;
+};
+
 /// Makes this process end with its parent and outlive a closed pipe, as a case of a sweep should.
 void follow_parent();
+
+/// Lets the user's functions end by an error once they have taken so many instructions (to ten thousand), of
+/// kind "script"; 0: without limit.
+void limit_script(lua_State* lua, long instructions);
 
 /// Lets the user's functions end by an error of kind "stopped" once the flag is set.
 void watch_script(lua_State* lua);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "bind/lock.hpp"
 #include "core/error.hpp"
 
 extern char** environ;
@@ -49,6 +50,8 @@ struct Actions {
     posix_spawn_file_actions_adddup2(&files, messages.ends[1], message_descriptor);
     posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDERR_FILENO);
+    for (int const lock : held_locks()) // onto itself: it stays open
+      posix_spawn_file_actions_adddup2(&files, lock, lock);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

@@ -91,14 +91,17 @@ bool is_orphan() {
   return poll(&end, 1, 0) == 1 && (end.revents & POLLERR) != 0;
 }
 
-/// follow_parent(): this process ends with the one that started it; call before any file is opened
-int follow(lua_State*) {
+/// follow_parent() -> whether one listens: this process ends with the one that started it, and what that one
+/// left open is not handed on; call before any file is opened
+int follow(lua_State* lua) {
   struct stat status {};
   heard() = fstat(3, &status) == 0 && !S_ISREG(status.st_mode);
   follow_parent();
+  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   if (heard() && is_orphan()) // it ended before it could be followed
     std::raise(SIGTERM);
-  return 0;
+  push(lua, heard());
+  return 1;
 }
 
 /// tell_parent(line) -> true if the process that started this one took the message

@@ -2,23 +2,18 @@
 #include "bind/engine.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "bind/convert.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
-#include "scene/explain.hpp"
+#include "scene/preview.hpp"
 #include "scene/run.hpp"
 
 namespace stiction::bind {
 
 namespace {
-
-/// validate(scene): an error of kind "input" with every complaint
-int validate(lua_State* lua) {
-  scene::validate(to_input(lua, 1));
-  return 0;
-}
 
 void push(lua_State* lua, scene::Line const& line) {
   lua_newtable(lua);
@@ -55,9 +50,35 @@ template<class T> void set_list(lua_State* lua, char const* name, std::vector<T>
   lua_setfield(lua, -2, name);
 }
 
+/// preview(scene) -> {columns = {"group/name" = width}, end_time =, warnings = {{text =, change =}}}, or an
+/// error of kind "input" with every complaint
+int preview(lua_State* lua) {
+  auto const input = to_input(lua, 1);
+  EndsAtOnce const now;
+  auto const preview = scene::preview(input);
+  std::map<std::string, int> columns;
+  for (auto const& [name, width] : preview.columns)
+    columns[name] = width;
+  lua_newtable(lua);
+  set(lua, "columns", columns);
+  set(lua, "end_time", preview.end);
+  set_list(lua, "warnings", preview.warnings);
+  return 1;
+}
+
+/// validate(scene): an error of kind "input" with every complaint
+int validate(lua_State* lua) {
+  auto const input = to_input(lua, 1);
+  EndsAtOnce const now;
+  scene::validate(input);
+  return 0;
+}
+
 /// explain(scene) -> {sections = {{title =, lines =}}, warnings = {{text =, change =}}}
 int explain(lua_State* lua) {
-  auto const explanation = scene::explain(to_input(lua, 1));
+  auto const input = to_input(lua, 1);
+  EndsAtOnce const now;
+  auto const explanation = scene::explain(input);
   lua_newtable(lua);
   set_list(lua, "sections", explanation.sections);
   set_list(lua, "warnings", explanation.warnings);
@@ -82,6 +103,7 @@ void push(lua_State* lua, scene::RunResult const& result) {
   lua_newtable(lua);
   set(lua, "verdict", result.verdict);
   set(lua, "reason", result.reason);
+  set_list(lua, "warnings", result.warnings);
   set(lua, "remarks", result.remarks);
   set(lua, "steps", result.steps);
   set(lua, "iterations", result.iterations);
@@ -109,12 +131,15 @@ int run(lua_State* lua) {
   options.case_id = option(lua, "case_id");
   options.manifest_json = option(lua, "manifest");
   options.stop = &stop_flag();
-  options.progress = [lua](scene::Progress const& progress) {
+  std::optional<EndsAtOnce> now(std::in_place); // until the first step is done
+  options.progress = [lua, &now](scene::Progress const& progress) {
+    now.reset();
     lua_pushvalue(lua, 3);
     push(lua, progress);
     lua_call(lua, 1, 0);
   };
   auto const result = scene::run(input, options);
+  now.reset();
   push(lua, result);
   return 1;
 }
@@ -122,6 +147,7 @@ int run(lua_State* lua) {
 } // namespace
 
 void add_scene_functions(lua_State* lua) {
+  add<preview>(lua, "preview");
   add<validate>(lua, "validate");
   add<explain>(lua, "explain");
   add<run>(lua, "run");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/state.hpp"
 #include "bind/trace.hpp"
@@ -43,6 +44,16 @@ int call(lua_State* lua) {
   return lua_gettop(lua);
 }
 
+/// call_within(instructions, function, ...) -> as call; the user's functions end by an error after so many
+int call_within(lua_State* lua) {
+  auto const instructions = static_cast<long>(luaL_checkinteger(lua, 1));
+  lua_remove(lua, 1);
+  limit_script(lua, instructions);
+  int const count = call(lua);
+  limit_script(lua, 0);
+  return count;
+}
+
 /// part(table) -> "material.blatz_ko" of what a constructor made, or ""
 int part(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
@@ -63,6 +74,7 @@ void add_script_functions(lua_State* lua) {
   add<load_script>(lua, "load_script");
   add<where>(lua, "where");
   add<call>(lua, "call");
+  add<call_within>(lua, "call_within");
   add<part>(lua, "part");
   add<root>(lua, "library_root");
 }

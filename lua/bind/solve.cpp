@@ -1,6 +1,7 @@
 // A saved contact problem solved again, for `stiction solve` and for studies of such problems.
 #include "scene/solve.hpp"
 #include "bind/engine.hpp"
+#include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
 
@@ -28,6 +29,7 @@ void push(lua_State* lua, scene::SolverAnswer const& answer) {
 /// {}, answers = {solver = {converged =, iterations =, work =, residual =, relative =, seconds =, force =,
 /// ...}}}
 int solve(lua_State* lua) {
+  EndsAtOnce const now; // nothing is written
   auto const report = scene::solve_file(text_at(lua, 1), text_at(lua, 2), luaL_checknumber(lua, 3));
   lua_newtable(lua);
   set(lua, "text", report.text);

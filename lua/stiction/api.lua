@@ -1,5 +1,7 @@
 -- What a study sees of Stiction: made for each study, whose file names stand from its own folder on.
+local calls = require "stiction.calls"
 local claim = require "stiction.trade.claim"
+local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local figure = require "stiction.figure"
@@ -17,9 +19,9 @@ local own = {
   is_quantity = units.is_quantity,
   study = study.define,
   figure = figure,
-  numeric = numeric,
+  numeric = calls.functions(copy(numeric), "numeric"),
   reference = reference,
-  schemes = schemes,
+  schemes = calls.functions(copy(schemes), "schemes"),
   claim = claim,
 }
 

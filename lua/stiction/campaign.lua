@@ -2,8 +2,11 @@
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
+local hold = require "stiction.hold"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
+local rehearsal = require "stiction.rehearsal"
+local warnings = require "stiction.warnings"
 
 local campaign = {}
 
@@ -12,23 +15,31 @@ function campaign.survey(plan)
   local rows = {}
   for i, case in ipairs(plan.cases) do
     local result, fingerprint = output.read_result(plan.folder, case), output.fingerprint(plan.study, case)
-    rows[i] = { case = case, fingerprint = fingerprint, result = result, done = output.is_done(result, fingerprint) }
+    rows[i] = { case = case, fingerprint = fingerprint, result = result,
+      done = output.is_done(result, fingerprint, plan.study) }
   end
   return rows
 end
 
---- Bad input if the case's scene, or the problem in its place, cannot be.
+--- Bad input if the case's scene, or the problem in its place, cannot be, or if a result asks for a column that its
+--- histories will not have; else what is known against the case (a list).
 function campaign.validate(study, case)
   if study.problem then
     problem.read(study, case.p)
-  else
-    engine.validate(study:scene_of(case))
+    return {}
   end
+  local preview = engine.preview(study:scene_of(case))
+  local mistake = not study.source.trust and rehearsal.mistake(study, case, preview) -- the trusted may write files
+  if mistake then
+    fault.input("%s", mistake)
+  end
+  return preview.warnings
 end
 
---- Validates every case to come, so that bad input is told before anything runs.
+--- Validates every case to come, so that bad input is told before anything runs; a list of {id =, warnings =}.
 local function validate_all(study, cases)
-  for _, case in ipairs(cases) do
+  local told = {}
+  for i, case in ipairs(cases) do
     local held, value = engine.call(campaign.validate, study, case)
     if not held then
       if value.kind == "input" and #cases > 1 then
@@ -36,7 +47,32 @@ local function validate_all(study, cases)
       end
       error(value, 0)
     end
+    told[i] = { id = case.id, warnings = value }
   end
+  return told
+end
+
+--- Tells what is known against the cases to come, once for those alike; bad input with --strict, also for what finished.
+local function warn(told, rows, options)
+  if options.trade then
+    return -- a ladder has its coarse levels
+  end
+  warnings.show(told)
+  if options.strict then
+    for _, row in ipairs(rows) do
+      told[#told + 1] = row.done and { id = row.case.id, warnings = row.result.warnings } or nil
+    end
+    warnings.refuse(told)
+  end
+end
+
+--- The folders of the cases that run or are shown are theirs from now on.
+local function settle(plan, rows, pending)
+  local cases = table.move(pending, 1, #pending, 1, {})
+  for _, row in ipairs(rows) do
+    cases[#cases + 1] = row.done and row.case or nil
+  end
+  output.settle(plan.folder, cases)
 end
 
 function campaign.rows_with_result(rows)
@@ -73,7 +109,9 @@ function campaign.run(plan, rows)
   for _, row in ipairs(rows) do
     row_of[row.case.id] = row
   end
-  validate_all(plan.study, pending)
+  warn(validate_all(plan.study, pending), rows, plan.options)
+  hold.note(plan.folder, plan.study)
+  settle(plan, rows, pending)
   campaign.write_summary(plan, rows)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,

@@ -1,4 +1,5 @@
 -- A case that has run: its parameters, histories and results; and the list of all cases.
+local calls = require "stiction.calls"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local numeric = require "stiction.numeric"
@@ -9,12 +10,24 @@ local case_module = {}
 
 local Case = {}
 
+local function columns(case)
+  return rawget(case, "pretended") and ordered.keys(case.pretended.columns) or engine.series_columns(case.history)
+end
+
+local function read_column(case, name, component)
+  if rawget(case, "pretended") then
+    return case.pretended.columns[name] and table.move(case.pretended.values, 1, #case.pretended.values, 1, {}), "1"
+  end
+  return engine.series_column(case.history, name, component)
+end
+
 local function column(case, name, component)
-  local values, unit = engine.series_column(case.history, name, component)
+  local values, unit = read_column(case, name, component)
   if not values then
-    local known = engine.series_columns(case.history)
-    fault.script("case %s has no series '%s'%s; series: %s", case.id, name, fault.meant(name, known),
-      table.concat(known, ", "))
+    local known = columns(case)
+    rawset(case, "missing", ("case %s has no series '%s'%s; series: %s"):format(case.id, name, fault.meant(name, known),
+      table.concat(known, ", ")))
+    fault.script("%s", case.missing)
   end
   return values, unit
 end
@@ -26,7 +39,7 @@ end
 
 --- Names "group/name" of all its histories, sorted.
 function Case:columns()
-  return engine.series_columns(self.history)
+  return columns(self)
 end
 
 --- Largest value of a history, and its time.
@@ -79,9 +92,24 @@ local case_meta = {
   end,
 }
 
---- {id =, p =, folder =, results = (later)}; histories are read when asked for.
-function case_module.new(id, p, folder)
-  return setmetatable({ id = id, p = p, folder = folder }, case_meta)
+calls.methods(Case, "run", function(first) return getmetatable(first) == case_meta end)
+
+--- {id =, p =, folder =, place = name of that folder, results = (later)}; histories are read when asked for.
+function case_module.new(id, p, folder, place)
+  return setmetatable({ id = id, p = p, folder = folder, place = place or id }, case_meta)
+end
+
+local function one()
+  return 1
+end
+
+--- A case that has not run, with these columns, of which each holds `values` at `times`.
+function case_module.pretend(case, names, times, values)
+  local run = case_module.new(case.id, case.p, "")
+  rawset(run, "pretended", { columns = names, values = values })
+  rawset(run, "time", times)
+  rawset(run, "cost", setmetatable({}, { __index = one }))
+  return run
 end
 
 local function result_number(entry, value)
@@ -94,13 +122,22 @@ local function result_number(entry, value)
   return value
 end
 
---- Results of a case by name, plain SI numbers.
+--- Results of a case by name, plain SI numbers; those that failed, as a list of messages with their places; whether one
+--- of them asked for a column that is not there.
 function case_module.compute(study, case)
-  local results = {}
+  local results, failures, missing = {}, {}, false
   for _, entry in ipairs(study.results) do
-    results[entry.name] = result_number(entry, entry.compute(case, case.p))
+    local held, value = engine.call(function() return result_number(entry, entry.compute(case, case.p)) end)
+    if held then
+      results[entry.name] = value
+    elseif value.kind == "stopped" then
+      error(value, 0)
+    else
+      failures[#failures + 1] = ("result %s: %s%s"):format(entry.name, tostring(value), value.trace or "")
+      missing = missing or (rawget(case, "missing") ~= nil and tostring(value):find(case.missing, 1, true) ~= nil)
+    end
   end
-  return results
+  return results, failures, missing
 end
 
 local function close(a, b)
@@ -152,6 +189,8 @@ function Cases:values(name)
   end
   return list
 end
+
+calls.methods(Cases, "cases", function(first) return getmetatable(first) == Cases end)
 
 --- List of cases with where, find, values and the flag `quick`.
 function case_module.list(cases, quick)

@@ -1,5 +1,6 @@
 -- The checks of a study: each a name, a value, what was expected, and whether it held.
 local accuracy = require "stiction.trade.accuracy"
+local calls = require "stiction.calls"
 local fault = require "stiction.fault"
 local ledger = require "stiction.ledger"
 local proof = require "stiction.proof"
@@ -113,6 +114,7 @@ function check.recorder()
     return keep(proof.read(t))
   end
 
+  calls.functions(recorder, "check")
   setmetatable(recorder, {
     __index = function(_, name)
       fault.script("there is no check.%s%s", tostring(name),

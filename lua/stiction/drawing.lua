@@ -1,5 +1,6 @@
 -- Hands a study's figures to the figure program.
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local figure = require "stiction.figure"
 local jobs = require "stiction.jobs"
 local report = require "stiction.report"
@@ -14,6 +15,24 @@ local function find_program()
       return path
     end
   end
+end
+
+--- f(...) once nobody else draws into this folder.
+function drawing.alone(folder, f, ...)
+  local lock
+  repeat
+    lock = engine.lock(folder .. "/.drawing", "drawing")
+    engine.await({}, lock and 0 or 0.2)
+    if engine.stopped() then
+      fault.run("stopped by the user")
+    end
+  until lock
+  local answers = table.pack(engine.call(f, ...))
+  engine.unlock(lock)
+  if not answers[1] then
+    error(answers[2], 0)
+  end
+  return table.unpack(answers, 2, answers.n)
 end
 
 --- Writes figures.json and draws into figures/; false if the figure program failed.

@@ -79,7 +79,7 @@ local function coordinate(value, factor)
 end
 
 local function file_of(t, name)
-  return t.file or (t.case and t.case.id .. "/" .. name) or nil
+  return t.file or (t.case and t.case.place .. "/" .. name) or nil
 end
 
 local function curve(t, x_factor, y_factor)

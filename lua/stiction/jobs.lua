@@ -121,17 +121,27 @@ local function stop_all(pool, on_end)
   pool.running = {}
 end
 
+local function how_it_ended(result)
+  if result.verdict == "result failed" then
+    return ": " .. result.reason
+  end
+  return result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""
+end
+
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
 --- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
 --- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
 --- must find too; nil: any).
 function jobs.run(cases, options, on_end)
   local pool = { options = options, running = {}, display = progress.display(options.quiet) }
-  local next_case, bad = 1, false
+  local next_case, bad, some_good = 1, false, false
   local function ended(case, result)
+    some_good = some_good or result.verdict == "finished"
+    if result.missing and not some_good then
+      result.bad_input = true -- so it will be in all cases
+    end
     bad = bad or (result.bad_input and (result.kind == "changed" or not options.tolerant))
-    pool.display:note(("%s  %s%s"):format(case.id, result.verdict,
-      result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""))
+    pool.display:note(("%s  %s%s"):format(case.id, result.verdict, how_it_ended(result)))
     on_end(case, result)
   end
   while (next_case <= #cases and not bad) or #pool.running > 0 do

@@ -10,7 +10,23 @@ local plain = { "assert", "error", "getmetatable", "ipairs", "next", "pcall", "r
   "select", "setmetatable", "tonumber", "tostring", "type", "xpcall", "_VERSION" }
 local libraries = { "coroutine", "math", "string", "table", "utf8" }
 
+local silent = false
+
+--- f(...) with nothing of what scripts print.
+function loader.silently(f, ...)
+  silent = true
+  local answers = table.pack(engine.call(f, ...))
+  silent = false
+  if not answers[1] then
+    error(answers[2], 0)
+  end
+  return table.unpack(answers, 2, answers.n)
+end
+
 local function print_to_output(...)
+  if silent then
+    return
+  end
   local words = {}
   for i = 1, select("#", ...) do
     words[i] = tostring((select(i, ...)))
@@ -18,8 +34,37 @@ local function print_to_output(...)
   engine.write(table.concat(words, "\t") .. "\n")
 end
 
+--- Notes that the source has read this text from the file.
+local function note_read(source, path, text)
+  if not source.hashes[path] then
+    source.files[#source.files + 1], source.hashes[path] = path, engine.hash(text)
+  end
+end
+
+--- io whose files count as read by the study; those that it writes do not.
+local function watched_io(source)
+  local watched, written = copy(io), {} -- luacheck: ignore
+  local function note(name, mode)
+    local path = type(name) == "string" and engine.absolute(name)
+    if path and (mode or "r"):find("[wa+]") then
+      written[path] = true
+    elseif path and not written[path] then
+      note_read(source, path, engine.read_file(path) or "")
+    end
+  end
+  function watched.open(name, mode)
+    note(name, mode)
+    return io.open(name, mode) -- luacheck: ignore
+  end
+  function watched.lines(name, ...)
+    note(name)
+    return io.lines(name, ...) -- luacheck: ignore
+  end
+  return watched
+end
+
 --- The globals of a script: copies, so that no script can reach into the library. `trust` adds io and os.
-function loader.environment(trust)
+function loader.environment(trust, source)
   local names = {}
   for _, name in ipairs(plain) do
     names[name] = _G[name]
@@ -28,7 +73,7 @@ function loader.environment(trust)
     names[name] = copy(_G[name])
   end
   if trust then
-    names.io, names.os = io, os -- luacheck: ignore
+    names.io, names.os = source and watched_io(source) or io, os -- luacheck: ignore
   end
   names.pairs, names.print, names._G = ordered.pairs, print_to_output, names
   return names
@@ -39,7 +84,7 @@ local function run_file(source, path, name)
   if not text then
     fault.input("%s", reason)
   end
-  source.files[#source.files + 1] = path
+  note_read(source, path, text)
   local script, complaint = engine.load_script(text, name, source.environment)
   if not script then
     fault.input("%s", complaint)
@@ -48,13 +93,10 @@ local function run_file(source, path, name)
   return value
 end
 
---- Another study named by its path from this one, in a sandbox of its own; its files count as this study's.
+--- Another study named by its path from this one, in a sandbox of its own; the files that it reads, then or later,
+--- count as this study's.
 local function load_other(source, path)
-  local value, other = loader.load(source.folder .. "/" .. path, source.trust)
-  for _, file in ipairs(loader.contents(other)) do
-    source.files[#source.files + 1] = file
-  end
-  return value
+  return (loader.load(source.folder .. "/" .. path, source.trust, source))
 end
 
 --- `require` as scripts see it: "stiction", modules beside the study, and other studies by their path ("../other").
@@ -93,6 +135,11 @@ local function not_found(path)
     fault.meant(name or path, siblings))
 end
 
+--- The folder of a study that comes with the program, wherever that is started or installed.
+function loader.own_study(name)
+  return engine.absolute(engine.library_root() .. "/../studies/" .. name)
+end
+
 --- Where the study stands: {file =, folder =, name = of the file, whole = whether the folder is the study's own}.
 function loader.find(path)
   local kind = engine.kind_of_path(path)
@@ -107,40 +154,40 @@ function loader.find(path)
   return { file = file, folder = folder, name = name, whole = name == "study.lua" }
 end
 
---- Runs the script; its value, and the source with the files read so far.
-function loader.load(path, trust)
+--- Runs the script; its value, and the source with the files read so far: `files` in their order, `hashes` by their
+--- paths. `reader`: the source of the study that this one is part of.
+function loader.load(path, trust, reader)
   local source = loader.find(path)
-  source.files, source.trust = {}, trust
-  source.environment = loader.environment(trust)
+  source.files, source.hashes, source.trust = reader and reader.files or {}, reader and reader.hashes or {}, trust
+  source.environment = loader.environment(trust, source)
   source.environment.require = make_require(source)
   return run_file(source, source.file, source.name), source
 end
 
---- Files whose content decides a study's results: all in its own folder but prose and its trade, else those it has
---- read; and those of other studies that it has read.
-function loader.contents(source)
-  local files, known = {}, {}
-  local function add(file)
-    if not known[file] then
-      files[#files + 1], known[file] = file, true
-    end
+--- Text that changes when one of the files that the source has read so far had another content: its own, then the
+--- others in the order of their paths.
+function loader.identity(source)
+  local others, hashes = table.move(source.files, 2, #source.files, 1, {}), { source.hashes[source.file] }
+  table.sort(others)
+  for i, file in ipairs(others) do
+    hashes[i + 1] = source.hashes[file]
   end
-  for _, file in ipairs(source.whole and engine.list(source.folder, true) or {}) do
-    if not file:find("%.md$") and not file:find("%.png$") and not file:find("/trade%.json$") then
-      add(file)
-    end
-  end
-  for _, file in ipairs(source.files) do
-    add(file)
-  end
-  return files
+  return engine.hash(table.concat(hashes, " "))
+end
+
+local hash_of = {} -- by path: a file counts as this process found it first
+
+--- Hash of a file's content; of a missing one that of an empty one.
+function loader.file_hash(path)
+  hash_of[path] = hash_of[path] or engine.hash(engine.read_file(path) or "")
+  return hash_of[path]
 end
 
 --- Text that changes when the content of one of the files does.
 function loader.hash(files)
   local hashes = {}
   for i, file in ipairs(files) do
-    hashes[i] = engine.hash(engine.read_file(file) or "")
+    hashes[i] = loader.file_hash(file)
   end
   return engine.hash(table.concat(hashes, " "))
 end

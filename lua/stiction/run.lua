@@ -6,6 +6,7 @@ local check = require "stiction.check"
 local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local hold = require "stiction.hold"
 local output = require "stiction.output"
 local report = require "stiction.report"
 local study_module = require "stiction.study"
@@ -51,7 +52,7 @@ local function judge(plan, rows)
   output.write_checks(plan.folder, checks)
   local good = report.checks(checks) == 0
   if not plan.options.no_figures then
-    good = drawing.draw(plan.study, cases, plan.folder) and good
+    good = drawing.alone(plan.folder, drawing.draw, plan.study, cases, plan.folder) and good
   end
   return good
 end
@@ -80,26 +81,27 @@ local function recheck(plan, rows)
   return stopped
 end
 
---- Runs a study; its exit code, its output folder and its study table.
-return function(options)
-  local plan = make_plan(options)
+--- Runs what is to run, judges and shows it; the exit code.
+local function run(plan)
   local rows = campaign.survey(plan)
-  options = plan.options
-  if options.list then
-    return list_cases(rows), plan.folder, plan.study
-  end
-  output.prepare(plan.folder)
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
-    return 2, plan.folder, plan.study
+    return 2
   end
   report.cases(plan.study, campaign.rows_with_result(rows))
-  stopped = stopped or options.check_accuracy and recheck(plan, rows)
+  stopped = stopped or plan.options.check_accuracy and recheck(plan, rows)
   if stopped then
     engine.complain("stiction: stopped; finished cases are kept, the same command goes on from here\n")
-    return 1, plan.folder, plan.study
+    return 1
   end
   local good = judge(plan, rows)
   report.line("output: %s", plan.folder)
-  return good and not any_failed(rows) and 0 or 1, plan.folder, plan.study
+  return good and not any_failed(rows) and 0 or 1
+end
+
+--- Runs a study; its exit code, its output folder and its study table.
+return function(options)
+  local plan = make_plan(options)
+  local code = options.list and list_cases(campaign.survey(plan)) or hold.folder(plan.folder, plan.study, "run", run, plan)
+  return code, plan.folder, plan.study
 end

@@ -1,4 +1,5 @@
 -- The study table a script returns: its keys checked, its parameters gathered.
+local calls = require "stiction.calls"
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
@@ -181,13 +182,15 @@ function methods.scene_of(self, case)
   return case.scene
 end
 
+calls.methods(methods, "study", function(first) return getmetatable(first) == study_mark end)
+
 --- Loads the study at `path`; it knows its source, the identity of its files, and its name for output folders.
 function study.load(path, trust)
   local value, source = loader.load(path, trust)
   if getmetatable(value) ~= study_mark then
     fault.input("%s must end with: return stiction.study{ ... }", source.name)
   end
-  value.source, value.identity = source, loader.hash(loader.contents(source))
+  value.source, value.identity = source, loader.identity(source)
   local whole = source.whole and source.folder or source.file:gsub("%.lua$", "")
   value.name = whole:match(".*/studies/(.+)$") or whole:match("[^/]+$")
   return value

@@ -101,7 +101,7 @@ end
 
 --- "5 mm", "0.4", "true" or a word, as what stands there now.
 local function parse_value(text, old)
-  local number, unit = text:match("^%s*([-+]?[%d.]+[eE]?[-+]?%d*)%s*(.-)%s*$")
+  local number, unit = text:match("^%s*([-+]?[%d.]+[eE]?[-+]?%d*)%s*%*?%s*(.-)%s*$")
   if type(old) == "boolean" and (text == "true" or text == "false") then
     return text == "true"
   elseif type(old) == "string" or not tonumber(number) then
@@ -149,18 +149,19 @@ end
 local function value_text(value, first)
   local text = tostring(value)
   if units.is_quantity(value) then
-    local shown = first:display()
-    text = ("%.10g"):format(shown ~= 0 and value.si / first.si * shown or value:display())
+    local _, unit = first:display()
+    text = ("%.10g"):format(value.si / engine.parse_unit(unit))
   elseif type(value) == "number" then
     text = ("%.10g"):format(value)
   end
   return (text:gsub("[^%w._+-]", "_"))
 end
 
-local function default_id(names, case, first)
+--- Each value in the unit of the study's own first case: what --set or --quick write changes no name.
+local function default_id(names, case, first, own)
   local words = {}
   for i, name in ipairs(names) do
-    words[i] = name .. value_text(case[name], first[name])
+    words[i] = name .. value_text(case[name], own and own[name] or first[name])
   end
   return #words > 0 and table.concat(words, "_") or "case"
 end
@@ -188,6 +189,8 @@ local function check_case(names, case, values)
   end
 end
 
+local taken = { figures = true, trade = true, finer = true } -- folders beside those of cases
+
 local function make_case(study, names, swept, first, values)
   check_case(names, swept, values)
   local p = copy(values)
@@ -195,9 +198,12 @@ local function make_case(study, names, swept, first, values)
     p[name] = swept[name]
   end
   setmetatable(p, strict)
-  local id = study.case_id and study.case_id(p) or default_id(names, swept, first)
+  local id = study.case_id and study.case_id(p) or default_id(names, swept, first, study.first)
   if type(id) ~= "string" or not id:find("^[%w._+-]+$") or id:find("^%.") then
     fault.input("study.case_id gave '%s': a case's name is a folder's name of letters, digits and . _ + -", tostring(id))
+  elseif taken[id] or id:find("%.json$") or id:find("%.csv$") then
+    fault.input("a case cannot be called '%s', as that is a name of the output's own; give the study another case_id(p)",
+      id)
   end
   return { id = id, p = p }
 end
@@ -258,6 +264,10 @@ function sweep.trade(study, options)
   return cases, names, knobs
 end
 
+local function differ(p, q)
+  return numeric.first_where(ordered.keys(p), function(name) return p[name] ~= q[name] end) ~= nil
+end
+
 --- The cases of `study` under options {quick =, set =, trade =}: list of {id =, p =}, and the names that are swept.
 function sweep.cases(study, options)
   if options.trade then
@@ -269,15 +279,16 @@ function sweep.cases(study, options)
   end
   apply_settings(plan, values, options.set or {})
   local names, swept = axis_names(plan), plan.cases or multiply(plan.axes)
+  local own = study.sweep
+  study.first = (own.cases or multiply(own.axes))[1]
   local cases, seen = {}, {}
   for _, entry in ipairs(swept) do
     local case = make_case(study, names, entry, swept[1], values)
     if not seen[case.id] then
-      cases[#cases + 1] = case
-    elseif not plan.cases then
+      cases[#cases + 1], seen[case.id] = case, case
+    elseif not plan.cases or differ(case.p, seen[case.id].p) then
       fault.input("two cases of the sweep are called '%s'; give the study a case_id(p)", case.id)
     end
-    seen[case.id] = true
   end
   return cases, names
 end

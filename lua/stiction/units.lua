@@ -1,4 +1,5 @@
 -- Quantities: numbers with a dimension that arithmetic checks, and the table of units.
+local calls = require "stiction.calls"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 
@@ -197,6 +198,8 @@ end
 
 --- The number and the unit this quantity was written in.
 methods.display = display
+
+calls.methods(methods, "q", is_quantity)
 
 meta.__index = function(_, name)
   return methods[name] or fault.script("a quantity has no '%s'; it has to(unit), abs() and display()", tostring(name))

@@ -24,6 +24,44 @@ expect 0 "mu0  to run|mu0.4  to run" "$stiction" run elsewhere/imported.lua --li
 rm elsewhere/plate.msh
 expect 2 "mesh file $work/elsewhere/plate.msh: cannot be read" "$stiction" run elsewhere/imported.lua
 
+# only what is read counts: notes, logs, backups and output in the study's folder, while it runs and after
+changed noisy ''
+"$stiction" run noisy --no-figures --jobs 1 --out noisy/out --set steps=2000 >noisy/log.txt 2>&1 </dev/null &
+id=$!
+appears noisy/out/mu0/series.h5
+echo "remember" >noisy/notes.txt
+cp noisy/study.lua noisy/study.lua~
+echo "swap" >noisy/.study.lua.swp
+echo "return 3" >noisy/unused.lua
+wait "$id"
+code=$?
+holds "the sweep among notes ended with $code: $(cat noisy/log.txt)" [ "$code" = 0 ]
+echo "return 4" >noisy/unused.lua
+expect 0 "mu0  finished|mu0.2  finished|mu0.4  finished" "$stiction" run noisy --out noisy/out --set steps=2000 --list
+holds "what was read: $(cat noisy/out/mu0/result.json)" [ "$(grep -c '"path": "[a-z]*.lua"' noisy/out/mu0/result.json)" = 2 ]
+holds "the manifest says it too" grep -q '"path": "block.lua"' noisy/out/mu0/manifest.json
+
+# a module that is read only when a scene or a result needs it counts as well
+changed late 's/^local block = .*//; s/block(p)/require "block"(p)/; s/return run:at(1\*s, "sole", "force_y")/return require("factor") * run:at(1*s, "sole", "force_y")/'
+echo "return 1" >late/factor.lua
+expect 0 "checks held" "$stiction" run late --no-figures
+expect 0 "mu0  finished|mu0.2  finished|mu0.4  finished" "$stiction" run late --list
+echo "return 2" >late/factor.lua
+expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run late --list
+echo "return 1" >late/factor.lua
+expect 0 "mu0  finished" "$stiction" run late --list
+sed -i 's/poisson = 0.3/poisson = 0.4/' late/block.lua
+expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run late --list
+
+# so does what a trusted script opens
+changed opens 's/^return stiction.study/local f = io.open("table.csv") local young = f:read("n") f:close()\
+return stiction.study/; s/young = { 1\*MPa/young = { young*MPa/'
+echo 1 >table.csv
+expect 0 "checks held" "$stiction" run opens --trust --no-figures
+expect 0 "mu0  finished" "$stiction" run opens --trust --list
+echo 2 >table.csv
+expect 0 "mu0  to run" "$stiction" run opens --trust --list
+
 # a study changed while it runs: what has begun ends as the study was, nothing else begins
 changed edited ''
 "$stiction" run edited --set steps=20000 --no-figures --jobs 1 --out edits >output 2>&1 </dev/null &

@@ -46,6 +46,28 @@ interrupted "printed begun" "$stiction" run endless.lua
 holds "the endless script ended with $code" [ "$code" = 1 ]
 holds "no message: $(cat output)" printed "stopped by the user while a script was running, in endless.lua:3"
 
+# what writes nothing ends at once, also within the engine: no memory is held
+changed huge 's/cells = { 4,/cells = { 700,/'
+for signal in INT TERM; do
+  for command in "explain $work/huge" "run $work/huge --no-figures --out never"; do
+    # shellcheck disable=SC2086 # words
+    "$stiction" $command >output 2>&1 </dev/null &
+    id=$!
+    sleep 1.5
+    if kill -0 "$id"; then
+      began=$(date +%s)
+      kill -"$signal" "$id"
+      wait "$id"
+      code=$?
+      holds "$command ended with $code on $signal" [ "$code" = 1 ]
+      holds "no message of $command: $(cat output)" printed "stopped by the user"
+      holds "$command took its time to end" [ $(($(date +%s) - began)) -le 5 ]
+    else
+      complain "$command had ended before it could be stopped: $(cat output)"
+    fi
+  done
+done
+
 changed drag ''
 interrupted "running 2" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
 holds "the sweep ended with $code" [ "$code" = 1 ]

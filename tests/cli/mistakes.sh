@@ -56,4 +56,5 @@ expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/req
 
 changed result 's/"sole", "force_y"/"sole", "forcey"/'
 expect 2 "study.lua:34: |no series 'sole/forcey'; did you mean 'sole/force_y'?" "$stiction" run result --jobs 2
+holds "something ran" [ -z "$(find out/result -name series.h5)" ]
 finish

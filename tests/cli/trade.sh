@@ -25,7 +25,7 @@ expect 0 "force_y: reference" "$stiction" trade soft --no-figures --jobs 1 --out
 holds "the trade does not repeat" [ "$(cut -d, -f1-10 again/trade.csv)" = "$(cat first)" ]
 
 expect 0 "--accuracy 20%: cells = |of the default's work" "$stiction" run soft --accuracy 20% --no-figures
-holds "errors in summary.csv" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error$' out/soft/summary.csv
+holds "errors in summary.csv" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error,set,warnings$' out/soft/summary.csv
 promise="force_y within its error of what its trade measured"
 value_of() { # COLUMN CASE: of out/soft/summary.csv
   awk -F, -v name="$1" -v id="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i } $1 == id { print $at }' out/soft/summary.csv

@@ -1,7 +1,9 @@
 -- stiction bench: cases timed phase by phase: one of a study, or those that the workbench is judged by.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local hold = require "stiction.hold"
 local jobs = require "stiction.jobs"
+local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local report = require "stiction.report"
@@ -10,16 +12,18 @@ local sweep = require "stiction.sweep"
 
 -- Sliding in the plane, indentation in a section, and a quarter in space with 50 000 unknowns, a few steps of it.
 local standard = {
-  { study = "studies/paper/plate_on_cylinder" },
-  { study = "studies/paper/sphere_indentation", case = "A_rigid" },
-  { study = "studies/paper/sphere_indentation", case = "A_space",
+  { study = "paper/plate_on_cylinder" },
+  { study = "paper/sphere_indentation", case = "A_rigid" },
+  { study = "paper/sphere_indentation", case = "A_space",
     set = { "mesh_size_3d=0.213 mm", "steps_down=3" } },
 }
 
-local function measure(options, case, folder)
+local function measure(options, study, case, folder)
   local found
   local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
     trust = options.trust, jobs = 1, quiet = true }
+  hold.note(folder, study)
+  output.settle(folder, { case })
   local stopped = jobs.run({ case }, settings, function(_, result)
     found = result
   end)
@@ -72,8 +76,7 @@ local function bench(options)
   local cases = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
   local folder = "out/bench/" .. study.name
-  output.prepare(folder)
-  local result = measure(options, case, folder)
+  local result = hold.folder(folder, study, "bench", measure, options, study, case, folder)
   if options.json then
     return {
       study = study.name, case = case.id, seconds = result.seconds, steps = result.steps,
@@ -94,7 +97,7 @@ return function(options)
   else
     for i, entry in ipairs(standard) do
       if i > 1 and not options.json then report.line() end
-      found[i] = bench { study = entry.study, case = entry.case, set = entry.set or {}, quick = options.quick,
+      found[i] = bench { study = loader.own_study(entry.study), case = entry.case, set = entry.set or {}, quick = options.quick,
         trust = options.trust, json = options.json }
     end
   end

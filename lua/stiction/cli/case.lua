@@ -2,6 +2,7 @@
 local case_module = require "stiction.case"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local hold = require "stiction.hold"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
@@ -30,6 +31,7 @@ end
 
 local function manifest(study, case, names, options)
   return engine.encode_json {
+    files = output.files_read(study, case),
     study = study.name, title = study.title, question = study.question, version = engine.version,
     quick = options.quick or false, set = options.set or {},
     given = section_of(case.p, ordered.keys(study.given), study.given),
@@ -49,44 +51,59 @@ local function progress_teller()
   end
 end
 
---- Fingerprint of the case; a fault if it is not the one that its sweep began with.
-local function fingerprint_of(study, case, wanted)
-  local own = output.fingerprint(study, case)
-  if wanted and own ~= wanted then
+--- Fingerprint of the case; a fault if what it is made of is not what its sweep began with.
+local function fingerprint_of(study, case, options)
+  local own, wanted = output.fingerprint(study, case), options.fingerprint
+  if wanted and (own ~= wanted or hold.differing(options.out, study)) then
     fault.changed("%s: the study, a file that it reads or the program was changed while its cases ran; cases that ended "
       .. "are kept, the same command runs what must run anew", study.source.name)
   end
   return own
 end
 
-local function run(options)
-  local study = study_module.load(options.study, options.trust)
+--- Adds the results of a run that finished; one that fails costs the run that verdict, the others stand.
+local function compute_results(study, result, run)
+  local results, failures, missing = case_module.compute(study, run)
+  result.results, result.missing = results, missing or nil
+  if #failures > 0 then
+    result.verdict, result.reason = "result failed", table.concat(failures, "\n")
+  end
+end
+
+local function run(options, study)
   local cases, names = sweep.cases(study, options)
   local case = sweep.find(cases, options.case)
-  local fingerprint = fingerprint_of(study, case, options.fingerprint)
+  local fingerprint = fingerprint_of(study, case, options)
+  output.begin(options.out, case)
   local folder = output.case_folder(options.out, case)
-  engine.remove(output.result_file(options.out, case))
   local result, answers
   if study.problem then
-    output.prepare(folder)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
     result = engine.run(study:scene_of(case), settings, progress_teller())
   end
   if result.verdict == "finished" then
-    result.results = case_module.compute(study, answers or case_module.new(case.id, case.p, folder))
+    compute_results(study, result, answers or case_module.new(case.id, case.p, folder))
   end
   result.case, result.parameters = case.id, output.plain(case.p)
-  result.fingerprint = fingerprint
+  result.fingerprint, result.files = fingerprint, output.files_read(study, case)
   output.write_result(options.out, case, result)
   tell { ended = result }
   return result.verdict == "finished" and 0 or 1
 end
 
+--- The case on its own or, as part of a sweep, in the folder that this holds.
+local function run_in(options, followed)
+  local study = study_module.load(options.study, options.trust)
+  if followed then
+    return run(options, study)
+  end
+  return hold.folder(options.out, study, "case", run, options, study)
+end
+
 return function(options)
-  engine.follow_parent()
-  local held, value = engine.call(run, options)
+  local held, value = engine.call(run_in, options, engine.follow_parent())
   if held then
     return value
   end

@@ -14,6 +14,11 @@ local function is_of(case, result)
   return engine.encode_json(present) == engine.encode_json(result.parameters)
 end
 
+--- Text of the case's finished mark, which goes with the first word of a run anew.
+local function mark(folder, case)
+  return engine.read_file(output.result_file(folder, case))
+end
+
 --- The cases that finished with their present parameters, the number of all, and whether what they ran has changed since.
 local function finished(study, options, folder)
   local list, changed = {}, false
@@ -21,18 +26,29 @@ local function finished(study, options, folder)
   for _, case in ipairs(all) do
     local result = output.read_result(folder, case)
     if result and result.verdict == "finished" and is_of(case, result) then
-      changed = changed or not output.is_done(result, output.fingerprint(study, case))
-      local entry = case_module.new(case.id, case.p, output.case_folder(folder, case))
-      entry.results = result.results
+      changed = changed or not output.is_done(result, output.fingerprint(study, case), study)
+      local place = output.case_name(folder, case)
+      local entry = case_module.new(case.id, case.p, folder .. "/" .. place, place)
+      entry.results, entry.mark = result.results, mark(folder, case)
       list[#list + 1] = entry
     end
   end
   return case_module.list(list, options.quick), #all, changed
 end
 
-return function(options)
-  local study = study_module.load(options.study, options.trust)
-  local folder = output.folder(study, options)
+--- False, and told, if a case was run anew since it was listed: figures may show what was half written.
+local function still_the_same(cases, folder)
+  for _, case in ipairs(cases) do
+    if mark(folder, case) ~= case.mark then
+      engine.complain(("stiction: case %s was run anew while it was drawn; draw again when that has ended\n"):format(
+        case.id))
+      return false
+    end
+  end
+  return true
+end
+
+local function draw(study, options, folder)
   local cases, count, changed = finished(study, options, folder)
   if not study.figures then
     fault.input("the study '%s' has no figures", study.name)
@@ -47,5 +63,14 @@ return function(options)
   end
   local drawn = drawing.draw(study, cases, folder)
   report.line("figures: %s/figures", folder)
-  return drawn and 0 or 1
+  return still_the_same(cases, folder) and drawn and 0 or 1
+end
+
+return function(options)
+  local study = study_module.load(options.study, options.trust)
+  local folder = output.folder(study, options)
+  if engine.kind_of_path(folder) ~= "folder" then
+    fault.input("no finished case in %s with these parameters; run the study first", folder)
+  end
+  return drawing.alone(folder, draw, study, options, folder)
 end

@@ -3,7 +3,9 @@ local case_module = require "stiction.case"
 local check = require "stiction.check"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local hold = require "stiction.hold"
 local jobs = require "stiction.jobs"
+local loader = require "stiction.loader"
 local map = require "stiction.extremes.map"
 local outcome = require "stiction.extremes.outcome"
 local output = require "stiction.output"
@@ -11,12 +13,27 @@ local report = require "stiction.report"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
-local default_study = "studies/extremes"
+local default_study = "extremes"
+local of_a_cell = { "scene", "axis", "level", "want" } -- parameters
 local seconds_of_a_cell = { quick = 120, full = 900 }
 
+--- Bad input if these are not the cells of a map.
+local function check_cells(study, cases)
+  for _, name in ipairs(of_a_cell) do
+    for _, case in ipairs(cases) do
+      if type(rawget(case.p, name)) ~= "string" then
+        fault.input("extremes: '%s' is no study of extremes: its case %s has no parameter '%s' (a text; each cell has %s)"
+          .. "; 'stiction run' runs other studies, and without STUDY extremes drives its own", study.name, case.id, name,
+          table.concat(of_a_cell, ", "))
+      end
+    end
+  end
+end
+
 local function make_plan(options)
-  local study = study_module.load(options.study or default_study, false)
+  local study = study_module.load(options.study, false)
   local cases, names = sweep.cases(study, options)
+  check_cells(study, cases)
   if options.case then
     cases = { sweep.find(cases, options.case) }
   end
@@ -34,7 +51,7 @@ local function survey(plan)
     local text = engine.read_file(outcome_file(plan, case))
     local kept = text and engine.decode_json(text)
     local fingerprint = output.fingerprint(plan.study, case)
-    local current = kept and kept.fingerprint == fingerprint and not plan.options.force
+    local current = kept and output.is_current(plan.study, kept, fingerprint) and not plan.options.force
     rows[i] = { case = case, fingerprint = fingerprint, outcome = current and kept or nil }
   end
   return rows
@@ -48,8 +65,10 @@ local function run_cells(plan, rows)
   end
   local options = plan.options
   local limit = seconds_of_a_cell[options.quick and "quick" or "full"]
-  local settings = { study = options.study or default_study, folder = plan.folder, quick = options.quick,
+  local settings = { study = options.study, folder = plan.folder, quick = options.quick,
     jobs = math.floor(options.jobs or engine.cores()), limit = limit, tolerant = true, fingerprints = fingerprints }
+  hold.note(plan.folder, plan.study)
+  output.settle(plan.folder, plan.cases)
   local stopped = jobs.run(pending, settings, function(case, result)
     local row = row_of[case.id]
     if result.kind == "changed" then
@@ -57,7 +76,7 @@ local function run_cells(plan, rows)
       return
     end
     row.outcome = outcome.of(result)
-    row.outcome.fingerprint = row.fingerprint
+    row.outcome.fingerprint, row.outcome.files = row.fingerprint, result.files
     engine.make_folder(output.case_folder(plan.folder, case))
     if row.outcome.letter ~= "H" and row.outcome.letter ~= "X" then
       engine.write_file(outcome_file(plan, case), engine.encode_json(row.outcome, 2) .. "\n")
@@ -120,13 +139,8 @@ local function list_cells(rows)
   return 0
 end
 
-return function(options)
-  local plan = make_plan(options)
-  local rows = survey(plan)
-  if options.list then
-    return list_cells(rows)
-  end
-  output.prepare(plan.folder)
+local function run(plan)
+  local rows, options = survey(plan), plan.options
   if run_cells(plan, rows) then
     engine.complain("stiction: stopped; the cells that ended are kept, the same command goes on from here\n")
     return 1
@@ -139,4 +153,13 @@ return function(options)
   local good = tell(rows)
   report.line("output: %s", plan.folder)
   return good and drawn and 0 or 1
+end
+
+return function(options)
+  options.study = options.study or loader.own_study(default_study)
+  local plan = make_plan(options)
+  if options.list then
+    return list_cells(survey(plan))
+  end
+  return hold.folder(plan.folder, plan.study, "extremes", run, plan)
 end

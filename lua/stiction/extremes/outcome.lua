@@ -8,7 +8,8 @@ local words = {
 }
 outcome.order = { "C", "R", "S", "X", "H", "N", "W", "U" }
 local good = { C = true, R = true, S = true }
-local letter_of = { finished = "C", crashed = "X", failed = "X", hung = "H", ["bad input"] = "R" }
+local letter_of = { finished = "C", crashed = "X", failed = "X", ["result failed"] = "X",
+  hung = "H", ["bad input"] = "R" }
 
 function outcome.word(letter)
   return words[letter]

@@ -6,6 +6,7 @@ local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
 local exchange = require "stiction.trade.exchange"
 local fault = require "stiction.fault"
+local hold = require "stiction.hold"
 local ladder = require "stiction.trade.ladder"
 local numeric = require "stiction.numeric"
 local output = require "stiction.output"
@@ -197,10 +198,7 @@ local function open_trade(options)
   }
 end
 
---- Runs the ladder of a study's trade; its exit code.
-return function(options)
-  local trade = open_trade(options)
-  output.prepare(trade.folder)
+local function run(trade, options)
   local ended = run_round(trade, ladder.first_round(trade.knobs))
   ended = ended or combine(trade, promising) or combine(trade, neighbours)
   if ended then
@@ -214,4 +212,10 @@ return function(options)
     or drawing.draw({ figures = function() return pictures.of(trade) end }, finished_cases(trade), trade.folder)
   report.line("output: %s", trade.folder)
   return drawn and 0 or 1
+end
+
+--- Runs the ladder of a study's trade; its exit code.
+return function(options)
+  local trade = open_trade(options)
+  return hold.folder(trade.folder, trade.study, "trade", run, trade, options)
 end

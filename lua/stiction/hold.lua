@@ -1,0 +1,70 @@
+-- An output folder is written by one process at a time, and belongs to one study.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local output = require "stiction.output"
+
+local hold = {}
+
+local function study_file(folder)
+  return folder .. "/study.json"
+end
+
+local function read_owner(folder)
+  local kept = engine.decode_json(engine.read_file(study_file(folder)) or "")
+  return type(kept) == "table" and type(kept.study) == "string" and kept or {}
+end
+
+--- Bad input if the folder is that of another study which still is there.
+local function check_owner(folder, study)
+  local owner = read_owner(folder).study
+  if owner and owner ~= study.source.file and engine.kind_of_path(owner) == "file" then
+    fault.input("%s holds the output of another study, %s; choose another folder with --out, or remove that one",
+      folder, owner)
+  end
+end
+
+--- f(...) once nobody else writes into the folder, which is made if it is missing; bad input if somebody does, or if it
+--- is another study's. command: the word that is running.
+function hold.folder(folder, study, command, f, ...)
+  output.prepare(folder)
+  local lock, words = engine.lock(folder .. "/.lock", ("stiction %s %s"):format(command, study.source.file))
+  if not lock then
+    fault.input("%s is in use by %s; wait until that ends, stop it, or choose another folder with --out", folder, words)
+  elseif words then
+    engine.complain(("stiction: %s: its file system knows no locks (%s); let nothing else write there\n"):format(folder,
+      words))
+  end
+  local answers = table.pack(engine.call(function(...)
+    check_owner(folder, study)
+    return f(...)
+  end, ...))
+  engine.unlock(lock)
+  if not answers[1] then
+    error(answers[2], 0)
+  end
+  return table.unpack(answers, 2, answers.n)
+end
+
+--- Notes whose the folder is and what the study has read so far.
+function hold.note(folder, study)
+  local files = setmetatable({}, { json = "object" })
+  for _, file in ipairs(study.source.files) do
+    files[engine.relative(file, study.source.folder)] = study.source.hashes[file]
+  end
+  engine.write_file(study_file(folder), engine.encode_json({ study = study.source.file, name = study.name,
+    files = files }, 2) .. "\n")
+end
+
+--- The first file that the study has read otherwise than the process that noted it in the folder, nil if there is none.
+function hold.differing(folder, study)
+  local owner = read_owner(folder)
+  local noted = owner.study == study.source.file and type(owner.files) == "table" and owner.files or {}
+  for _, file in ipairs(study.source.files) do
+    local hash = noted[engine.relative(file, study.source.folder)]
+    if hash and hash ~= study.source.hashes[file] then
+      return file
+    end
+  end
+end
+
+return hold

@@ -1,0 +1,53 @@
+-- What is known against cases before they run, told once for all that are alike.
+local fault = require "stiction.fault"
+local report = require "stiction.report"
+
+local warnings = {}
+
+local most_ids = 6 -- of the cases alike, by name
+
+--- Warnings of one wording whatever their numbers, in the order of their first: {text =, change =, ids =}.
+function warnings.groups(told)
+  local groups, by_words = {}, {}
+  for _, entry in ipairs(told) do
+    for _, warning in ipairs(entry.warnings or {}) do
+      local words = warning.text:gsub("%d[%d.e+-]*", "#")
+      local group = by_words[words]
+      if not group then
+        group = { text = warning.text, change = warning.change, ids = {} }
+        groups[#groups + 1], by_words[words] = group, group
+      end
+      if group.ids[#group.ids] ~= entry.id then
+        group.ids[#group.ids + 1] = entry.id
+      end
+    end
+  end
+  return groups
+end
+
+local function cases_of(ids, count)
+  if #ids == 1 then
+    return "case " .. ids[1]
+  end
+  local shown = table.concat(ids, ", ", 1, math.min(#ids, most_ids))
+  return ("%s: %s%s"):format(#ids == count and ("all %d cases"):format(count) or ("%d cases"):format(#ids), shown,
+    #ids > most_ids and ", ..." or "")
+end
+
+--- Prints the groups of told = {{id =, warnings =}}.
+function warnings.show(told)
+  for _, group in ipairs(warnings.groups(told)) do
+    report.line("warning: %s (%s%s)", group.text, #group.ids > 1 and "or alike, in " or "", cases_of(group.ids, #told))
+    report.line("  -> %s", group.change)
+  end
+end
+
+--- Bad input if there is any.
+function warnings.refuse(told)
+  local count = #warnings.groups(told)
+  if count > 0 then
+    fault.input("--strict: %d warning%s; mend what they say, or run without --strict", count, count > 1 and "s" or "")
+  end
+end
+
+return warnings

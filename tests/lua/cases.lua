@@ -1,0 +1,137 @@
+-- Cases: which fit given parameters, which folder is theirs, what is told of wrong calls and failing results.
+local test, equal, fails = ...
+local stiction = require "stiction"
+local case_module = require "stiction.case"
+local engine = require "stiction.engine"
+local output = require "stiction.output"
+local sweep = require "stiction.sweep"
+local warnings = require "stiction.warnings"
+local units = stiction.units
+local mm, m = units.mm, units.m
+
+local function list_of(values, name)
+  local list = {}
+  for i, value in ipairs(values) do
+    list[i] = case_module.new("case" .. i, { [name or "mu"] = value }, "nowhere")
+  end
+  return case_module.list(list)
+end
+
+test("where and find take values that are equal but for rounding, and no others", function()
+  local cases = list_of { 0.4, 0.404, 0.4004, 0.40000004, 0.1 + 0.2, 0, 1e-12, -0.4 }
+  equal(cases:find({ mu = 0.4 }).id, "case1")
+  equal(cases:find({ mu = 0.3 }).id, "case5")
+  equal(cases:find({ mu = 0 }).id, "case6")
+  equal(cases:find({ mu = 0.4004 }).id, "case3")
+  equal(cases:find({ mu = 0.39 }), nil)
+  local lengths = list_of({ 1*mm, 1.001*mm, 1.000001*mm }, "size")
+  equal(#lengths:where { size = 0.001*m }, 1)
+  equal(#lengths:where { size = 0.001 }, 0)
+end)
+
+test("a method after a dot and a function after a colon are told", function()
+  local cases = list_of { 1 }
+  fails("write run:min(...), with a colon, not run.min(...)", function() return cases[1].min("sole", "force_x") end)
+  for _, name in ipairs { "series", "columns", "max", "min", "at" } do
+    fails(("write run:%s(...)"):format(name), function() return cases[1][name]("sole") end)
+  end
+  for _, name in ipairs { "where", "find", "values" } do
+    fails(("write cases:%s(...)"):format(name), function() return cases[name] { mu = 1 } end)
+  end
+  for _, name in ipairs { "to", "abs", "display" } do
+    fails(("write q:%s(...)"):format(name), function() return (1*mm)[name]("m") end)
+  end
+  fails("write numeric.max(...), with a dot, not numeric:max(...)", function() return stiction.numeric:max { 1 } end)
+  fails("write schemes.make(...)", function() return stiction.schemes:make("default") end)
+  equal(stiction.numeric.max { 1, 2 }, 2)
+  equal((5*mm):to("m"), 0.005)
+end)
+
+test("a result that fails leaves the others", function()
+  local study = { results = { { name = "good", unit = "1", compute = function() return 1 end },
+    { name = "bad", unit = "1", compute = function(_, p) return p.mu.no.such end },
+    { name = "text", unit = "1", compute = function() return "x" end } } }
+  local results, failures, missing = case_module.compute(study, list_of({ 1 })[1])
+  equal(results.good, 1)
+  equal(results.bad, nil)
+  equal(#failures, 2)
+  assert(failures[1]:find("result bad: cases.lua:52: ", 1, true), failures[1])
+  equal(missing, false)
+end)
+
+test("a pretended case has the columns that are given, and no others", function()
+  local run = case_module.pretend({ id = "a", p = {} }, { ["sole/force_y"] = 1 }, { 0, 1 }, { 3, 4 })
+  equal(run:max("sole", "force_y"), 4)
+  equal(run:at(0.5, "sole", "force_y"), 3.5)
+  equal(run:columns()[1], "sole/force_y")
+  fails("no series 'sole/forcey'; did you mean 'sole/force_y'?", function() return run:max("sole", "forcey") end)
+end)
+
+local function study_of(sizes)
+  return stiction.study { title = "t", given = { steps = 3 }, sweep = { size = sizes }, scene = function() end }
+end
+
+local function ids(study, set)
+  local words = {}
+  for i, case in ipairs((sweep.cases(study, { set = set }))) do
+    words[i] = case.id
+  end
+  return table.concat(words, " ")
+end
+
+test("a case's name does not depend on how or in which unit its values are set", function()
+  local study = study_of { 1*mm, 2*mm }
+  equal(ids(study), "size1 size2")
+  equal(ids(study, { "size=2 mm" }), "size2")
+  equal(ids(study, { "size=0.002 m" }), "size2")
+  equal(ids(study, { "size=2000*um" }), "size2")
+  equal(ids(study, { "steps=7" }), "size1 size2")
+  equal(ids(study_of { 0*mm, 2*mm }, { "size=0.002 m" }), "size2")
+  local both = stiction.study { title = "t", sweep = { { a = 1 }, { a = 2 } }, scene = function() end,
+    case_id = function() return "same" end }
+  fails("two cases of the sweep are called 'same'", ids, both)
+end)
+
+local function write(folder, case, text)
+  output.begin(folder, case)
+  engine.write_file(output.case_folder(folder, case) .. "/series.txt", text)
+end
+
+local function held(folder, case)
+  return engine.read_file(output.case_folder(folder, case) .. "/series.txt")
+end
+
+test("cases of other parameters share no folder, and the last one's is that of its id", function()
+  local study, folder = study_of { 1*mm }, engine.absolute("settled.test")
+  local own, other = sweep.cases(study, {})[1], sweep.cases(study, { set = { "steps=4" } })[1]
+  engine.remove(folder)
+  write(folder, own, "own")
+  write(folder, other, "other")
+  equal(output.case_name(folder, other), "size1")
+  equal(output.case_name(folder, own):match("^size1@%x+$") ~= nil, true)
+  equal(held(folder, own), "own")
+  equal(held(folder, other), "other")
+  output.settle(folder, { own })
+  equal(output.case_name(folder, own), "size1")
+  equal(held(folder, own), "own")
+  equal(held(folder, other), "other")
+  output.settle(folder, { own })
+  equal(held(folder, own), "own")
+  engine.remove(folder)
+end)
+
+test("warnings of one wording are told once", function()
+  local function warned(id, ...)
+    local list = {}
+    for i, text in ipairs { ... } do
+      list[i] = { text = text, change = "less" }
+    end
+    return { id = id, warnings = list }
+  end
+  local groups = warnings.groups { warned("a", "length 6.27 um, mesh 1e-05", "no end"), warned("b"),
+    warned("c", "length 3 um, mesh 2e+05") }
+  equal(#groups, 2)
+  equal(groups[1].text, "length 6.27 um, mesh 1e-05")
+  equal(table.concat(groups[1].ids, " "), "a c")
+  equal(table.concat(groups[2].ids, " "), "a")
+end)
