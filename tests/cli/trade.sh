@@ -41,19 +41,19 @@ mv measured soft/trade.json
 expect 2 "the best that was measured is|finer levels" "$stiction" run soft --accuracy 1e-9 --no-figures
 # one number decides where one is asked for; a scene that was not measured is told as such, and can be measured
 expect 0 "--accuracy 20% of force_y: " "$stiction" run soft --accuracy 20% --of force_y --no-figures --case mu0.2 --out one
-holds "only what was asked for is claimed" grep -q 'seconds,force_y_error$' one/summary.csv
+holds "only what was asked for is claimed" grep -q 'seconds,force_y_error,set,warnings$' one/summary.csv
 expect 2 "no 'force_z'; did you mean 'force_y'?|it measures: force_y, force_x, history, zero" "$stiction" run soft --accuracy 20% --of force_z
 expect 2 "give one of them" "$stiction" run soft --of force_y
 expect 0 "mu0: not the scene that was measured (mu = 0, measured with 0.2; young = |is not known|--check-accuracy" \
   "$stiction" run soft --accuracy 20% --set young=2MPa --no-figures --out two
-holds "no claim is written" grep -q 'seconds$' two/summary.csv
+holds "no claim is written" grep -q 'seconds,set,warnings$' two/summary.csv
 expect 0 "with cells=|with steps=|mu0.2: off by at most|(force_x |checks held" \
   "$stiction" run soft --accuracy 20% --set young=2MPa --check-accuracy --case mu0.2 --no-figures --out two
-holds "now it is" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error$' two/summary.csv
+holds "now it is" grep -q 'seconds,force_x_error,force_y_error,history_error,zero_error,set,warnings$' two/summary.csv
 expect 1 "mu0.2: off by no more than asked for" \
   "$stiction" run soft --accuracy 3% --of force_y --set young=2MPa --set mu=0.2 --check-accuracy --no-figures --out three
 expect 0 "mu0.4: off by at most" "$stiction" run soft --check-accuracy --of force_y --set mu=0.4 --no-figures --out four
-holds "claims need no measured trade" grep -q 'seconds,force_y_error$' four/summary.csv
+holds "claims need no measured trade" grep -q 'seconds,force_y_error,set,warnings$' four/summary.csv
 expect 2 "has no \`trade" "$stiction" run "$tiny" --check-accuracy
 expect 2 "write a share above 0" "$stiction" run soft --accuracy lots --no-figures
 sed -i 's/soft rubber/softer rubber/' soft/study.lua
