@@ -1,81 +1,26 @@
 // What is likely to go wrong or to cost too much, each with the change of the script that mends it.
 #include <fmt/format.h>
+#include <numbers>
 
 #include "dynamics/critical_step.hpp"
 #include "scene/facts.hpp"
 #include "scene/human.hpp"
+#include "scene/statics.hpp"
 
 namespace stiction::scene {
 
 namespace {
 
-constexpr double rigid_contrast = 1000;                   // of E / (1 - nu^2)
-constexpr double cohesive_cells = 3;                      // over the cohesive length (REFERENCES, JKR)
+constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive length: the limit, the aim
 constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
 constexpr double part_of_bond = 0.25;                     // beta in a step
 constexpr double part_of_cell = 0.5;                      // approach in a step
 constexpr double locking = 0.45;                          // Poisson's ratio
 constexpr double small_strain = 0.05, saint_venant_strain = 0.2;
-constexpr double slow = 1e-3, fast = 0.1; // over the shear wave speed
-constexpr double many_transits = 100;
+constexpr double fast = 0.1; // over the shear wave speed
+constexpr double small_change = 0.02, many_periods = 25;
 
 using Warnings = std::vector<Warning>;
-
-/// "{0 m, 10 mm}"
-std::string place(Vec3 const& at, int dim) {
-  std::string words;
-  for (int c = 0; c < dim; ++c)
-    words += (c > 0 ? ", " : "") + human(at[c], "m");
-  return "{" + words + "}";
-}
-
-std::string rigid_shape(ShapeFit const& fit, Facts const& all, std::string const& set) {
-  int const dim = all.scene->part.dim();
-  bool const axisymmetric = all.scene->part.kinematics == solid::Kinematics::axisymmetric;
-  if (fit.kind == ShapeFit::none)
-    return fmt::format("rigid.{} of its surface {}", dim == 3 ? "surface" : "polyline", set);
-  double const least = 1e-9 * std::max(fit.radius, 1e-3);
-  auto const misses = fit.error < least ? fmt::format(", which runs through the nodes of {}", set)
-                                        : fmt::format(", which misses no node of {} by more than {}", set,
-                                                      human(fit.error, "m"));
-  if (fit.kind == ShapeFit::flat)
-    return fmt::format("rigid.plane through {}{}", place(fit.centre, dim), misses);
-  bool const sphere = dim == 3 || (axisymmetric && std::abs(fit.centre.x()) < 1e-2 * fit.radius);
-  Vec3 centre = fit.centre;
-  if (axisymmetric && sphere)
-    centre.x() = 0;
-  for (int c = 0; c < dim; ++c)
-    if (std::abs(centre[c]) < 1e-9 * fit.radius)
-      centre[c] = 0;
-  return fmt::format("rigid.{}{{centre = {}, radius = {}}}{}", sphere ? "sphere" : "circle",
-                     place(centre, dim), human(fit.radius, "m"), misses);
-}
-
-/// The force at given depth goes with E*, of which the stiff body is only so small a part.
-void stiff_body(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  if (!pair.primary || *pair.primary == pair.secondary)
-    return;
-  auto const &own = all.bodies[pair.secondary], &other = all.bodies[*pair.primary];
-  bool const first = own.plane_modulus() > other.plane_modulus();
-  auto const &stiff = first ? own : other, &soft = first ? other : own;
-  double const contrast = stiff.plane_modulus() / soft.plane_modulus();
-  if (contrast < rigid_contrast)
-    return;
-  auto const& set = first ? pair.part->secondary : pair.part->primary;
-  bool const held = stiff.held[0] || stiff.held[1] || stiff.held[2];
-  auto const carried = !stiff.driven_set.empty() ? "carried along the path of " + stiff.driven_set
-                       : held                    ? std::string("standing still")
-                                                 : fmt::format("with mass = {:.3g} kg", stiff.mass);
-  warnings.push_back(
-      {fmt::format("body {} is {} times stiffer than body {}", stiff.body->name, human(contrast, "1"),
-                   soft.body->name),
-       fmt::format(
-           "make it an obstacle, {}, {}{}: the force at the same depth changes by about {}, and {} of {} "
-           "unknowns are saved",
-           rigid_shape(first ? pair.secondary_fit : pair.primary_fit, all, set), carried,
-           first ? fmt::format(", and let {} be the secondary", pair.part->primary) : "",
-           percent(1 / contrast), stiff.free, own.free + other.free)});
-}
 
 /// "schedule.stage 2 with 300 steps"
 std::string more_steps(Facts const& all, std::size_t stage, double factor) {
@@ -90,17 +35,12 @@ void cohesive_length(PairFacts const& pair, Warnings& warnings) {
   double const cell = std::max(pair.size, 0.0);
   if (length >= cohesive_cells * cell)
     return;
-  auto const strength = human(std::sqrt(scales.work * pair.modulus / (cohesive_cells * cell)), "Pa");
-  auto const softer = std::holds_alternative<interface::Rcc>(*pair.pair->law.adhesion)
-                          ? fmt::format("C_n of {:.2g} N/m^3 or less, which lowers the peak traction to {}",
-                                        pair.modulus / (cohesive_cells * cell), strength)
-                          : fmt::format("a strength of {} or less at the same work of separation", strength);
   warnings.push_back(
       {fmt::format("pair {}: cohesive length {}, mesh {}, that is {:.2g} of a cell: the pull-off will depend "
                    "on the mesh",
                    pair.pair->name, human(length, "m"), human(cell, "m"), length / cell),
-       fmt::format("cells of {} or less at {}, or {}", human(length / cohesive_cells, "m"),
-                   pair.part->secondary, softer)});
+       fmt::format("cells of {} or less at {}, which leave a few per cent", human(length / good_cells, "m"),
+                   pair.part->secondary)});
 }
 
 /// Steps that jump over the opening at which the traction peaks.
@@ -113,7 +53,7 @@ void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
       warnings.push_back(
           {fmt::format("pair {}: the motions {} by {:.2g} u0 in a step: the peak of the adhesion is cut off",
                        pair.pair->name, what, part),
-           more_steps(all, stage, part / good_part)});
+           more_steps(all, stage, part / good_part) + ", which see it to within 8 %"});
   };
   check("open it", motion.opening_step, scales.opening, motion.opening_stage);
   check("slide", motion.sliding_step, scales.along, motion.sliding_stage);
@@ -131,11 +71,18 @@ void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
                       fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
 }
 
+/// Softens the bond faster than the bodies give way, with no viscosity to slow it?
+bool snaps(PairFacts const& pair) {
+  auto const* rcc = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
+  return (rcc == nullptr || !(rcc->b > 0)) &&
+         pair.column < interface::scales(*pair.pair->law.adhesion).softening;
+}
+
 /// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
 void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   auto const* rcc = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
   double const softening = interface::scales(*pair.pair->law.adhesion).softening;
-  if (all.dynamic() || (rcc != nullptr && rcc->b > 0) || pair.column >= softening)
+  if (all.dynamic() || !snaps(pair))
     return;
   warnings.push_back(
       {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
@@ -275,34 +222,60 @@ void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
   }
 }
 
+/// Nothing that inertia alone can move or hold: no flight, no weight, no snap.
 bool plain_inertia(Facts const& all) {
   auto const& model = *all.scene->model;
-  bool plain = all.dynamic() && model.gravity.isZero() && all.speed > 0;
+  bool plain = all.dynamic() && model.gravity.isZero() && all.speed > 0 && model.loads.empty();
   for (auto const& rigid : model.rigids)
     plain = plain && !rigid.free();
-  for (auto const& body : all.bodies) {
-    plain = plain && !body.body->damping;
-    int const first = model.kinematics == solid::Kinematics::axisymmetric ? 1 : 0;
-    for (int c = first; c < model.dim(); ++c)
-      plain = plain && body.held[ix(c)];
-  }
+  for (auto const& body : all.bodies)
+    plain = plain && !body.body->damping && body.start_speed == 0;
+  for (auto const& pair : all.pairs)
+    plain = plain && !pair.motion.unknown && !(pair.adheres() && snaps(pair));
   return plain;
 }
 
-void inertia(Facts const& all, Warnings& warnings) {
-  double slowest = std::numeric_limits<double>::infinity(), longest = 0;
-  for (auto const& body : all.bodies) {
-    slowest = std::min(slowest, body.shear_speed());
-    longest = std::max(longest, body.extent() / body.shear_speed());
+/// The shortest way that decides: into a contact, or of a bond that opens or slides.
+double smallest_way(Facts const& all) {
+  double way = std::numeric_limits<double>::infinity();
+  for (auto const& pair : all.pairs) {
+    if (pair.motion.depth > 0)
+      way = std::min(way, pair.motion.depth);
+    if (!pair.adheres())
+      continue;
+    auto const scales = interface::scales(*pair.pair->law.adhesion);
+    way = std::min(way, scales.opening);
+    if (scales.along > 0)
+      way = std::min(way, scales.along);
   }
-  double const mach = all.speed / slowest;
-  if (plain_inertia(all) && mach < slow && all.end > many_transits * longest)
+  return std::isfinite(way) ? way : 0;
+}
+
+/// Bodies that are set in motion swing by speed * period / (2 pi) about where they would be without inertia.
+void slow_motion(Facts const& all, Warnings& warnings) {
+  if (!plain_inertia(all) || !(smallest_way(all) > 0))
+    return;
+  Statics statics(*all.scene->model);
+  if (!statics.regular())
+    return;
+  double const period = statics.period();
+  double const change = all.speed * period / std::numbers::pi / smallest_way(all);
+  if (change < small_change && all.end > many_periods * period)
     warnings.push_back(
         {fmt::format(
-             "nothing is fast: {} is {:.2g} of the shear wave speed {}, and the run takes {} times as "
-             "long as a wave through the largest body",
-             human(all.speed, "m/s"), mach, human(slowest, "m/s"), human(all.end / longest, "1")),
-         "scheme.quasi_static{} gives the same as long as no bond snaps, and takes larger steps"});
+             "nothing is fast: the bodies as they are held swing in {}, and in that time nothing moves "
+             "by more than {}",
+             human(period, "s"), human(all.speed * period, "m")),
+         fmt::format("scheme.quasi_static{{}} gives the same to about {} and needs no mass",
+                     percent(change))});
+}
+
+void inertia(Facts const& all, Warnings& warnings) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (auto const& body : all.bodies)
+    slowest = std::min(slowest, body.shear_speed());
+  double const mach = all.speed / slowest;
+  slow_motion(all, warnings);
   if (!all.dynamic() && mach > fast)
     warnings.push_back(
         {fmt::format("the motions are fast: {} is {:.2g} of the shear wave speed {}, and a quasi-static run "
@@ -344,7 +317,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     symmetry(all, b, warnings);
   }
   for (auto const& pair : all.pairs) {
-    stiff_body(all, pair, warnings);
+    advise_rigid(all, pair, warnings);
     closing_steps(all, pair, warnings);
     strain(all, pair, warnings);
     quadratic_faces(all, pair, warnings);

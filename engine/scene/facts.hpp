@@ -36,6 +36,8 @@ struct RelativeMotion {
   std::size_t opening_stage = 0, sliding_stage = 0, closing_stage = 0;
   double depth = 0;       ///< largest approach beyond the first touch, m; 0: none, or not known
   double closed_time = 0; ///< how long it lies beyond the first touch, s; 0: not known
+  double travel = 0;      ///< largest way along the surface from the start, m
+  bool unknown = false;   ///< a side moves freely or closes around: depth and travel do not say all
   [[nodiscard]] double normal_speed() const { return std::max(closing, opening); }
 };
 
@@ -84,6 +86,8 @@ void describe_scene(Facts const& facts, Explanation& explanation);
 void describe_numbers(Facts const& facts, Explanation& explanation);
 /// explain_cost.cpp: memory and time, by one assembly and factorization at rest.
 void describe_cost(Facts const& facts, dynamics::Structure& structure, Explanation& explanation);
+/// explain_rigid.cpp: a stiff body that may be an obstacle.
+void advise_rigid(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings);
 /// explain_warnings.cpp
 void add_warnings(Facts const& facts, Explanation& explanation);
 

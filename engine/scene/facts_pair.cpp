@@ -114,7 +114,9 @@ private:
     keep(along, stage, motion.closing, motion.closing_step, motion.closing_stage);
     keep(around ? along : -along, stage, motion.opening, motion.opening_step, motion.opening_stage);
     keep(sliding, stage, motion.sliding, motion.sliding_step, motion.sliding_stage);
-    if (around || pair_->gap < 0 || !sides[0]->prescribed() || !sides[1]->prescribed())
+    motion.unknown |= around || pair_->gap < 0 || !sides[0]->prescribed() || !sides[1]->prescribed();
+    motion.travel = std::max(motion.travel, (end - end.dot(pair_->normal) * pair_->normal).norm());
+    if (motion.unknown)
       return;
     double const approach = end.dot(pair_->normal) - pair_->gap;
     motion.depth = std::max(motion.depth, approach);

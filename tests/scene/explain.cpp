@@ -122,19 +122,22 @@ TEST_CASE("a sphere's Tabor-like number and strain follow from its radius") {
 
 TEST_CASE("a stiff flat body is to become a rigid plane") {
   auto input = two_blocks();
+  at(input, "bodies.lower") = block({{-2, -1}, {5, 1}, {20, 4}}, linear_elastic(1000, 0));
   CHECK_FALSE(warns(input, "times stiffer"));
   at(input, "bodies.lower.material.young") = value(1e7, "Pa");
   auto const found = warnings(input, "body lower is 10000 times stiffer than body upper");
   REQUIRE(found.size() == 1);
   CHECK(contains(found[0].change, "rigid.plane through {500 mm, 0 m}"));
-  CHECK(contains(found[0].change, "changes by about 0.01 %"));
-  CHECK(contains(found[0].change, "40 of 80 unknowns"));
+  CHECK(contains(found[0].change, "changes by at most about 0.023 %"));
+  CHECK(contains(found[0].change, "168 of 208 unknowns"));
   CHECK(number(scene::explain(input), "Numbers of pair joint", "stiffness contrast") == doctest::Approx(1e4));
+  at(input, "bodies.lower") = block({{0, -1}, {1, 1}, {4, 4}}, linear_elastic(1e7, 0));
+  CHECK_FALSE(warns(input, "times stiffer")); // the upper one slides over its edge
 }
 
 TEST_CASE("a stiff half disc is to become a rigid circle") {
   auto input = foot_on_floor();
-  at(input, "bodies.disc") = half_disc(1, 0.1, linear_elastic(1e7, 0));
+  at(input, "bodies.disc") = half_disc(1, 0.02, linear_elastic(1e7, 0));
   at(input, "obstacles") = make("obstacles");
   at(input, "pairs.sole") = pair("foot.bottom", "disc.arc");
   at(input, "motions") =
@@ -148,8 +151,7 @@ TEST_CASE("a cohesive length below three cells makes the pull-off depend on the 
   CHECK_FALSE(warns(bonded(4, 1000, 40), "will depend on the mesh"));
   auto const found = warnings(bonded(4, 2000, 40), "cohesive length 500 mm, mesh 250 mm");
   REQUIRE(found.size() == 1);
-  CHECK(contains(found[0].change, "cells of 167 mm or less at foot.bottom"));
-  CHECK(contains(found[0].change, "C_n of 1.3e+03 N/m^3"));
+  CHECK(contains(found[0].change, "cells of 83.3 mm or less at foot.bottom"));
 }
 
 TEST_CASE("steps that jump over the peak of the adhesion are named with the steps that do not") {
@@ -243,7 +245,7 @@ TEST_CASE("slow dynamic runs are to be quasi-static and fast quasi-static ones d
   at(input, "schedule") = schedule({{5, 10}, {10, 10}});
   CHECK(scene::explain(input).warnings.empty());
   at(input, "scheme") = make("scheme.theta_xi");
-  CHECK(warns(input, "nothing is fast: 2 mm/s"));
+  CHECK(warns(input, "nothing is fast: the bodies as they are held swing in"));
   at(input, "bodies.foot.velocity") = values({0, -1}, "m/s");
   CHECK_FALSE(warns(input, "nothing is fast"));
 
