@@ -13,6 +13,7 @@ Explanation explain(Scene const& scene) {
   describe_cost(facts, stepper.structure(), explanation);
   describe_numbers(facts, explanation);
   add_warnings(facts, explanation);
+  add_advice(facts, explanation);
   return explanation;
 }
 

@@ -275,7 +275,6 @@ void inertia(Facts const& all, Warnings& warnings) {
   for (auto const& body : all.bodies)
     slowest = std::min(slowest, body.shear_speed());
   double const mach = all.speed / slowest;
-  slow_motion(all, warnings);
   if (!all.dynamic() && mach > fast)
     warnings.push_back(
         {fmt::format("the motions are fast: {} is {:.2g} of the shear wave speed {}, and a quasi-static run "
@@ -317,7 +316,6 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     symmetry(all, b, warnings);
   }
   for (auto const& pair : all.pairs) {
-    advise_rigid(all, pair, warnings);
     closing_steps(all, pair, warnings);
     strain(all, pair, warnings);
     quadratic_faces(all, pair, warnings);
@@ -327,6 +325,12 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);
+}
+
+void add_advice(Facts const& all, Explanation& explanation) {
+  for (auto const& pair : all.pairs)
+    advise_rigid(all, pair, explanation.warnings);
+  slow_motion(all, explanation.warnings);
 }
 
 } // namespace stiction::scene

@@ -88,7 +88,9 @@ void describe_numbers(Facts const& facts, Explanation& explanation);
 void describe_cost(Facts const& facts, dynamics::Structure& structure, Explanation& explanation);
 /// explain_rigid.cpp: a stiff body that may be an obstacle.
 void advise_rigid(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings);
-/// explain_warnings.cpp
+/// explain_warnings.cpp: what is likely to go wrong; assembles nothing.
 void add_warnings(Facts const& facts, Explanation& explanation);
+/// explain_warnings.cpp: what would cost less and come out the same; assembles and factors at rest.
+void add_advice(Facts const& facts, Explanation& explanation);
 
 } // namespace stiction::scene
