@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
+#include <random>
 #include <unistd.h>
 
 #include "core/error.hpp"
@@ -97,8 +98,9 @@ Mesh mesh_for_request(std::string const& request, std::string const& what) {
         fmt::format("{}: needs the program stiction-mesher, which was not found; build with "
                     "libgmsh-dev installed or set STICTION_MESHER to its path",
                     what));
-  Scratch const asked(folder / fmt::format("{}.{}.json", key, getpid()));
-  Scratch const answer(folder / fmt::format("{}.{}.tmp", key, getpid()));
+  // other machines may share the folder, and their processes the numbers
+  auto const own = fmt::format("{}.{}.{:x}", key, getpid(), std::random_device()());
+  Scratch const asked(folder / (own + ".json")), answer(folder / (own + ".tmp"));
   std::ofstream(asked.path) << request;
   refuse_unless_made(run_mesher(mesher, asked.path, answer.path), what);
   Mesh mesh = read_mesh(answer.path).mesh;

@@ -84,6 +84,7 @@ end
 --- Runs what is to run, judges and shows it; the exit code.
 local function run(plan)
   local rows = campaign.survey(plan)
+  engine.remove(plan.folder .. "/checks.json") -- of an earlier run: this one may not come so far
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
     return 2

@@ -53,6 +53,17 @@ expect 0 "mu0  finished" "$stiction" run late --list
 sed -i 's/poisson = 0.3/poisson = 0.4/' late/block.lua
 expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run late --list
 
+# and is held to what the sweep began with
+"$stiction" run late --set steps=20000 --no-figures --jobs 1 --out lates >output 2>&1 </dev/null &
+id=$!
+appears lates/mu0/series.h5
+sed -i 's/poisson = 0.4/poisson = 0.35/' late/block.lua
+wait "$id"
+code=$?
+holds "the sweep with a late module ended with $code: $(cat output)" [ "$code" = 2 ]
+holds "no message: $(cat output)" grep -q "was changed while its cases ran" output
+holds "a case was run with another module" [ ! -e lates/mu0.2/series.h5 ]
+
 # so does what a trusted script opens
 changed opens 's/^return stiction.study/local f = io.open("table.csv") local young = f:read("n") f:close()\
 return stiction.study/; s/young = { 1\*MPa/young = { young*MPa/'

@@ -30,6 +30,10 @@ expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --out quick2 
 expect 0 "mu0.3  finished" "$stiction" run "$tiny" --set mu=0.3 --out fixed --no-figures
 holds "one row" [ "$(wc -l <fixed/summary.csv)" = 2 ]
 expect 0 "1 of 3 cases finished" "$stiction" run "$tiny" --case mu0.2 --out one --no-figures
+expect 0 "checks held" "$stiction" run "$tiny" --quick --out one --no-figures
+holds "checks of two cases" [ -s one/checks.json ]
+expect 0 "1 of 3 cases finished" "$stiction" run "$tiny" --case mu0.2 --out one --no-figures
+holds "the checks of an earlier run are left as if of this" [ ! -e one/checks.json ]
 
 # a changed script makes its results stale
 changed stale ''
