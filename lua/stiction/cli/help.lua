@@ -36,6 +36,9 @@ local function show_kind(category, kind)
   local call = kind.name == category.name and #category.kinds == 1 and kind.name or category.name .. "." .. kind.name
   report.line("%s{ ... }", call)
   report.line("%s", report.wrapped(kind.meaning, "    "))
+  if pages.notes[kind.name] then
+    report.line("%s", pages.notes[kind.name])
+  end
   if kind.source ~= "" then
     report.line("%s", report.wrapped("Source: " .. kind.source, "    "))
   end

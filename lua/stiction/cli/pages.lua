@@ -121,9 +121,28 @@ and its error columns stay empty.
 
 'stiction run STUDY --check-accuracy' (alone, or with --accuracy) measures what is not known: each case again with each
 number of the knobs a level finer, one at a time, and with the default in place of each other choice. The claim is the
-sum of what these change, of a number times 1 / (1 - r^(-1/2)) where its resolution falls by r (3.4 for a half), as if
-errors fell with its square root: they often fall faster, but in studies/trade/claims first order was too bold in 1 of 6
-changed scenes, this in 1 of 40 or fewer. A millionth of the value is added for the solvers' tolerances. With --accuracy
+sum of what these change, of a number times 1 / (1 - r^-0.4) where its resolution falls by r (4.1 for a half), as if
+errors fell with the order 0.4: mostly they fall faster, but of 46 changed scenes (studies/trade/claims) 8 were off by
+more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth of the value is added for the solvers' tolerances. With --accuracy
 it is a check that the claim is within the share. The finer runs are kept below finer/ in the output.]]
+
+--- What parameters do to a result, told with the kind that has them.
+pages.notes = {
+  rcc = [[
+    b is the time that a bond takes: untouched in contact it grows as beta = w t / b, whole after b / w. Pulled at a
+    speed V it lasts longer than its strength: the peak of the traction is 1 % above sqrt(w C) where V b / (w u0) is 0.1
+    and 11 % where it is 1 (u0 = sqrt(w / C)), and the work of separation rises with it. b = 0 is the law without rate:
+    a point that closes has a whole bond in that very step, as often as it closes; pulled beyond u0 the bond is
+    beta = w / (C u^2) at once. Such bonds snap where the bodies are softer than they (explain tells): a quasi-static
+    run may then need a small b.
+    bonding says where beta may grow. contact: where the point is closed, so pressing time decides what has to be broken
+    later. proximity: at any distance at which the law says so, C u^2 beta < w: a bond that was torn heals while it is
+    near. never: it only falls from beta0, as glue that was there at the start; with beta0 = 0 nothing ever sticks.]],
+  theta_xi = [[
+    theta = 1/2 keeps the energy of what swings inside the bodies, theta > 1/2 takes some of it at each step, of short
+    waves first: an impact of a bar on 100 cells loses 6 % with 0.55 and 18 % with 1 (backward Euler; xi = 1 goes with
+    it), and smaller steps lose less. In slow motions all theta agree. xi weighs the forces likewise; leave it equal to
+    theta.]],
+}
 
 return pages
