@@ -35,25 +35,25 @@ local function parameters(p)
   return p.run == "base" and scene.p or scene[p.run]
 end
 
---- A case of this study as one of the study whose scene it runs.
-local function as_own(case, study)
-  local own = setmetatable({ id = case.id, p = parameters(case.p), results = {} },
-    { __index = function(_, name) return case[name] end })
+--- Makes a case of this study one of the study whose scene it runs: its parameters and results.
+local function as_own(case, study, p)
+  case.p, case.results = p, {}
   for _, entry in ipairs(study.results) do
-    own.results[entry.name] = entry.compute(own, own.p)
+    case.results[entry.name] = entry.compute(case, p)
   end
-  return own
+  return case
 end
 
 --- What was claimed of a scene and how far it was off, by quantity; nil where a run is missing.
 local function judged(cases, scene)
-  local study, list = studies[scene.study], {}
-  local base, truth = cases:find { scene = scene.name, run = "base" }, cases:find { scene = scene.name, run = "truth" }
+  local study, list, by_id = studies[scene.study], {}, {}
+  for _, case in ipairs(cases) do by_id[case.id] = case end
+  local base, truth = by_id[scene.name .. "_base"], by_id[scene.name .. "_truth"]
   if not base or not truth then return nil end
   for i = 1, #scene.variants do
-    list[i] = as_own(cases:find { scene = scene.name, run = "finer" .. i }, study)
+    list[i] = as_own(by_id[scene.name .. "_finer" .. i], study, scene["finer" .. i])
   end
-  return claim.judge(study, as_own(base, study), scene.variants, list, as_own(truth, study))
+  return claim.judge(study, as_own(base, study, scene.p), scene.variants, list, as_own(truth, study, scene.truth))
 end
 
 local function percent(x) return 100 * x end
