@@ -19,9 +19,13 @@ end
 
 --- f(...) once nobody else draws into this folder.
 function drawing.alone(folder, f, ...)
-  local lock
+  local lock, words, told
   repeat
-    lock = engine.lock(folder .. "/.drawing", "drawing")
+    lock, words = engine.lock(folder .. "/.drawing", "stiction figures, " .. folder)
+    if not lock and not told then
+      report.line("waiting for %s to draw", words)
+      told = true
+    end
     engine.await({}, lock and 0 or 0.2)
     if engine.stopped() then
       fault.run("stopped by the user")

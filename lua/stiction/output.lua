@@ -168,12 +168,25 @@ function output.result_file(folder, case)
   return output.case_folder(folder, case) .. "/result.json"
 end
 
+--- True if x is nil or a list of tables, each with a text under every name.
+local function may_be_list(x, ...)
+  for i = 1, type(x) == "table" and #x or 0 do
+    for _, name in ipairs { ... } do
+      if type(x[i]) ~= "table" or type(x[i][name]) ~= "string" then
+        return false
+      end
+    end
+  end
+  return x == nil or type(x) == "table"
+end
+
 local function is_result(value)
   local function may_be(kind, name)
     return value[name] == nil or type(value[name]) == kind
   end
   return type(value) == "table" and type(value.verdict) == "string" and may_be("string", "reason")
-    and may_be("table", "results") and may_be("table", "files") and may_be("table", "warnings")
+    and may_be("table", "results") and may_be_list(value.files, "path", "hash")
+    and may_be_list(value.warnings, "text", "change")
 end
 
 --- What a case left behind, nil if it never ended or its file is damaged.
@@ -195,7 +208,8 @@ end
 
 --- True if what an extreme ended with still is of these files.
 function output.is_current(study, kept, fingerprint)
-  return kept.fingerprint == fingerprint and not changed_file(study, kept.files or {})
+  return kept.fingerprint == fingerprint and may_be_list(kept.files, "path", "hash")
+    and not changed_file(study, kept.files or {})
 end
 
 local function csv_word(value)

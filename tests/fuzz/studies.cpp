@@ -26,9 +26,9 @@ void result(std::string_view bytes) {
     local folder = ...
     local case = { id = "case", p = {} }
     local result = output.read_result(folder, case)
-    output.is_done(result, "0")
+    local study = { results = { { name = "peak" } }, source = { folder = folder, hashes = {} } }
+    output.is_done(result, result and result.fingerprint, study)
     if result then
-      local study = { results = { { name = "peak" } } }
       output.write_summary(folder, study, {}, { { case = case, result = result } })
       if result.verdict == "finished" then
         local _ = require("stiction.case").new("case", {}, folder .. "/case").cost
