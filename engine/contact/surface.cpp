@@ -9,6 +9,7 @@
 
 #include "contact/kinematics.hpp"
 #include "core/error.hpp"
+#include "mesh/hats.hpp"
 
 namespace stiction::contact {
 
@@ -21,23 +22,12 @@ constexpr double nearly_parallel = 0.98;
 using Piece = std::vector<int>; // local nodes of one linear facet
 
 std::vector<Piece> const& pieces_of(std::size_t nodes) {
-  static std::vector<Piece> const tri3{{0, 1, 2}}, quad4{{0, 1, 2, 3}},
-      tri6{{0, 3, 5}, {1, 4, 3}, {2, 5, 4}, {3, 4, 5}},
-      quad8{{0, 4, 7}, {1, 5, 4}, {2, 6, 5}, {3, 7, 6}, {4, 5, 6, 7}};
-  switch (nodes) {
-  case 3:
-    return tri3;
-  case 4:
-    return quad4;
-  case 6:
-    return tri6;
-  case 8:
-    return quad8;
-  default:
+  auto const& pieces = mesh::linear_pieces(3, nodes);
+  if (pieces.empty())
     throw core::InputError(fmt::format("contact surface: a facet has {} nodes; facets in space have 3, 4, 6 "
                                        "or 8; use the boundary of a mesh of solid cells",
                                        nodes));
-  }
+  return pieces;
 }
 
 /// Representatives in the sense of union and find.

@@ -49,12 +49,14 @@ void set_rates(Pair const& pair, Model const& model, contact::PointKinematics<D>
   auto const* side = std::get_if<RigidSide>(&pair.primary);
   if (side == nullptr || model.rigids[side->body].free())
     return;
-  Index const node = D * point.nodes[0];
-  contact::Vec3 x = contact::Vec3::Zero();
-  for (int c = 0; c < D; ++c)
-    x[c] = model.reference(point.nodes[0], c) + next.u[node + c];
-  contact::Vec3 const carried = model.rigids[side->body].velocity(x, next.t);
-  after.rate.head<D>() -= point.H.template leftCols<D>() * carried.head<D>();
+  for (int a = 0; a < point.count; ++a) {
+    Index const node = point.nodes[ix(a)];
+    contact::Vec3 x = contact::Vec3::Zero();
+    for (int c = 0; c < D; ++c)
+      x[c] = model.reference(node, c) + next.u[D * node + c];
+    contact::Vec3 const carried = model.rigids[side->body].velocity(x, next.t);
+    after.rate.head<D>() -= point.H.template block<D, D>(0, D * a) * carried.head<D>();
+  }
 }
 
 } // namespace stiction::dynamics

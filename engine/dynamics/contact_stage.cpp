@@ -1,13 +1,16 @@
 // Kinematics and forces of the contact points of one step.
 #include "dynamics/contact_stage.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
+#include "contact/node_means.hpp"
 #include "dynamics/contact_level.hpp"
+#include "dynamics/poses.hpp"
 #include "dynamics/reduced.hpp"
+#include "dynamics/rigid_load.hpp"
 #include "dynamics/timer.hpp"
+#include "dynamics/twin_points.hpp"
 
 namespace stiction::dynamics {
 
@@ -16,14 +19,6 @@ namespace {
 using contact::Foot;
 using contact::Local;
 using contact::PointKinematics;
-
-/// Rotation by the length of a vector about its direction.
-Eigen::Matrix3d rotation(Vec3 const& turn) {
-  double const angle = turn.norm();
-  if (angle == 0)
-    return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-}
 
 /// Components C of forces in D dimensions: C = D, or 1 where nothing acts along the surface.
 template<int D, int C> class Stage : public ContactStage {
@@ -62,23 +57,29 @@ private:
     }
   };
   [[nodiscard]] PointKinematics<D> look(Point const& point, Foot start) const;
-  [[nodiscard]] contact::Block<D> stiffness(Point const& point) const;
+  [[nodiscard]] PointKinematics<D> look_at_node(Point const& point, Foot start) const;
+  void look_at_all();
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
   void add_search(Pair const& pair);
-  void add_mortar(Pair const& pair);
+  void add_means(Pair const& pair);
   template<class Act> void each_mortar(Act const& act);
-  void add_mortar_stiffness(int pair);
+  void add_stiffness(Pair const& pair, PointKinematics<D> const& kinematics, Local<D> const& force);
+  void add_shared_stiffness(std::size_t pair);
   [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);
   [[nodiscard]] double search_radius(std::size_t pair) const;
   void place_nodes(Vector const& u);
   void place_rigid_bodies(Vector const& u);
-  [[nodiscard]] Eigen::Matrix3d turn_of_free(std::size_t r, Vector const& u) const;
   void choose_active(Point& point) const;
   void limit_rates(Point& point, ContactState const& old, double dt) const;
   void gather();
   void take_shift_away(double weight);
-  void tell_apart(Index first, Local<C> const& force);
 
+  /// With what does not act along the surface.
+  [[nodiscard]] static Local<D> full(Local<C> const& force) {
+    Local<D> all = Local<D>::Zero();
+    all.template head<C>() = force;
+    return all;
+  }
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
   }
@@ -93,6 +94,7 @@ private:
   std::vector<contact::Pose<D>> poses_;                     ///< [rigids]
   std::vector<std::optional<contact::Search<D>>> searches_; ///< [pairs]; none against rigid bodies
   std::vector<std::optional<contact::Mortar<D>>> mortars_;  ///< [pairs]; none for node to segment
+  std::vector<std::optional<contact::NodeMeans<D>>> means_; ///< [pairs]; none where each node is a point
   State const* old_ = nullptr;
   double t1_ = 0;
   bool bonding_changed_ = false;
@@ -110,7 +112,7 @@ Stage<D, C>::Stage(Model const& model, Structure& structure)
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     add_search(described);
-    add_mortar(described);
+    add_means(described);
     int law = -1, friction = -1;
     if (described.law.adhesion) {
       law = static_cast<int>(problem_.adhesions.size());
@@ -141,8 +143,11 @@ template<int D, int C> void Stage<D, C>::add_search(Pair const& pair) {
       search->allow_self({model_->reference.data(), ix(model_->dofs())});
 }
 
-template<int D, int C> void Stage<D, C>::add_mortar(Pair const& pair) {
+template<int D, int C> void Stage<D, C>::add_means(Pair const& pair) {
   auto& mortar = mortars_.emplace_back();
+  auto& means = means_.emplace_back();
+  if (!pair.means.empty())
+    means.emplace(pair.means);
   bool const around = model_->kinematics == solid::Kinematics::axisymmetric;
   if (pair.mortar)
     mortar.emplace(*pair.mortar, std::get_if<contact::CellSurface>(&pair.primary),
@@ -199,29 +204,8 @@ template<int D, int C> void Stage<D, C>::limit_rates(Point& point, ContactState 
 }
 
 template<int D, int C> void Stage<D, C>::place_rigid_bodies(Vector const& u) {
-  for (std::size_t r = 0; r < poses_.size(); ++r) {
-    auto const& rigid = model_->rigids[r];
-    auto& pose = poses_[r];
-    pose.pivot = rigid.pivot.head<D>();
-    if (rigid.free()) {
-      pose.translation = rigid.node;
-      pose.turn = rigid.node + 1;
-      pose.place = pose.pivot + u.segment<D>(D * pose.translation);
-      pose.rotation = turn_of_free(r, u).template topLeftCorner<D, D>();
-    } else {
-      pose.place = pose.pivot + rigid.offset(t1_).template head<D>();
-      pose.rotation = rotation(rigid.angle.value(t1_) * rigid.axis).template topLeftCorner<D, D>();
-    }
-  }
-}
-
-/// In space the unknowns are the sum of the steps' turns, so only what this step adds may be taken for one.
-template<int D, int C> Eigen::Matrix3d Stage<D, C>::turn_of_free(std::size_t r, Vector const& u) const {
-  Index const first = D * (model_->rigids[r].node + 1);
-  if constexpr (D == 2)
-    return rotation(u[first] * Vec3::UnitZ());
-  else
-    return rotation(u.segment<3>(first) - old_->u.segment<3>(first)) * old_->turned[r];
+  for (std::size_t r = 0; r < poses_.size(); ++r)
+    poses_[r] = pose_of<D>(*model_, r, t1_, u, *old_);
 }
 
 template<int D, int C> contact::PosedObstacle<D> Stage<D, C>::posed(RigidSide const& side) const {
@@ -231,6 +215,12 @@ template<int D, int C> contact::PosedObstacle<D> Stage<D, C>::posed(RigidSide co
 template<int D, int C> PointKinematics<D> Stage<D, C>::look(Point const& point, Foot start) const {
   if (auto const& mortar = mortars_[ix(point.pair)])
     return mortar->point(point.index);
+  if (auto const& means = means_[ix(point.pair)])
+    return means->point(point.index);
+  return look_at_node(point, start);
+}
+
+template<int D, int C> PointKinematics<D> Stage<D, C>::look_at_node(Point const& point, Foot start) const {
   auto const& pair = model_->pairs[ix(point.pair)];
   Index const node = pair.secondary[ix(point.index)];
   Foot const guess = point.kinematics.foot;
@@ -239,14 +229,15 @@ template<int D, int C> PointKinematics<D> Stage<D, C>::look(Point const& point, 
   return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start, guess, positions());
 }
 
-template<int D, int C> contact::Block<D> Stage<D, C>::stiffness(Point const& point) const {
-  auto const& primary = model_->pairs[ix(point.pair)].primary;
-  Local<D> force = Local<D>::Zero();
-  force.template head<C>() = point.force;
-  if (auto const* surface = std::get_if<Deformable>(&primary))
-    return contact::geometric_stiffness(*surface, point.kinematics, positions(), force);
-  return contact::geometric_stiffness(posed(std::get<RigidSide>(primary)), point.kinematics, positions(),
-                                      force);
+/// What all nodes see, before any point takes its mean of it.
+template<int D, int C> void Stage<D, C>::look_at_all() {
+  for (auto const& point : points_)
+    if (auto& means = means_[ix(point.pair)])
+      means->seen()[ix(point.index)] =
+          look_at_node(point, old_->contacts[ix(point.pair)][ix(point.index)].foot);
+  for (auto& means : means_)
+    if (means)
+      means->settle();
 }
 
 template<int D, int C> void Stage<D, C>::choose_active(Point& point) const {
@@ -273,6 +264,7 @@ template<int D, int C> void Stage<D, C>::locate(Vector const& u, bool settle) {
   place_nodes(u);
   place_rigid_bodies(u);
   each_mortar([&](auto& mortar, auto const* obstacle) { mortar.locate(positions(), obstacle); });
+  look_at_all();
   active_.clear();
   bonding_changed_ = false;
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -347,24 +339,42 @@ template<int D, int C> void Stage<D, C>::gather() {
   for (Index const k : active_) {
     auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
-    auto const& unknowns = unknowns_of(kinematics.nodes);
-    reduced_.add_point(unknowns, kinematics.H.template topRows<C>());
-    if (!mortars_[ix(point.pair)] && !point.force.isZero(0))
-      reduced_.add_stiffness(unknowns, stiffness(point));
+    reduced_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
+    if (!mortars_[ix(point.pair)] && !means_[ix(point.pair)])
+      add_stiffness(model_->pairs[ix(point.pair)], kinematics, full(point.force));
   }
   for (std::size_t p = 0; p < mortars_.size(); ++p)
-    if (mortars_[p])
-      add_mortar_stiffness(static_cast<int>(p));
+    if (mortars_[p] || means_[p])
+      add_shared_stiffness(p);
 }
 
-/// Of all points of the pair at once, since neighbours share their samples.
-template<int D, int C> void Stage<D, C>::add_mortar_stiffness(int pair) {
-  std::vector<Local<D>> forces(ix(model_->pairs[ix(pair)].size()), Local<D>::Zero());
+/// Of a force on one node.
+template<int D, int C>
+void Stage<D, C>::add_stiffness(Pair const& pair, PointKinematics<D> const& kinematics,
+                                Local<D> const& force) {
+  if (force.isZero(0))
+    return;
+  auto const& unknowns = unknowns_of(kinematics.nodes);
+  if (auto const* surface = std::get_if<Deformable>(&pair.primary))
+    reduced_.add_stiffness(unknowns, geometric_stiffness(*surface, kinematics, positions(), force));
+  else
+    reduced_.add_stiffness(unknowns, geometric_stiffness(posed(std::get<RigidSide>(pair.primary)), kinematics,
+                                                         positions(), force));
+}
+
+/// Of all points of the pair at once, since neighbours share their samples or nodes.
+template<int D, int C> void Stage<D, C>::add_shared_stiffness(std::size_t pair) {
+  std::vector<Local<D>> forces(ix(model_->pairs[pair].size()), Local<D>::Zero());
   for (Index const k : active_)
-    if (auto const& point = points_[ix(k)]; point.pair == pair)
-      forces[ix(point.index)].template head<C>() = point.force;
-  auto const [nodes, K] = mortars_[ix(pair)]->stiffness(forces, positions());
-  reduced_.add_stiffness(unknowns_of(nodes), K);
+    if (auto const& point = points_[ix(k)]; ix(point.pair) == pair)
+      forces[ix(point.index)] = full(point.force);
+  if (auto const& mortar = mortars_[pair]) {
+    auto const [nodes, K] = mortar->stiffness(forces, positions());
+    return reduced_.add_stiffness(unknowns_of(nodes), K);
+  }
+  auto const on_nodes = means_[pair]->at_nodes(forces);
+  for (std::size_t i = 0; i < on_nodes.size(); ++i)
+    add_stiffness(model_->pairs[pair], means_[pair]->seen()[i], on_nodes[i]);
 }
 
 template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& nodes) {
@@ -373,17 +383,6 @@ template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& no
     if (Index const u = structure_->unknown_of(D * nodes[a / D] + static_cast<Index>(a % D)); u >= 0)
       unknowns_[a] = u - structure_->first_contact_unknown();
   return unknowns_;
-}
-
-/// Two nodes of a curve that touches itself may each be the other's counterpart; they then ask the same twice
-/// and W is singular. A small compliance about the last force tells them apart and vanishes as the force
-/// settles.
-template<int D, int C> void Stage<D, C>::tell_apart(Index first, Local<C> const& force) {
-  for (Index row = first; row < first + C; ++row) {
-    double const compliance = 1e-6 * problem_.W(row, row);
-    problem_.W(row, row) += compliance;
-    problem_.free[row] -= compliance * force[row - first];
-  }
 }
 
 template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
@@ -406,7 +405,7 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
     guess.segment<C>(first) = point.force;
     problem_.start[first] = old_->contacts[ix(point.pair)][ix(point.index)].gap;
     if (model_->pairs[ix(point.pair)].self)
-      tell_apart(first, point.force);
+      tell_apart<C>(problem_, first, point.force);
   }
   ++cost.contact_problems;
   auto const solve_from = [&](Vector const& start) {
@@ -435,6 +434,7 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
   if constexpr (D == 3)
     for (std::size_t r = 0; r < poses_.size(); ++r)
       next.turned[r] = poses_[r].rotation;
+  next.on_rigid.assign(poses_.size(), {});
   for (auto const& point : points_) {
     ContactState const& before = old.contacts[ix(point.pair)][ix(point.index)];
     ContactState& after = next.contacts[ix(point.pair)][ix(point.index)];
@@ -451,6 +451,9 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
       set_rates(model_->pairs[ix(point.pair)], *model_, point.kinematics, next, after);
     if (!point.active)
       continue;
+    if (auto const* side = std::get_if<RigidSide>(&model_->pairs[ix(point.pair)].primary))
+      add_load<D>(point.kinematics, full(point.force), positions(), model_->first_node.back(),
+                  next.on_rigid[side->body]);
     after.slip.head<D - 1>() = point.kinematics.slip;
     after.path = before.path + after.slip;
     auto const x = point.x();
@@ -474,14 +477,12 @@ template<int D, int C> double Stage<D, C>::search_radius(std::size_t pair) const
   return searches_[pair] ? searches_[pair]->radius() : 0;
 }
 
-bool acts_along_surface(Pair const& pair) {
-  return pair.law.tangential();
-}
-
 } // namespace
 
 int contact_components(Model const& model) {
-  return std::any_of(model.pairs.begin(), model.pairs.end(), acts_along_surface) ? model.dim() : 1;
+  bool const tangential = std::any_of(model.pairs.begin(), model.pairs.end(),
+                                      [](Pair const& pair) { return pair.law.tangential(); });
+  return tangential ? model.dim() : 1;
 }
 
 std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {

@@ -11,6 +11,7 @@
 #include "dynamics/path.hpp"
 #include "dynamics/scheme.hpp"
 #include "interface/law.hpp"
+#include "mesh/hats.hpp"
 #include "solid/cells.hpp"
 
 namespace stiction::dynamics {
@@ -72,7 +73,11 @@ struct Pair {
   double reach = 0;  ///< points farther than this are left out of the contact problem, m
   bool self = false; ///< secondary and primary are the same curve (2D)
   std::optional<contact::CellSurface> mortar = {}; ///< the secondary of a mortar pair; none: node to segment
+  /// Of a pair of node to segment whose points are means over its nodes, [points]; empty: each is its node.
+  std::vector<std::vector<mesh::NodeShare>> means = {};
   [[nodiscard]] Index size() const { return static_cast<Index>(secondary.size()); }
+  /// Forces of a point may act on other nodes than its own.
+  [[nodiscard]] bool shared() const { return mortar || !means.empty(); }
   /// All nodes that may bear a force of the pair on its secondary side.
   [[nodiscard]] Indices const& nodes() const { return mortar ? mortar->nodes() : secondary; }
 };

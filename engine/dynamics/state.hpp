@@ -24,6 +24,11 @@ struct ContactState {
   contact::Vec3 rate = contact::Vec3::Zero(), second = contact::Vec3::Zero();
 };
 
+/// What the contacts do to a rigid body: force, N, and moment about the origin, N m.
+struct RigidLoad {
+  contact::Vec3 force = contact::Vec3::Zero(), moment = contact::Vec3::Zero();
+};
+
 /// What the scheme's own formulas say it has lost (made, if negative) since the start, J. Found without the
 /// balance of energies, so that the two may be held against each other; trapezia stand for exact works.
 struct SchemeLoss {
@@ -66,6 +71,7 @@ struct State {
   Vector reaction; ///< H^T A r at the end of the step, N
   Vector drive;    ///< force of the motions over the last step, at driven unknowns, N
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
+  std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
   Ledger ledger;
 };

@@ -54,6 +54,7 @@ State Stepper::initial() {
   }
   for (auto const& pair : model_->pairs)
     state.contacts.emplace_back(ix(pair.size()), ContactState{});
+  state.on_rigid.resize(model_->rigids.size());
   if (model_->dim() == 3)
     state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
   start_rates(state);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace stiction::mesh {
 
 namespace {
@@ -42,12 +44,25 @@ Orbit three_equal(double a, double weight) {
   return {{1 - 3 * a, a, a, a}, weight};
 }
 
+struct GaussLine {
+  std::vector<double> places, weights;
+};
+
+GaussLine gauss_line(int n) {
+  if (n == 2)
+    return {{-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}, {1, 1}};
+  if (n == 3)
+    return {{-std::sqrt(0.6), 0, std::sqrt(0.6)}, {5.0 / 9, 8.0 / 9, 5.0 / 9}};
+  core::expect(n == 4, "Gauss rules have 2, 3 or 4 points a direction");
+  double const spread = 2.0 / 7 * std::sqrt(1.2), far = std::sqrt(3.0 / 7 + spread),
+               near = std::sqrt(3.0 / 7 - spread), heavy = 0.5 + std::sqrt(30.0) / 36;
+  return {{-far, -near, near, far}, {1 - heavy, heavy, heavy, 1 - heavy}};
+}
+
 } // namespace
 
 Rule cube_rule(int dim, int n) {
-  double const outer = n == 2 ? 1 / std::sqrt(3.0) : std::sqrt(0.6);
-  std::vector<double> const x = n == 2 ? std::vector{-outer, outer} : std::vector{-outer, 0.0, outer};
-  std::vector<double> const w = n == 2 ? std::vector{1.0, 1.0} : std::vector{5.0 / 9, 8.0 / 9, 5.0 / 9};
+  auto const [x, w] = gauss_line(n);
   auto const count = static_cast<Eigen::Index>(std::lround(std::pow(n, dim)));
   Rule rule{Matrix(count, dim), Vector::Ones(count)};
   for (Eigen::Index i = 0; i < count; ++i) { // the first direction runs fastest

@@ -9,7 +9,8 @@ struct Rule {
   Vector weights; ///< [points], sum to the reference cell's measure
 };
 
-/// Gauss rule with n = 2 or 3 points a direction on [-1, 1]^dim, exact to degree 2 n - 1 in each direction.
+/// Gauss rule with n = 2, 3 or 4 points a direction on [-1, 1]^dim, exact to degree 2 n - 1 in each
+/// direction.
 [[nodiscard]] Rule cube_rule(int dim, int n);
 
 /// Exact to degrees 1, 2 and 4 (Dunavant, Int. J. Numer. Meth. Engng 21, 1985).

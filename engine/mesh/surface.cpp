@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "mesh/hats.hpp"
 
 namespace stiction::mesh {
 
@@ -15,23 +16,20 @@ namespace {
 /// The share of every node of a facet in its area, m^2.
 Vector facet_shares(Mesh const& mesh, Facet const& facet) {
   CellKind const kind = facet_kind(facet);
+  if (info(kind).nodes > info(kind).corners)
+    return hat_products(mesh.nodes, facet, false).rowwise().sum();
   auto const& rule = mass_rule(kind);
   Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), 3);
   for (std::size_t i = 0; i < facet.nodes.size(); ++i)
     places.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(facet.nodes[i]);
-  bool const second_order = info(kind).nodes > info(kind).corners;
   Vector shares = Vector::Zero(places.rows());
   double area = 0;
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     Eigen::Matrix<double, 3, 2> const tangents =
         places.transpose() * rule.gradients[static_cast<std::size_t>(q)];
     double const weight = rule.weights[q] * tangents.col(0).cross(tangents.col(1)).norm();
-    auto const N = rule.shape.row(q).transpose();
     area += weight;
-    if (second_order)
-      shares += weight * N.cwiseAbs2();
-    else
-      shares += weight * N;
+    shares += weight * rule.shape.row(q).transpose();
   }
   return shares * (area / shares.sum());
 }

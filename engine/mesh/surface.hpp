@@ -10,10 +10,7 @@ namespace stiction::mesh {
 [[nodiscard]] CellKind facet_kind(Facet const& facet);
 
 /// The area that each node of a surface stands for, all positive, in the order of set.nodes, m^2: integrals
-/// of the shape functions over tri3 and quad4 facets. On tri6 and quad8, where the integral of a corner's
-/// function is 0 or negative, each facet's area is shared in proportion to the integrals of N_a^2 (Hinton,
-/// Rock and Zienkiewicz, Earthq. Engng Struct. Dyn. 4, 1976), so that the sum stays the area. For meshes in
-/// 3D.
+/// of the hats of hats.hpp, so that the sum is the area. For meshes in 3D.
 [[nodiscard]] Vector nodal_areas(Mesh const& mesh, Set const& set);
 
 /// Refuses surfaces that contact cannot use: without facets or, in 3D, with an edge that two facets run

@@ -10,9 +10,6 @@
 
 namespace stiction::mesh {
 
-namespace {
-
-/// Shape functions of an edge of two or three nodes (ends first) and their derivatives, [nodes] each.
 std::array<Vector, 2> edge_shape(std::size_t nodes, double x) {
   if (nodes == 2)
     return {Eigen::Vector2d((1 - x) / 2, (1 + x) / 2), Eigen::Vector2d(-0.5, 0.5)};
@@ -20,6 +17,8 @@ std::array<Vector, 2> edge_shape(std::size_t nodes, double x) {
   return {Eigen::Vector3d(x * (x - 1) / 2, x * (x + 1) / 2, 1 - x * x),
           Eigen::Vector3d(x - 0.5, x + 0.5, -2 * x)};
 }
+
+namespace {
 
 Vector edge_integrals(Matrix const& places, bool revolved) {
   Rule const rule = cube_rule(1, 3);

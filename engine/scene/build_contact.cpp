@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "mesh/hats.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/traction.hpp"
 #include "scene/builder.hpp"
@@ -176,22 +177,22 @@ dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& 
     share_facets(part.secondary, set, pair);
   if (part.discretisation == Discretisation::mortar)
     average_facets(part, set, pair);
+  else
+    lend_areas(set, pair);
   return pair;
 }
 
-namespace {
-
-/// The share of every node of an edge in its area. The integral of a quadratic function that is 1 on the axis
-/// of revolution is 0; there the ends and the middle share as they do in the plane.
-Vector edge_shares(Matrix const& reference, mesh::Facet const& facet, bool revolved) {
-  Vector const plane = mesh::shape_integrals(reference, facet, false);
-  if (!revolved)
-    return plane;
-  Vector const whole = mesh::shape_integrals(reference, facet, true);
-  return facet.nodes.size() == 2 ? whole : Vector(plane * (whole.sum() / plane.sum()));
+/// Where the shape functions of a facet leave its nodes without an area, points are means over nodes.
+void Builder::lend_areas(mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& reference = scene_.model->reference;
+  bool const revolved = scene_.part.kinematics == solid::Kinematics::axisymmetric;
+  if (std::all_of(set.facets.begin(), set.facets.end(),
+                  [&](auto const& facet) { return mesh::shares_well(reference, facet, revolved); }))
+    return;
+  auto shares = mesh::surface_shares(reference, set, pair.secondary, revolved);
+  pair.areas = std::move(shares.areas);
+  pair.means = std::move(shares.means);
 }
-
-} // namespace
 
 /// Points at the corner nodes alone, each with the area of its hat.
 void Builder::average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const {
@@ -218,7 +219,7 @@ void Builder::share_edges(mesh::Set const& set, dynamics::Pair& pair) const {
   bool const revolved = scene_.part.kinematics == solid::Kinematics::axisymmetric;
   double total = 0;
   for (auto const& facet : set.facets) {
-    Vector const share = edge_shares(reference, facet, revolved);
+    Vector const share = mesh::shape_integrals(reference, facet, revolved);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i)
       pair.areas[number.at(facet.nodes[i])] += share[static_cast<Eigen::Index>(i)];
     total += mesh::shape_integrals(reference, facet, false).sum();

@@ -31,6 +31,13 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
     if (!scene_.part.obstacles.contains(part.obstacle))
       unknown_name({"probes", name, "obstacle"}, "obstacle", part.obstacle, names(scene_.part.obstacles));
   if constexpr (requires { part.set; })
+    if (scene_.part.obstacles.contains(part.set))
+      return complain(
+          {"probes", name, "set"},
+          fmt::format("\"{0}\" is an obstacle, not a set of a body; where it is and what acts on it "
+                      "shows stiction.probe.rigid {{ obstacle = \"{0}\" }}",
+                      part.set));
+  if constexpr (requires { part.set; })
     static_cast<void>(resolve({"probes", name, "set"}, part.set));
   if constexpr (requires { part.near; })
     check_size({"probes", name, "near"}, part.near);

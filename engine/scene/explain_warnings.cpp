@@ -157,20 +157,20 @@ void locking_cells(BodyFacts const& facts, Warnings& warnings) {
     }
 }
 
-/// A uniform pressure on their faces pulls at the corners (hex20) or leaves them bare (tet10), which points
-/// at the nodes cannot carry.
+/// Their points hand the nodes what the cells ask for, but between nodes the other body takes it as on linear
+/// facets, whose nodal forces are others.
 void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  if (pair.pair->mortar)
+  if (pair.pair->mortar || !pair.primary)
     return;
   auto const& body = *all.bodies[pair.secondary].body;
   for (auto const& block : body.mesh.blocks)
     if ((block.kind == mesh::CellKind::hex20 || block.kind == mesh::CellKind::tet10) &&
         !block.nodes.empty()) {
       warnings.push_back(
-          {fmt::format("pair {}: contact points at the nodes of {} cells: force and contact area come out, "
-                       "the pressure "
-                       "is wrong from node to node by half, on matching meshes too",
-                       pair.pair->name, mesh::info(block.kind).name),
+          {fmt::format(
+               "pair {}: contact points at the nodes of {} cells: force and contact area come out, but "
+               "where the meshes do not match the pressure is wrong by half from node to node",
+               pair.pair->name, mesh::info(block.kind).name),
            fmt::format("in stiction.pair of {}: discretisation = \"mortar\"", pair.pair->name)});
       return;
     }

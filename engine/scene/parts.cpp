@@ -155,8 +155,9 @@ core::Schema const& PairPart::schema() {
           .nested("adhesion", "adhesion", Need::optional, "adhesion law; none: dry")
           .choice(
               "discretisation", &PairPart::discretisation, {"node_to_segment", "mortar"}, Need::optional,
-              "node_to_segment: gap and force at every node of the secondary; mortar: averages around its "
-              "corner nodes, which pass uniform pressure between any two meshes")
+              "node_to_segment: gap and force at every node of the secondary (of quadratic facets about an "
+              "axis or in space: of functions that leave no corner without an area); mortar: averages around "
+              "its corner nodes, which pass uniform pressure between any two meshes")
           .choice("smoothing", &PairPart::smoothing, {"spline", "polyline"}, Need::optional,
                   "2D, node_to_segment: how the primary surface runs between its nodes")
           .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,

@@ -25,7 +25,10 @@ core::Schema const& ContactProbe::schema() {
 }
 
 core::Schema const& LineProbe::schema() {
-  static auto const made = Describe<LineProbe>{"contact_line", "history of every contact point of a pair", ""}
+  static auto const made = Describe<LineProbe>{"contact_line",
+                                               "history of every contact point of a pair: place, gap, "
+                                               "tractions, bond, and the area they act on",
+                                               ""}
                                .text("pair", &LineProbe::pair, Need::required, "name of the pair")
                                .build();
   return made;
@@ -33,7 +36,8 @@ core::Schema const& LineProbe::schema() {
 
 core::Schema const& ForceProbe::schema() {
   static auto const made =
-      Describe<ForceProbe>{"force", "force that a motion exerts on its nodes", ""}
+      Describe<ForceProbe>{
+          "force", "force that a motion exerts on its nodes (for that on an obstacle see probe.rigid)", ""}
           .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
           .numbers("near", &ForceProbe::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
           .build();
@@ -51,7 +55,10 @@ core::Schema const& NodeProbe::schema() {
 
 core::Schema const& RigidProbe::schema() {
   static auto const made =
-      Describe<RigidProbe>{"rigid", "where a rigid obstacle is and what the contacts do to it", ""}
+      Describe<RigidProbe>{"rigid",
+                           "where a rigid obstacle is, with a mass or without, and the force and moment "
+                           "of the contacts on it",
+                           ""}
           .text("obstacle", &RigidProbe::obstacle, Need::required, "name of the obstacle")
           .build();
   return made;

@@ -1,6 +1,7 @@
 // One overload per probe: its columns and its sampler.
 #include "scene/probes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +19,7 @@ struct Context {
   [[nodiscard]] bool plane() const { return scene.part.kinematics == solid::Kinematics::plane_strain; }
   [[nodiscard]] int dim() const { return scene.part.dim(); }
   [[nodiscard]] char const* force_unit() const { return plane() ? "N/m" : "N"; }
+  [[nodiscard]] char const* area_unit() const { return plane() ? "m" : "m^2"; }
   [[nodiscard]] char const* energy_unit() const { return plane() ? "J/m" : "J"; }
   void column(std::string const& column, char const* unit, char const* meaning, int width = 1) const {
     series.add(name, column, unit, meaning, width);
@@ -26,7 +28,7 @@ struct Context {
 
 /// One recorded quantity of a contact point.
 struct PointQuantity {
-  char const *name, *unit, *meaning;
+  char const *name, *unit, *meaning; ///< no unit: that of areas
   double (*value)(ContactState const&);
   bool space = false; ///< only in 3D
 };
@@ -50,6 +52,9 @@ constexpr PointQuantity point_quantities[] = {
      true},
     {"status", "1", "0 open, 1 stick, 2 slip",
      [](ContactState const& c) { return static_cast<double>(c.status); }},
+    {"area", nullptr,
+     "area in the reference that the tractions act on: traction times area is the point's force",
+     [](ContactState const& c) { return c.area; }},
 };
 
 /// Those of the scene's dimension.
@@ -74,7 +79,8 @@ Sampler add(PointProbe const& probe, Context const& context) {
                                           pair.secondary.begin());
   auto const chosen = quantities(context.dim());
   for (auto const& quantity : chosen)
-    context.column(quantity.name, quantity.unit, quantity.meaning);
+    context.column(quantity.name, quantity.unit != nullptr ? quantity.unit : context.area_unit(),
+                   quantity.meaning);
   auto const X = context.scene.model->reference.row(node);
   for (int c = 0; c < context.dim(); ++c)
     context.series.set_attribute(context.name, std::string(1, "XYZ"[c]), X[c]);
@@ -91,13 +97,16 @@ Sampler add(LineProbe const& probe, Context const& context) {
   int const dim = context.dim();
   for (int c = 0; c < dim; ++c)
     context.column(std::string(1, "XYZ"[c]), "m", "reference coordinate of the points", width);
+  context.column("count", "1", "contact points of the pair");
   auto const chosen = quantities(dim);
   for (auto const& quantity : chosen)
-    context.column(quantity.name, quantity.unit, quantity.meaning, width);
+    context.column(quantity.name, quantity.unit != nullptr ? quantity.unit : context.area_unit(),
+                   quantity.meaning, width);
   return [p, dim, chosen, &model](State const& state, std::vector<double>& row) {
     for (int c = 0; c < dim; ++c)
       for (Index const node : model.pairs[p].secondary)
         row.push_back(model.reference(node, c));
+    row.push_back(static_cast<double>(model.pairs[p].size()));
     for (auto const& quantity : chosen)
       for (auto const& point : state.contacts[p])
         row.push_back(quantity.value(point));
@@ -137,10 +146,10 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
     (point.status == interface::Status::stick ? sum.stick : touching ? sum.slip : sum.open) += 1;
     if (touching)
       sum.closed_area += point.area;
-    if (!pair.mortar)
+    if (!pair.shared())
       add_force(pair.secondary[i], reaction, dim, sum.force);
   }
-  if (pair.mortar) // its forces reach nodes that are no points
+  if (pair.shared()) // forces reach nodes that are no points, or whose points are out of reach
     for (Index const node : pair.nodes())
       add_force(node, reaction, dim, sum.force);
   sum.beta_mean /= area;
@@ -157,7 +166,7 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("open", "1", "points in reach that are open");
   context.column("stick", "1", "points that stick");
   context.column("slip", "1", "points that slip");
-  context.column("closed_area", context.plane() ? "m" : "m^2", "reference area of the closed points");
+  context.column("closed_area", context.area_unit(), "reference area of the closed points");
   context.column("beta_max", "1", "largest bond intensity");
   context.column("beta_mean", "1", "mean bond intensity over the surface");
   context.column("pressure_max", "Pa", "largest dry pressure");
@@ -202,7 +211,30 @@ Sampler add(NodeProbe const& probe, Context const& context) {
   };
 }
 
-/// Force of every pair with the obstacle as primary, on the obstacle.
+/// Where the pivot of an obstacle is, as a displacement, m.
+contact::Vec3 shift_of(dynamics::RigidBody const& rigid, State const& state, int dim) {
+  if (!rigid.free())
+    return rigid.offset(state.t);
+  contact::Vec3 shift = contact::Vec3::Zero();
+  shift.head(dim) = state.u.segment(dim * rigid.node, dim);
+  return shift;
+}
+
+double angle_of(dynamics::RigidBody const& rigid, State const& state, int dim) {
+  if (!rigid.free())
+    return rigid.angle.value(state.t);
+  auto const turn = state.u.segment(dim * (rigid.node + 1), dim);
+  return dim == 2 ? turn[0] : turn.norm();
+}
+
+/// Names of the components of moments; none where they cancel around the axis.
+std::vector<std::string> moment_names(Context const& context) {
+  if (context.dim() == 3)
+    return {"moment_x", "moment_y", "moment_z"};
+  return context.plane() ? std::vector<std::string>{"moment"} : std::vector<std::string>{};
+}
+
+/// Of every pair with the obstacle as primary, whether it has a mass or follows paths.
 Sampler add(RigidProbe const& probe, Context const& context) {
   auto const& model = *context.scene.model;
   std::size_t r = 0;
@@ -214,27 +246,20 @@ Sampler add(RigidProbe const& probe, Context const& context) {
   for (int c = 0; c < dim; ++c)
     context.column(component("force", c), context.force_unit(), "force of the contacts on the obstacle");
   context.column("angle", "rad", "turn about its axis (in space, of a free body: length of the turns' sum)");
-  return [r, dim, &model](State const& state, std::vector<double>& row) {
+  auto const moments = moment_names(context);
+  for (auto const& name : moments)
+    context.column(name, context.plane() ? "N" : "N m",
+                   "moment of the contacts on the obstacle about its pivot, where that is now");
+  auto const first = dim == 2 ? 2 : 0, count = static_cast<int>(moments.size());
+  return [r, dim, first, count, &model](State const& state, std::vector<double>& row) {
     auto const& rigid = model.rigids[r];
-    contact::Vec3 shift = rigid.offset(state.t), force = contact::Vec3::Zero();
-    double angle = rigid.angle.value(state.t);
-    if (rigid.free()) {
-      for (int c = 0; c < dim; ++c)
-        shift[c] = state.u[dim * rigid.node + c];
-      auto const turn = state.u.segment(dim * (rigid.node + 1), dim);
-      angle = dim == 2 ? turn[0] : turn.norm();
-    }
-    for (auto const& pair : model.pairs) {
-      auto const* side = std::get_if<dynamics::RigidSide>(&pair.primary);
-      if (side == nullptr || side->body != r)
-        continue;
-      for (Index const node : pair.nodes())
-        for (int c = 0; c < dim; ++c)
-          force[c] -= state.reaction[dim * node + c];
-    }
+    auto const& load = state.on_rigid[r];
+    contact::Vec3 const shift = shift_of(rigid, state, dim),
+                        moment = load.moment - (rigid.pivot + shift).cross(load.force);
     row.insert(row.end(), shift.data(), shift.data() + dim);
-    row.insert(row.end(), force.data(), force.data() + dim);
-    row.push_back(angle);
+    row.insert(row.end(), load.force.data(), load.force.data() + dim);
+    row.push_back(angle_of(rigid, state, dim));
+    row.insert(row.end(), moment.data() + first, moment.data() + first + count);
   };
 }
 

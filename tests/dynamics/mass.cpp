@@ -83,3 +83,27 @@ TEST_CASE("contact nodes have no inertia, or a positive one of their own") {
       }
   }
 }
+
+TEST_CASE("what massless contact nodes lose stays in their own cells") {
+  for (auto const& kind : kinds) {
+    auto const scene = blocks(kind);
+    auto const& model = *scene.model;
+    CAPTURE(kind);
+    Vector ones = Vector::Ones(2 * model.node_count()), before, after;
+    assemble_mass(model, surface_of(scene), ContactInertia::full).times(ones, before);
+    assemble_mass(model, surface_of(scene), ContactInertia::none).times(ones, after);
+    double next_row = 0; // of the upper block, whose four rows of cells weigh 3/4 each
+    for (Index i = model.first_node[1]; i < model.first_node[2]; ++i) {
+      double const y = model.reference(i, 1);
+      if (y > 0.25 + 1e-9) // beyond the first row of cells
+        CHECK(after[2 * i] == doctest::Approx(before[2 * i]).epsilon(1e-12));
+      else
+        next_row += after[2 * i];
+    }
+    double inside = 0; // what the second row gives to the nodes between
+    for (Index i = model.first_node[1]; i < model.first_node[2]; ++i)
+      if (model.reference(i, 1) > 0.25 + 1e-9)
+        inside += before[2 * i];
+    CHECK(next_row == doctest::Approx(3 - inside).epsilon(1e-12));
+  }
+}
