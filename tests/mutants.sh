@@ -10,22 +10,27 @@ build=$work/build
 results=$work/results.txt # key, number, what noticed it or nothing
 units=$work/units.txt     # tests of the engine: passed, seconds, name, numbers reached
 others=$work/others.txt   # all other tests: the same, after the lists they were tried with (listed.txt)
-jobs=${JOBS:-2}           # for compiling; tests run one at a time
+jobs=${JOBS:-2}           # of the compiler
 nice=${NICE:-10}          # of compiling
+workers=${WORKERS:-2}     # faults tried at a time by the engine's tests; other tests run one at a time
 targets="stiction_tests stiction-engine stiction-mesher stiction-figures test_figures stiction_vtk_tests"
 seed=${SEED:-1}           # of the choice of N
+budget=${BUDGET:-1e9}     # s, of the engine's tests, and of all others, on one fault
 longest=${LONGEST:-300}   # s, tests that take longer are left out
 
 usage() {
-  echo "Usage: tests/mutants.sh [N] [--only NUMBER]... [--again] [--fresh] [--plant]"
+  echo "Usage: tests/mutants.sh [N] [--only NUMBER]... [--again] [--fresh] [--plant | --as-built]"
   echo "Tries N faults taken at random (SEED=$seed), or all. What was noticed once is not tried again without --again."
-  echo "--fresh measures anew which tests reach which fault; --plant ends when all are planted and compiled."
+  echo "--fresh measures anew which tests reach which fault; --plant ends when all are planted and compiled, --as-built"
+  echo "begins there."
   exit "$1"
 }
 
-count="" only="" again=no fresh=no plant_only=no
+count="" only="" again=no fresh=no plant_only=no as_built=no one=""
 while [ $# -gt 0 ]; do
   case $1 in
+  --as-built) as_built=yes ;;
+  --one) one=$2 && shift ;; # the engine's tests on one fault, in a process of its own
   --only) only="$only $2" && shift ;;
   --again) again=yes ;;
   --fresh) fresh=yes ;;
@@ -50,6 +55,9 @@ equip() { # FILE, its text on standard input
   lua/bind/state.cpp)
     echo '#include "mutants/switch.hpp"'
     sed 's|^  watch_script(lua);|  lua_register(lua, "stiction_mutant", [](lua_State* l) { lua_pushboolean(l, stiction_mutant(static_cast<int>(lua_tointeger(l, 1)))); return 1; });\n  luaL_dostring(lua, "function stiction_either(k, new, old) if stiction_mutant(k) then return new() end return old() end");\n&|'
+    ;;
+  tests/*.?pp) # clang before 16 captures no structured bindings
+    if grep -q 'auto const&* \[' "$root/$1"; then sed '/^ *\(CAPTURE\|INFO\)(.*);$/d'; else cat; fi
     ;;
   *) cat ;;
   esac
@@ -101,23 +109,28 @@ other_tests() {
   ctest --test-dir "$build" -N -LE full -E '^(engine|lint|order|install|extremes|seeds)/' | sed -n 's/^ *Test *#[0-9]*: //p'
 }
 
-run_unit_tests() { # SECONDS NAMES parted by commas; the first failing one on failure
-  OPENBLAS_NUM_THREADS=1 timeout -k 5 "$1" "$build/tests/stiction_tests" -aa=1 -tc="$2" >"$work/output" 2>&1 </dev/null && return
-  name=$(sed -n 's/^TEST CASE:  *//p' "$work/output" | head -n 1)
+run_unit_tests() { # SECONDS, names parted by commas: the first one that fails
+  OPENBLAS_NUM_THREADS=1 timeout -k 5 "$1" "$build/tests/stiction_tests" -aa=1 -tc="$2" >"$scratch/output" 2>&1 </dev/null && return
+  name=$(sed -n 's/^TEST CASE:  *//p' "$scratch/output" | head -n 1)
   echo "engine/${name:-no end in time}"
 }
 
-run_other_test() { # SECONDS NAME
+run_other_test() { # SECONDS NAME: its name if it fails
   pattern=$(printf '%s' "$2" | sed 's/[^A-Za-z0-9_/]/./g')
-  timeout -k 5 "$1" ctest --test-dir "$build" -R "^$pattern\$" >"$work/output" 2>&1 </dev/null && return
+  timeout -k 5 "$1" ctest --test-dir "$build" -R "^$pattern\$" >"$scratch/output" 2>&1 </dev/null && return
   echo "$2"
 }
 
 measure_units() {
-  rm -f "$units"
-  truncate -s 4096 "$work/reached"
-  STICTION_MUTANTS_REACHED=$work/reached STICTION_MUTANTS_TESTS=$units "$build/tests/stiction_tests" >"$work/units.log" 2>&1 </dev/null || true
-  touch "$units"
+  rm -f "$units" "$work"/share.*
+  tests=$("$build/tests/stiction_tests" -c | sed -n 's/.*filters: *\([0-9][0-9]*\).*/\1/p')
+  for k in $(seq "$workers"); do
+    truncate -s 4096 "$work/reached.$k"
+    STICTION_MUTANTS_REACHED=$work/reached.$k STICTION_MUTANTS_TESTS=$work/share.$k "$build/tests/stiction_tests" \
+      -f=$((tests * (k - 1) / workers + 1)) -l=$((tests * k / workers)) >"$work/units.$k.log" 2>&1 </dev/null &
+  done
+  wait
+  cat "$work"/share.* >"$units"
   awk -F '\t' '$1 == 0 { print "mutants: fails without a fault, left out: " $3 }' "$units" >&2
 }
 
@@ -138,9 +151,14 @@ measure_others() {
   done
 }
 
-reaching() { # NUMBER FILE: seconds and names of the tests that passed and reach it, quickest first
-  awk -F '\t' -v k="$1" -v all="$3" '$1 == 1 { for (i = 4; i <= NF; ++i) if ($i == k || all) { print $2 "\t" $3; next } if (all) print $2 "\t" $3 }' "$2" |
-    sort -g
+# NUMBER FILE ALL: seconds and names of the tests that passed and reach it (or all), those first that are quick and reach
+# little else.
+reaching() {
+  awk -F '\t' -v k="$1" -v all="$3" '$1 == 1 {
+    for (i = 4; i <= NF && $i != k; ++i);
+    if (i <= NF || all)
+      printf "%g\t%s\t%s\n", ($2 + 1e-3) * NF, $2, $3 }' "$2" | sort -g | cut -f 2- |
+    awk -F '\t' -v most="$budget" '{ sum += $1 } NR == 1 || sum <= most'
 }
 
 # Batches of unit tests, each twice as long as the one before: seconds and names parted by commas.
@@ -149,20 +167,28 @@ batches() {
     BEGIN { most = 2 } { if (sum + $1 > most) flush(); sum += $1; names = names (names == "" ? "" : ",") $2 } END { flush() }'
 }
 
-notice() { # NUMBER: the first test that notices it, or nothing
+by_units() { # NUMBER: the first test of the engine that notices it, or nothing
   export STICTION_MUTANT="$1"
-  reaching "$1" "$units" 0 | batches >"$work/batches"
+  reaching "$1" "$units" 0 | batches >"$scratch/batches"
   while IFS="$(printf '\t')" read -r seconds names; do
     seen=$(run_unit_tests "$seconds" "$names")
     [ -z "$seen" ] || { echo "$seen" && return; }
-  done <"$work/batches"
+  done <"$scratch/batches"
+}
+
+by_others() { # NUMBER: the first other test that notices it, or nothing
+  export STICTION_MUTANT="$1"
   all=1
   grep -qx "$1" "$work/listed.txt" && all=0
-  reaching "$1" "$others" "$all" >"$work/batches"
+  reaching "$1" "$others" "$all" >"$scratch/batches"
   while IFS="$(printf '\t')" read -r seconds name; do
     seen=$(run_other_test "$(echo "$seconds * 10 + 20" | bc | cut -d. -f1)" "$name")
     [ -z "$seen" ] || { echo "$seen" && return; }
-  done <"$work/batches"
+  done <"$scratch/batches"
+}
+
+known() { # KEY: what noticed it before
+  awk -F '\t' -v key="$1" '$1 == key && $3 != "" { print $3; exit }' "$results"
 }
 
 # Number, key that changes with the entry, file and meaning, why it is equivalent.
@@ -186,30 +212,48 @@ choose() {
 }
 
 mkdir -p "$work"
-git -C "$root" ls-files --cached --others --exclude-standard | sort >"$work/files.sorted"
-plant
-[ "$plant_only" = no ] || { entries | wc -l | xargs echo "planted:" >&2; }
-compile
-[ "$plant_only" = no ] || exit 0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+if [ -n "$one" ]; then
+  key=$(awk -F '\t' -v k="$one" '$1 == k { print $2 }' "$work/entries")
+  printf '%s\t%s\t%s\n' "$key" "$one" "$(by_units "$one")" >>"$results"
+  exit
+fi
+
+if [ "$as_built" = no ]; then
+  git -C "$root" ls-files --cached --others --exclude-standard | sort >"$work/files.sorted"
+  plant
+  compile
+  [ "$plant_only" = no ] || exit 0
+fi
 touch "$results"
 [ "$again" = no ] || : >"$results"
-say "measuring which tests reach what"
-if [ "$fresh" = yes ] || [ -z "$(find "$units" -newer "$build/tests/stiction_tests" 2>/dev/null)" ]; then measure_units; fi
-measure_others
+for k in $only; do
+  sed -i "/^[^\t]*\t$k\t/d" "$results"
+done
 entries >"$work/entries"
 choose >"$work/chosen"
+if [ "$fresh" = yes ] || [ -z "$(find "$units" -newer "$build/tests/stiction_tests" 2>/dev/null)" ]; then
+  say "measuring which tests of the engine reach what"
+  measure_units
+fi
+while IFS="$(printf '\t')" read -r number key rest; do
+  [ -n "$(known "$key")" ] || echo "$number"
+done <"$work/chosen" | xargs -r -P "$workers" -n 1 sh "$0" --one
+[ -n "${UNITS_ONLY:-}" ] || measure_others
 while IFS="$(printf '\t')" read -r number key head why; do
-  known=$(awk -F '\t' -v key="$key" '$1 == key && $3 != "" { print $3; exit }' "$results")
-  if [ -z "$known" ] || [ -n "$only" ]; then
-    known=$(notice "$number")
-    printf '%s\t%s\t%s\n' "$key" "$number" "$known" >>"$results"
+  seen=$(known "$key")
+  if [ -z "$seen" ] && [ -z "${UNITS_ONLY:-}" ]; then
+    seen=$(by_others "$number")
+    printf '%s\t%s\t%s\n' "$key" "$number" "$seen" >>"$results"
   fi
-  if [ -n "$known" ]; then
-    echo "$number $head: noticed by $known"
+  if [ -n "$seen" ]; then
+    echo "$number $head: noticed by $seen"
   elif [ -n "$why" ]; then
     echo "$number $head: EQUIVALENT, $why"
   else
     echo "$number $head: NOT NOTICED"
   fi
 done <"$work/chosen" | tee "$work/report.txt"
-awk '/: noticed by /{ ++seen } /: EQUIVALENT, /{ ++same } END { printf "%d of %d noticed (%.1f %%), %d explained as equivalent\n", seen, NR, 100 * seen / NR, same }' "$work/report.txt"
+awk '/: noticed by /{ ++seen } /: EQUIVALENT, /{ ++same }
+  END { printf "%d of %d noticed (%.1f %%), %d explained as equivalent\n", seen, NR, 100 * seen / NR, same }' "$work/report.txt"
