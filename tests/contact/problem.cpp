@@ -61,6 +61,17 @@ TEST_SUITE("contact") {
     CHECK(natural_scale(space, 1) == doctest::Approx(1 / 5e-6));
   }
 
+  TEST_CASE("a point far apart does not set the yardstick of the judge") {
+    auto problem = random_problem(2, 2, 1, 0);
+    problem.W = Dense::Identity(4, 4) * 1e-6;
+    problem.free << -1e-3, 0, 10, 0; // pressed by 1 mm, 10 m apart
+    for (auto& point : problem.points)
+      point.area = 0.1;
+    CHECK(judge(problem, Vector::Zero(4)).scale == doctest::Approx(1e-3 / 1e-6 / 0.1));
+    problem.free[0] = 1e-3;
+    CHECK(judge(problem, Vector::Zero(4)).scale == 0);
+  }
+
   TEST_CASE("the judge passes right forces and says no to wrong ones, in Pa") {
     Dense const W = matrix2(2e-6, 0, 4e-6);
     auto const judged = [&](double free_n, double free_t, double pn, double pt) {

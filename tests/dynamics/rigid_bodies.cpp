@@ -70,6 +70,18 @@ test::Input foot_on_wheel(double turn) {
 
 } // namespace
 
+TEST_CASE("a disc starts with the spin that it was given") {
+  auto table = disc_on_bed(0, 1, 0.3);
+  test::at(table, "obstacles.ball.spin") = test::values({3}, "1/s");
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const& ball = scene.model->rigids[0];
+  auto const start = stepper.initial();
+  CHECK(start.v[2 * ball.node + 2] == 3);
+  CHECK(start.v[2 * ball.node + 3] == 0);
+  CHECK(start.ledger.kinetic == doctest::Approx(0.5 * (1 + 0.5 * 9)));
+}
+
 TEST_CASE("a disc set sliding rolls at two thirds of its speed") {
   double const mu = 0.3, time = 1 / (3 * mu * gravity);
   auto const scene = scene::build(disc_on_bed(0, 1, mu));

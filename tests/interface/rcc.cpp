@@ -223,5 +223,8 @@ TEST_SUITE("interface") {
     double const stretch = 7e3 * (1e-4 + 4e-4);
     CHECK(bond_energy(sample(), bond, 0.03) == doctest::Approx(0.18 * (5e3 * 9e-4 + stretch) - 1.8));
     CHECK(bond_energy(sample(), bond, -0.03) == doctest::Approx(0.18 * stretch - 1.8));
+    auto orthotropic = sample();
+    orthotropic.C_t2 = 2e3;
+    CHECK(bond_energy(orthotropic, bond, 0) == doctest::Approx(0.18 * (7e3 * 1e-4 + 2e3 * 4e-4) - 1.8));
   }
 }

@@ -130,6 +130,16 @@ TEST_CASE("every cut and growth is told with its reason and counted") {
   auto const lines = static_cast<double>(std::ranges::count(ran.log, '\n')) - 1;
   CHECK(lines == cuts + counters.at("grown") + counters.at("at_floor"));
   CHECK(ran.log.find(",cut,error,\"the local error of beta is") != std::string::npos);
+  std::istringstream log(ran.log);
+  std::string line;
+  std::getline(log, line);
+  while (std::getline(log, line)) {
+    std::smatch found;
+    REQUIRE(std::regex_match(line, found, std::regex("[^,]*,([^,]*),([^,]*),([a-z_]*),.*")));
+    double const dt = std::stod(found[1]), next = std::stod(found[2]);
+    CAPTURE(line);
+    CHECK((found[3] == "cut" ? next < dt : found[3] == "grown" ? next > dt : next == dt));
+  }
 }
 
 TEST_CASE("events are met within their time and only where asked") {

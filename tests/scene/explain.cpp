@@ -107,6 +107,32 @@ TEST_CASE("numbers of bonds are those of the formulas") {
   CHECK(number(explanation, title, "sliding per step / u0") == doctest::Approx(0.01 / u0));
   CHECK(number(explanation, "Pair sole", "components") == 2);
   CHECK(explanation.warnings.empty());
+  auto softer = bonded(4, 1000, 40);
+  at(softer, "pairs.sole.adhesion.C_t") = value(250, "N/m^3");
+  CHECK(number(scene::explain(softer), title, "V* along") ==
+        doctest::Approx(0.1 * 10 / std::sqrt(4.0 / 250)));
+}
+
+TEST_CASE("closing and sliding are told apart where a motion does both at once") {
+  auto input = foot_on_floor();
+  at(input, "motions") = list({drive("foot.top", {0, 1, 2}, {0, 0, 0.004}, {0, -0.01, -0.02})});
+  auto const explanation = scene::explain(input);
+  CHECK(number(explanation, "Numbers of pair sole", "closing speed") == doctest::Approx(0.01));
+  CHECK(number(explanation, "Numbers of pair sole", "sliding speed") == doctest::Approx(0.004));
+}
+
+TEST_CASE("both sides of a pair are soft, and both are round") {
+  auto blocks = two_blocks();
+  at(blocks, "bodies.lower.material.young") = value(3000, "Pa");
+  CHECK(number(scene::explain(blocks), "Numbers of pair joint", "E*") == doctest::Approx(750));
+  auto input = foot_on_floor();
+  remove(input, "bodies.foot");
+  at(input, "bodies.disc") = half_disc(1, 0.1, linear_elastic(1000, 0));
+  at(input, "obstacles.floor.shape") =
+      make("rigid.circle", {{"centre", values({0, 2}, "m")}, {"radius", value(2, "m")}});
+  at(input, "pairs.sole") = pair("disc.arc", "floor");
+  at(input, "motions") = list({fix("disc.flat")});
+  CHECK(number(scene::explain(input), "Numbers of pair sole", "radius") == doctest::Approx(2.0 / 3));
 }
 
 TEST_CASE("a sphere's Tabor-like number and strain follow from its radius") {

@@ -211,6 +211,17 @@ TEST_CASE("entries of pairs and laws reach the model") {
     check_case(changed);
 }
 
+TEST_CASE("an adhesion that acts from afar widens the reach of its pair") {
+  auto table = test::foot_on_floor();
+  double const reach = scene::build(table).model->pairs[0].reach;
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.potential", {{"w", test::value(1, "J/m^2")}, {"delta", test::value(reach, "m")}});
+  auto const scene = scene::build(table);
+  auto const& pair = scene.model->pairs[0];
+  CHECK(pair.reach > reach);
+  CHECK(pair.reach == doctest::Approx(pair.law.range()));
+}
+
 TEST_CASE("an obstacle's path reaches the model") {
   auto table = full_table();
   test::at(table, "obstacles.floor.times") = test::values({0, 2}, "s");
