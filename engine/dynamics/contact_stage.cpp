@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/node_means.hpp"
+#include "dynamics/bond_grip.hpp"
 #include "dynamics/contact_level.hpp"
 #include "dynamics/poses.hpp"
 #include "dynamics/reduced.hpp"
@@ -26,6 +27,10 @@ public:
   Stage(Model const& model, Structure& structure);
   void begin(State const& old, double t1, double dt) override;
   void locate(Vector const& u, bool settle) override;
+  void each_point(Visit const& visit) const override {
+    for (auto const& point : points_)
+      visit({point.pair, point.index}, point.kinematics.nodes, point.kinematics.H);
+  }
   void reaction(Vector& force) const override;
   [[nodiscard]] bool solve(Vector const& y, double weight, Vector& c, Cost& cost) override;
   [[nodiscard]] double residual() const override;
@@ -333,7 +338,6 @@ template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
     reduced_.add_stiffness({u}, Dense::Constant(1, 1, shift));
 }
 
-/// Hands rows and stiffness of the active points to the reduction.
 template<int D, int C> void Stage<D, C>::gather() {
   reduced_.clear();
   for (Index const k : active_) {
@@ -342,6 +346,10 @@ template<int D, int C> void Stage<D, C>::gather() {
     reduced_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
     if (!mortars_[ix(point.pair)] && !means_[ix(point.pair)])
       add_stiffness(model_->pairs[ix(point.pair)], kinematics, full(point.force));
+    if (model_->held_by_bonds)
+      reduced_.add_stiffness(
+          unknowns_of(kinematics.nodes),
+          bond_grip(model_->pairs[ix(point.pair)].law, point.law, {kinematics.gap, kinematics.H}));
   }
   for (std::size_t p = 0; p < mortars_.size(); ++p)
     if (mortars_[p] || means_[p])
@@ -480,9 +488,8 @@ template<int D, int C> double Stage<D, C>::search_radius(std::size_t pair) const
 } // namespace
 
 int contact_components(Model const& model) {
-  bool const tangential = std::any_of(model.pairs.begin(), model.pairs.end(),
-                                      [](Pair const& pair) { return pair.law.tangential(); });
-  return tangential ? model.dim() : 1;
+  auto const along = [](Pair const& pair) { return pair.law.tangential(); };
+  return std::ranges::any_of(model.pairs, along) ? model.dim() : 1;
 }
 
 std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {

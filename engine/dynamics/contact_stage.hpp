@@ -1,6 +1,7 @@
 // The contact side of a step: where every point stands, the small eliminated problem, and the forces it
 // gives.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "dynamics/model.hpp"
@@ -24,6 +25,10 @@ public:
   virtual void begin(State const& old, double t1, double dt) = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.
   virtual void locate(Vector const& u, bool settle) = 0;
+  /// Calls visit(place, nodes, H) for every point as of the last `locate`; H: rows (n, t1 [, t2]) over the
+  /// components of the nodes, of which there are none where it has no counterpart.
+  using Visit = std::function<void(ContactPlace, Indices const&, Dense const&)>;
+  virtual void each_point(Visit const& visit) const = 0;
   /// H^T p with the current forces and kinematics, [degrees of freedom], N.
   virtual void reaction(Vector& force) const = 0;
 

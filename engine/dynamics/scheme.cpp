@@ -42,7 +42,13 @@ core::Schema const& ThetaXi::schema() {
 
 core::Schema const& QuasiStatic::schema() {
   static auto const made =
-      core::Describe<QuasiStatic>{"quasi_static", "equilibrium without inertia", "PHYSICS 5"}.build();
+      core::Describe<QuasiStatic>{"quasi_static", "equilibrium without inertia", "PHYSICS 5"}
+          .number("stabilisation", &QuasiStatic::stabilisation, "1", core::unit_interval, Need::optional,
+                  "for bodies that nothing but contact holds, say 1e-6: a viscous force of this times "
+                  "(E / L^2) T v per volume meets the velocity v (E: Young's modulus at rest, L: diagonal of "
+                  "the body's box, T: duration of the run) and is gone where nothing moves; its work is "
+                  "stabilisation_loss of probe.energy; 0: none")
+          .build();
   return made;
 }
 

@@ -31,9 +31,11 @@ struct ThetaXi {
 
 /// Equilibrium at each step's end; no mass, no damping.
 struct QuasiStatic {
+  double stabilisation = 0; ///< 1; of a Model times the duration of the run, s
   [[nodiscard]] StepWeights weights() const {
     StepWeights weights;
     weights.inertia = false;
+    weights.stabilisation = stabilisation;
     return weights;
   }
   [[nodiscard]] static core::Schema const& schema();

@@ -42,17 +42,18 @@ struct SchemeLoss {
 /// Cumulative energy account, J (J/m in plane strain); kinetic, strain and bond are present values.
 struct Ledger {
   double kinetic = 0, strain = 0, bond = 0,
-         potential = 0;     ///< potential: of gravity and of constant forces on rigid bodies
-  double motion_work = 0;   ///< done by driven nodes and moving obstacles
-  double load_work = 0;     ///< done by prescribed forces
-  double damping_loss = 0;  ///< dissipated by the bodies' viscosity
-  double friction_loss = 0; ///< dissipated by slip against rbar_t
-  double bonding_loss = 0;  ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
-  double start = 0;         ///< kinetic + strain + bond + potential at t = 0
+         potential = 0;          ///< potential: of gravity and of constant forces on rigid bodies
+  double motion_work = 0;        ///< done by driven nodes and moving obstacles
+  double load_work = 0;          ///< done by prescribed forces
+  double damping_loss = 0;       ///< dissipated by the bodies' viscosity
+  double stabilisation_loss = 0; ///< dissipated by the stabilisation of quasi-statics
+  double friction_loss = 0;      ///< dissipated by slip against rbar_t
+  double bonding_loss = 0;       ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
+  double start = 0;              ///< kinetic + strain + bond + potential at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
     return start + motion_work + load_work - (kinetic + strain + bond + potential) - damping_loss -
-           friction_loss - bonding_loss;
+           stabilisation_loss - friction_loss - bonding_loss;
   }
   SchemeLoss predicted; ///< kept where the model is audited
   /// What is left of an audited ledger: rounding, but for bodies and bonds that are not linear.

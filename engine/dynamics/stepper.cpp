@@ -123,7 +123,9 @@ bool Stepper::internal_forces(Outcome& outcome) {
   ++cost_.force_passes;
   if (!pass.sound()) {
     outcome.verdict = StepVerdict::inverted_cell;
-    outcome.reason = fmt::format("cell {} turned inside out", pass.inverted_cell + 1);
+    outcome.reason = fmt::format("{} before it is deformed, turned inside out: it is pressed or sheared too "
+                                 "far for its size; give a finer mesh there, less load, or smaller steps",
+                                 structure_.cell_words(pass.inverted_cell));
     return false;
   }
   strain_ = pass.energy;
@@ -172,6 +174,8 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   }
   dry_ = inertia_ - weights_.early * (external_old_ - old.internal) - weights_.xi * (external_ - internal_) -
          (1 - weights_.contact) * old.reaction;
+  if (weights_.stabilisation > 0)
+    dry_ += (weights_.stabilisation / dt) * structure_.grip().cwiseProduct(d_);
   if (weights_.surface_apart())
     for (Index dof = 0; dof < d_.size(); ++dof)
       if (apart(dof))
@@ -259,12 +263,13 @@ bool Stepper::apply_factor() {
 }
 
 /// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
+/// What nothing resists any more must not drift on with them.
 Outcome Stepper::step(State const& old, double dt) {
   if (weights_.explicit_forces)
     if (auto refused = too_long(old, dt))
       return *std::move(refused);
-  Outcome outcome = attempt(old, dt, true);
-  if (outcome.converged() || old.v.isZero(0))
+  Outcome outcome = attempt(old, dt, !model_->held_by_bonds);
+  if (outcome.converged() || old.v.isZero(0) || model_->held_by_bonds)
     return outcome;
   Outcome second = attempt(old, dt, false);
   second.iterations += outcome.iterations;

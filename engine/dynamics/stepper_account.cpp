@@ -53,6 +53,9 @@ void Stepper::account(State const& old, State& next) const {
   ledger.load_work += ((1 - omega) * (external_old_ - weight) + omega * (external_ - weight)).dot(d_);
   if (structure_.damped())
     ledger.damping_loss += ((1 - omega) * old.damping + omega * damping_).dot(d_);
+  if (weights_.stabilisation > 0)
+    ledger.stabilisation_loss +=
+        weights_.stabilisation / (next.t - old.t) * structure_.grip().dot(d_.cwiseAbs2());
   ledger.strain = strain_;
   ledger.potential = -weight.dot(next.u);
   if (!weights_.inertia)

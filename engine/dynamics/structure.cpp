@@ -2,12 +2,17 @@
 #include "dynamics/structure.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "dynamics/timer.hpp"
 
 namespace stiction::dynamics {
 
 namespace {
+
+/// Of the grip, in the matrix alone where bonds hold a body: without it the bodies have no factor, and with
+/// it Newton's method still ends in the balance that has none.
+constexpr double steady = 1e-8;
 
 /// Model nodes of every contact surface, secondary and primary, and of free rigid bodies.
 std::vector<bool> contact_nodes(Model const& model) {
@@ -78,6 +83,9 @@ Structure::Structure(Model const& model, StepWeights const& weights)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
   if (weights.inertia)
     place_mass(weights);
+  grip_in_matrix_ = model.held_by_bonds ? steady : 0;
+  if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
+    gather_grip(model);
   linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) {
     return std::holds_alternative<material::LinearElastic>(body->material);
   });
@@ -139,6 +147,27 @@ void Structure::build_maps(Model const& model) {
   });
 }
 
+/// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
+void Structure::gather_grip(Model const& model) {
+  grip_.setZero(model.dofs());
+  for (std::size_t b = 0; b < model.cells.size(); ++b) {
+    auto const& body = *model.bodies[b];
+    double const diagonal =
+        (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
+    double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
+    model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        auto const row = static_cast<Eigen::Index>(a);
+        grip_.segment(dim_ * (model.first_node[b] + nodes[a]), dim_).array() +=
+            per_mass * m.sum() / m.trace() * m(row, row);
+      }
+    });
+  }
+  for (Index dof = 0; dof < model.dofs(); ++dof)
+    if (unknown_of(dof) < 0)
+      grip_[dof] = 0;
+}
+
 /// Places M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
 /// and the own balance of contact nodes ask for.
 void Structure::place_mass(StepWeights const& weights) {
@@ -173,6 +202,21 @@ solid::Pass Structure::internal_force(Vector const& u, Vector& force) const {
   return all;
 }
 
+std::string Structure::cell_words(Index cell) const {
+  std::size_t body = 0;
+  while (cell >= model_->cells[body].count())
+    cell -= model_->cells[body++].count();
+  Vector middle = Vector::Zero(dim_);
+  Index seen = 0;
+  model_->cells[body].each_cell([&](std::span<Index const> nodes) {
+    if (seen++ == cell)
+      for (Index const node : nodes)
+        middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
+  });
+  return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
+                     fmt::join(middle, ", "));
+}
+
 void Structure::damping_force(Vector const& u, Vector const& v, Vector& force) const {
   force.setZero(u.size());
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
@@ -185,8 +229,9 @@ void Structure::damping_force(Vector const& u, Vector const& v, Vector& force) c
 }
 
 namespace {
+/// Of M, 1/s^2; without inertia of the grip, 1.
 double mass_factor(StepWeights const& weights, double dt) {
-  return weights.inertia ? 1 / (weights.mass * dt * dt) : 0.0;
+  return weights.inertia ? 1 / (weights.mass * dt * dt) : weights.stabilisation / dt;
 }
 } // namespace
 
@@ -238,6 +283,9 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
       std::fill(values_.begin(), values_.end(), 0.0);
     if (!diagonal_)
       add_stiffness(u, weights, dt, cost);
+    for (Index j = 0; j < (grip_.size() > 0 ? unknowns() : 0); ++j)
+      values_[ix(factor().pattern().columns[ix(j)])] +=
+          (grip_in_matrix_ + weights.stabilisation / dt) * grip_[dof_of(j)];
   }
   Timer const timer(cost.factorization);
   auto& now = kept_.front();
@@ -249,7 +297,7 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
     now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
   }
   ++cost.factorizations;
-  now.ready = now.factor->factorize(values_);
+  now.ready = !(model_->held_by_bonds && trailing_ > 0) && now.factor->factorize(values_);
   if (now.ready || trailing_ == 0)
     return now.ready;
   ++cost.factorizations;

@@ -31,10 +31,15 @@ public:
 
   /// F_int(u) over all degrees of freedom, with the strain energy.
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
+  /// "cell 12 of body tape, at (0.1, 0.2) m" where it lies at rest; the number counts all bodies' from 0.
+  [[nodiscard]] std::string cell_words(Index cell) const;
   /// Has any body a viscosity?
   [[nodiscard]] bool damped() const { return damped_; }
   /// A(u) v over all degrees of freedom, N.
   void damping_force(Vector const& u, Vector const& v, Vector& force) const;
+  /// What the stabilisation acts on, [degrees of freedom], N/m: E / L^2 per volume of each body (L: diagonal
+  /// of its box); 0 at driven unknowns, empty where nothing asks for it.
+  [[nodiscard]] Vector const& grip() const { return grip_; }
   /// Mass and weight; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
@@ -77,6 +82,7 @@ private:
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
+  void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
 
   Model const* model_;
@@ -86,6 +92,8 @@ private:
   Index trailing_ = 0;
   std::vector<bool> on_surface_;
   Mass mass_;
+  Vector grip_;
+  double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
   std::vector<double> values_;

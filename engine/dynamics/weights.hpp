@@ -26,7 +26,8 @@ struct StepWeights {
   bool explicit_forces = false;      ///< F1 is known after the step only; M is lumped
   ContactInertia contact_inertia = ContactInertia::full;
   ContactLevel level = ContactLevel::position;
-  double restitution = 0; ///< e of 0 <= v_n1 + e v_n0, velocity level
+  double restitution = 0;   ///< e of 0 <= v_n1 + e v_n0, velocity level
+  double stabilisation = 0; ///< quasi-static: viscous force over (Structure::grip times velocity), s
   /// Contact nodes have a balance of their own at the step's end instead of the weighted one.
   [[nodiscard]] bool surface_apart() const { return inertia && contact_inertia != ContactInertia::full; }
   [[nodiscard]] bool accelerations() const { return gamma > 0; }

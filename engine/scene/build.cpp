@@ -2,7 +2,9 @@
 #include "scene/build.hpp"
 
 #include <fmt/format.h>
+#include <set>
 
+#include "dynamics/stepper.hpp"
 #include "mesh/quality.hpp"
 #include "scene/builder.hpp"
 
@@ -48,6 +50,8 @@ Scene Builder::run() {
   model.kinematics = scene_.part.kinematics;
   model.gravity = vec(scene_.part.gravity);
   model.scheme = scene_.part.scheme;
+  if (auto* quasi_static = std::get_if<dynamics::QuasiStatic>(&model.scheme))
+    quasi_static->stabilisation *= scene_.part.schedule.stages.back().until;
   model.solver = scene_.part.solver;
   model.control = scene_.part.control;
   for (auto const& [name, probe] : scene_.part.probes)
@@ -59,11 +63,13 @@ Scene Builder::run() {
   add_motions();
   add_loads();
   hold_axis();
-  check_supports();
   add_pairs();
   check_probes();
   settle();
-  check_overlap();
+  dynamics::Stepper stepper(model);
+  auto const start = stepper.initial();
+  check_overlap(start);
+  check_supports(stepper.contact(), start);
   settle();
   return std::move(scene_);
 }
@@ -183,7 +189,17 @@ std::optional<Indices> Builder::resolve(Where const& where, std::string const& n
   for (auto const& body : scene_.model->bodies)
     for (auto const& [set, members] : body->mesh.sets)
       known.push_back(body->name + "." + set);
-  unknown_name(where, "set", name, known);
+  if (scene_.part.obstacles.contains(name) || std::ranges::find(scene_.bodies, name) != scene_.bodies.end()) {
+    complain(where, fmt::format("\"{}\" is {}, not a set; known are {}", name,
+                                scene_.part.obstacles.contains(name) ? "an obstacle" : "a whole body",
+                                fmt::join(known, ", ")));
+    return {};
+  }
+  bool const primary = where.back() == "primary";
+  for (auto const& [obstacle, part] : scene_.part.obstacles)
+    if (primary)
+      known.push_back(obstacle);
+  unknown_name(where, primary ? "obstacle or set" : "set", name, known);
   return {};
 }
 
@@ -199,8 +215,12 @@ void Builder::add_motion(std::size_t k) {
     auto nodes = resolve(where, part.set);
     if (nodes && !part.near.empty())
       *nodes = {scene_.nearest(*nodes, part.near)};
-    if (nodes)
-      scene_.model->motions.push_back({*nodes, component, std::move(motion)});
+    if (!nodes)
+      return;
+    auto& motions = scene_.model->motions;
+    origins_.resize(motions.size());
+    origins_.emplace_back(k + 1, part.set);
+    motions.push_back({*nodes, component, std::move(motion)});
   };
   std::visit([&](auto const& part) { check_size({where[0], "near"}, part.near); }, scene_.part.motions[k]);
   if (auto const* fix = std::get_if<FixPart>(&scene_.part.motions[k])) {
@@ -221,21 +241,48 @@ void Builder::add_motion(std::size_t k) {
   check_path_end(where, drive.times);
 }
 
+namespace {
+
+/// The first knot up to `end` at which two paths differ by more than rounding, s.
+std::optional<double> first_difference(dynamics::Path const& one, dynamics::Path const& other, double end) {
+  std::set<double> knots(one.times.begin(), one.times.end());
+  knots.insert(other.times.begin(), other.times.end());
+  knots.insert(end);
+  double largest = 0;
+  for (auto const* path : {&one, &other})
+    for (double const value : path->values)
+      largest = std::max(largest, std::abs(value));
+  for (double const t : knots)
+    if (t <= end && std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)
+      return t;
+  return {};
+}
+
+} // namespace
+
+/// Two motions may drive a node alike, as where a held and a driven set share a corner.
 void Builder::check_driven_twice() {
   auto const& model = *scene_.model;
+  double const end = scene_.part.schedule.stages.back().until;
   std::map<std::pair<Index, int>, std::size_t> owner;
   for (std::size_t m = 0; m < model.motions.size(); ++m)
     for (Index const node : model.motions[m].nodes) {
       auto const [first, fresh] = owner.emplace(std::pair{node, model.motions[m].component}, m);
       auto const& other = model.motions[first->second].path;
       auto const& own = model.motions[m].path;
-      if (fresh || (other.times == own.times && other.values == own.values))
+      auto const differ = fresh ? std::nullopt : first_difference(other, own, end);
+      if (!differ)
         continue;
       auto const X = model.reference.row(node);
-      complain(
-          {"motions"},
-          fmt::format("node at ({:g}) m is driven in {} by two different motions; take it out of one set",
-                      fmt::join(X.data(), X.data() + X.size(), ", "), "xyz"[model.motions[m].component]));
+      auto const& [earlier, earlier_set] = origins_[first->second];
+      auto const& [later, later_set] = origins_[m];
+      complain({fmt::format("motions[{}]", later)},
+               fmt::format("moves {0} in {1} other than motions[{2}] moves {3}, and both hold the node at "
+                           "({4:g}) m: at t = {5:g} s to {6:g} m and to {7:g} m; give both the same path, "
+                           "leave {1} out of one, or take the node out of one set",
+                           later_set, "xyz"[model.motions[m].component], earlier, earlier_set,
+                           fmt::join(X.data(), X.data() + X.size(), ", "), *differ, own.value(*differ),
+                           other.value(*differ)));
       return;
     }
 }

@@ -1,5 +1,6 @@
 // The making of a Scene from a script's table, step by step; complaints are gathered before any is thrown.
 #pragma once
+#include "dynamics/contact_stage.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/build.hpp"
 
@@ -45,8 +46,7 @@ private:
 
   // support.cpp
   void hold_axis();
-  void check_supports();
-  [[nodiscard]] std::vector<std::string> loose_motions(std::size_t body) const;
+  void check_supports(dynamics::ContactStage const& contact, dynamics::State const& start);
 
   // build_contact.cpp
   void add_obstacles();
@@ -63,7 +63,7 @@ private:
   void average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
   [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
-  void check_overlap();
+  void check_overlap(dynamics::State const& start);
   [[nodiscard]] bool bodies_overlap(std::string const& pair);
 
   // build_probes.cpp
@@ -73,6 +73,8 @@ private:
   core::Input const* input_;
   core::Complaints complaints_;
   Scene scene_;
+  /// Of the model's motions: number and set of the script's; those of rigid bodies have none.
+  std::vector<std::pair<std::size_t, std::string>> origins_;
 };
 
 } // namespace stiction::scene

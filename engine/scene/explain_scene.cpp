@@ -162,6 +162,8 @@ void add_run(Facts const& facts, Explanation& explanation) {
   if (!facts.scene->model->gravity.isZero())
     add(section, "gravity", words_of(part.gravity, "m/s^2"));
   add(section, "scheme", chosen("scheme", part.scheme));
+  if (facts.scene->model->held_by_bonds)
+    add(section, "held by", "the motions together with the bonds that are whole at the start");
   add(section, "solver", chosen("solver", part.solver));
   add(section, "control", settings("", &part.control, dynamics::StepControl::schema()));
   double start = 0;

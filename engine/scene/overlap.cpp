@@ -75,9 +75,7 @@ bool Builder::bodies_overlap(std::string const& pair) {
 }
 
 /// A surface that starts inside its counterpart has no admissible first step.
-void Builder::check_overlap() {
-  dynamics::Stepper stepper(*scene_.model);
-  auto const state = stepper.initial();
+void Builder::check_overlap(dynamics::State const& state) {
   for (std::size_t p = 0; p < scene_.model->pairs.size(); ++p) {
     if (bodies_overlap(scene_.model->pairs[p].name))
       continue;

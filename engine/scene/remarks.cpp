@@ -44,12 +44,13 @@ void Remarks::look(dynamics::ContactStage const& contact, double t, contact::Loo
     note(softening_, found.softening);
 }
 
-/// Quasi-static steps are left out: what a snap of theirs loses is no fault of a scheme.
+/// What a snap of quasi-static steps loses is no fault of a scheme.
 void Remarks::weigh(dynamics::Ledger const& ledger) {
-  if (!dynamics::weights(scene_->model->scheme).inertia)
-    return;
+  stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond)});
+  if (!dynamics::weights(scene_->model->scheme).inertia)
+    return;
   lost_ = ledger.scheme_loss();
   made_ = std::max({made_, -lost_, -ledger.damping_loss});
 }
@@ -69,6 +70,14 @@ std::vector<std::string> Remarks::texts() const {
         fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "
                     "mesh where bodies land lose less",
                     percent(lost_ / turned_over_)));
+  if (double const part = dynamics::weights(scene_->part.scheme).stabilisation; part > 0)
+    all.push_back(
+        fmt::format("stabilisation = {:g}: its viscous force took {} of the largest energy of the run{}",
+                    part, percent(turned_over_ > 0 ? stabilised_ / turned_over_ : 0),
+                    stabilised_ > worth_telling_made * turned_over_
+                        ? ": take less of it, or let the end rest for some steps, and see whether the "
+                          "results stay"
+                        : ""));
   return all;
 }
 

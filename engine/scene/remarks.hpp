@@ -27,6 +27,7 @@ private:
   Remark friction_, softening_;
   long steps_ = 0;
   double turned_over_ = 0;     ///< largest energy or work so far, J
+  double stabilised_ = 0;      ///< dissipated by the stabilisation of quasi-statics, J
   double made_ = 0, lost_ = 0; ///< by the time scheme: the most so far, and in the end, J
 };
 

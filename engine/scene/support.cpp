@@ -1,8 +1,12 @@
 // What holds the bodies: nodes on the axis of revolution, and rigid motions that nothing resists.
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
+#include "dynamics/bond_grip.hpp"
+#include "dynamics/stepper.hpp"
 #include "scene/builder.hpp"
 
 namespace stiction::scene {
@@ -54,52 +58,130 @@ void Builder::hold_axis() {
     model.motions.push_back(axis);
 }
 
-/// Without inertia every rigid motion needs something that holds it; contact is not counted on.
-void Builder::check_supports() {
-  auto const& model = *scene_.model;
-  if (dynamics::weights(model.scheme).inertia || !complaints_.empty())
-    return; // a set that was not understood may be what holds the body
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    if (auto const loose = loose_motions(b); !loose.empty())
-      complain(
-          {"bodies", scene_.bodies[b]},
-          fmt::format("can {}: no motion holds it, and in a quasi-static run contact alone cannot; fix or "
-                      "drive a set of it (at a plane of symmetry the component across it), or give it "
-                      "inertia with scheme.theta_xi",
-                      fmt::join(loose, ", ")));
+namespace {
+
+constexpr double least = 1e-7; ///< of a stabilisation
+
+/// The rigid motions of all bodies, one after the other, and what resists them.
+class RigidMotions {
+public:
+  explicit RigidMotions(dynamics::Model const& model)
+      : model_(&model), names_(motion_names(model.kinematics)), frames_(model.bodies.size()) {
+    for (std::size_t b = 0; b < frames_.size(); ++b) {
+      auto const& nodes = model.bodies[b]->mesh.nodes;
+      Vector const low = nodes.colwise().minCoeff(), high = nodes.colwise().maxCoeff();
+      frames_[b].middle.head(model.dim()) = 0.5 * (low + high);
+      frames_[b].size = (high - low).norm();
+    }
+    auto const all = static_cast<Eigen::Index>(frames_.size()) * count();
+    held_ = Dense::Zero(all, all);
+  }
+
+  /// A displacement component of one node is held: `weights` over the components of `nodes` is.
+  void hold(Indices const& nodes, Eigen::RowVectorXd const& weights) {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(held_.cols());
+    int const dim = model_->dim();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      auto const found = std::ranges::upper_bound(model_->first_node, nodes[k]);
+      Eigen::Index const b = found - model_->first_node.begin() - 1;
+      auto const& [middle, size] = frames_[static_cast<std::size_t>(b)];
+      Vec3 X = -middle;
+      for (int c = 0; c < dim; ++c)
+        X[c] += model_->reference(nodes[k], c);
+      row.segment(b * count(), count()) += weights.segment(dim * static_cast<Eigen::Index>(k), dim) *
+                                           rigid_motions(model_->kinematics, X / size);
+    }
+    held_ += row.transpose() * row;
+  }
+
+  void hold_motions() {
+    for (auto const& motion : model_->motions)
+      for (Index const node : motion.nodes)
+        if (node < model_->first_node.back())
+          hold({node}, Eigen::RowVectorXd::Unit(model_->dim(), motion.component));
+  }
+
+  /// Per body the motions that nothing resists, by the component that is most of each.
+  [[nodiscard]] std::vector<std::vector<std::string>> loose() const {
+    Eigen::SelfAdjointEigenSolver<Dense> const all(held_);
+    auto const& values = all.eigenvalues(); // ascending
+    auto const free = (values.array() <= 1e-12 * std::max(1.0, values[values.size() - 1])).count();
+    std::vector<std::vector<std::string>> found(frames_.size());
+    for (std::size_t b = 0; b < frames_.size(); ++b) {
+      Dense const own = all.eigenvectors().block(static_cast<Eigen::Index>(b) * count(), 0, count(), free);
+      Eigen::JacobiSVD<Dense> const svd(own * own.transpose(), Eigen::ComputeFullU);
+      for (Eigen::Index k = 0; k < count() && svd.singularValues()[k] > 1e-12; ++k) {
+        Eigen::Index strongest = 0;
+        svd.matrixU().col(k).cwiseAbs().maxCoeff(&strongest);
+        found[b].emplace_back(names_[static_cast<std::size_t>(strongest)]);
+      }
+    }
+    return found;
+  }
+
+private:
+  struct Frame {
+    Vec3 middle = Vec3::Zero();
+    double size = 0; ///< m
+  };
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(names_.size()); }
+
+  dynamics::Model const* model_;
+  std::vector<char const*> names_;
+  std::vector<Frame> frames_;
+  Dense held_; ///< sum of (resisted)^T (resisted), [bodies motions, bodies motions]
+};
+
+/// Rows of H along which the bonds of the start resist.
+void hold_bonds(dynamics::Model const& model, dynamics::ContactStage const& contact,
+                dynamics::State const& start, double dt, RigidMotions& motions) {
+  contact.each_point([&](dynamics::ContactPlace place, Indices const& nodes, Dense const& H) {
+    auto const& law = model.pairs[ix(place.pair)].law;
+    auto const& point = start.contacts[ix(place.pair)][ix(place.index)];
+    if (nodes.empty() || !law.adhesion)
+      return;
+    auto const held = dynamics::bond_resistance(*law.adhesion, {point.bond, dt, point.gap <= 0}, point.gap);
+    for (int c = 0; c < model.dim(); ++c)
+      if (held[c] > 0)
+        motions.hold(nodes, H.row(c));
+  });
 }
 
-std::vector<std::string> Builder::loose_motions(std::size_t body) const {
-  auto const& model = *scene_.model;
-  Index const first = model.first_node[body], last = model.first_node[body + 1];
-  Vec3 middle = Vec3::Zero(), extent = Vec3::Zero();
-  for (int c = 0; c < model.dim(); ++c) {
-    auto const column = model.reference.col(c).segment(first, last - first);
-    middle[c] = 0.5 * (column.minCoeff() + column.maxCoeff());
-    extent[c] = column.maxCoeff() - column.minCoeff();
-  }
-  auto const names = motion_names(model.kinematics);
-  auto const count = static_cast<Eigen::Index>(names.size());
-  Dense held = Dense::Zero(count, count); // sum over driven components of (motion)(motion)^T
-  for (auto const& motion : model.motions)
-    for (Index const node : motion.nodes) {
-      if (node < first || node >= last)
-        continue;
-      Vec3 X = -middle;
-      for (int c = 0; c < model.dim(); ++c)
-        X[c] += model.reference(node, c);
-      Eigen::RowVectorXd const row = rigid_motions(model.kinematics, X / extent.norm()).row(motion.component);
-      held += row.transpose() * row;
-    }
-  Eigen::JacobiSVD<Dense> const svd(held, Eigen::ComputeFullV);
-  std::vector<std::string> loose;
-  for (Eigen::Index k = 0; k < count; ++k)
-    if (svd.singularValues()[k] <= 1e-12 * std::max(1.0, svd.singularValues()[0])) {
-      Eigen::Index strongest = 0;
-      svd.matrixV().col(k).cwiseAbs().maxCoeff(&strongest);
-      loose.emplace_back(names[static_cast<std::size_t>(strongest)]);
-    }
-  return loose;
+} // namespace
+
+/// Without inertia every rigid motion needs something that resists it from the start: a motion, an intact
+/// bond or the stabilisation of the scheme; contact alone is not counted on.
+void Builder::check_supports(dynamics::ContactStage const& contact, dynamics::State const& start) {
+  auto& model = *scene_.model;
+  auto const weights = dynamics::weights(model.scheme);
+  auto const* quasi_static = std::get_if<dynamics::QuasiStatic>(&scene_.part.scheme);
+  if (quasi_static != nullptr && quasi_static->stabilisation > 0 && quasi_static->stabilisation < least)
+    complain({"scheme", "stabilisation"},
+             fmt::format("is {:g}; so little leaves a body that contact holds so compliant that its gaps are "
+                         "met loosely; give 1e-6, at least {:g}, or 0",
+                         quasi_static->stabilisation, least));
+  if (weights.inertia || weights.stabilisation > 0)
+    return;
+  RigidMotions motions(model);
+  motions.hold_motions();
+  auto loose = motions.loose();
+  auto const any = [&] { return std::ranges::any_of(loose, [](auto const& own) { return !own.empty(); }); };
+  if (!any())
+    return;
+  auto const& first = scene_.part.schedule.stages.front();
+  double const dt = first.until / first.steps;
+  hold_bonds(model, contact, start, dt, motions);
+  loose = motions.loose();
+  model.held_by_bonds = !any();
+  for (std::size_t b = 0; b < loose.size(); ++b)
+    if (!loose[b].empty())
+      complain(
+          {"bodies", scene_.bodies[b]},
+          fmt::format("can {}: no motion holds it, nor a bond that is whole at the start, and in a "
+                      "quasi-static run contact alone cannot; fix or drive a set of it (at a plane of "
+                      "symmetry the component across it), let scheme.quasi_static{{stabilisation = 1e-6}} "
+                      "hold it until contact does, or give it inertia with scheme.theta_xi",
+                      fmt::join(loose[b], ", ")));
 }
 
 } // namespace stiction::scene

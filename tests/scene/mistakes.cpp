@@ -57,14 +57,21 @@ TEST_CASE("a set that does not exist is named with what was perhaps meant") {
 TEST_CASE("an obstacle that does not exist is a surface that does not exist") {
   auto table = test::foot_on_floor();
   test::at(table, "pairs.sole.primary") = test::text("flor");
-  check_only(table, "pairs.sole.primary", {"\"flor\""});
+  check_only(table, "pairs.sole.primary",
+             {"no obstacle or set \"flor\"", "foot.bottom", "did you mean \"floor\"?"});
+  test::at(table, "pairs.sole.primary") = test::text("foot");
+  check_only(table, "pairs.sole.primary", {"\"foot\" is a whole body, not a set", "foot.top"});
+  table = test::foot_on_floor();
+  test::at(table, "pairs.sole.secondary") = test::text("floor");
+  check_only(table, "pairs.sole.secondary", {"\"floor\" is an obstacle, not a set"});
 }
 
 TEST_CASE("a body that nothing holds in a quasi-static run") {
   auto table = test::foot_on_floor();
   test::at(table, "scheme") = test::quasi_static();
   test::at(table, "motions") = test::list({});
-  check_only(table, "bodies.foot", {"move along x", "move along y", "turn", "no motion holds it"});
+  check_only(table, "bodies.foot",
+             {"move along x", "move along y", "turn", "no motion holds it", "stabilisation"});
   test::at(table, "motions") = test::list({test::fix("foot.top")});
   CHECK(complaints(table).empty());
   auto slides = test::fix("foot.top");
@@ -113,13 +120,38 @@ TEST_CASE("a node driven two ways") {
   auto motions =
       core::List{test::drive("foot.top", {0, 2}, {}, {0, -0.01}), test::fix("foot.left", false, true)};
   test::at(table, "motions") = test::list(motions);
-  check_only(table, "motions", {"(0, 1) m", "driven in y by two different motions"});
+  check_only(table, "motions[2]",
+             {"foot.left", "motions[1] moves foot.top", "node at (0, 1) m", "in y",
+              "at t = 2 s to 0 m and to -0.01 m"});
   motions[1] = test::drive("foot.left", {0, 2}, {}, {0, -0.01});
   test::at(table, "motions") = test::list(motions);
   CHECK(complaints(table).empty());
   motions[1] = test::fix("foot.left", true, false);
   test::at(table, "motions") = test::list(motions);
   CHECK(complaints(table).empty());
+}
+
+TEST_CASE("two motions may prescribe the same for a node however it is written") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  std::vector<core::List> const agreeing{
+      {test::fix("foot.left", true, false), test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01})},
+      {test::drive("foot.left", {0, 1, 2}, {}, {0, -0.005, -0.01}),
+       test::drive("foot.top", {0, 2}, {}, {0, -0.01})},
+      {test::drive("foot.left", {0, 3}, {}, {0, -0.015}), test::drive("foot.top", {0, 2}, {}, {0, -0.01})},
+      {test::fix("foot.left"), test::fix("foot.left"), test::fix("foot.top")}};
+  for (auto const& motions : agreeing) {
+    test::at(table, "motions") = test::list(motions);
+    INFO(all(complaints(table)));
+    CHECK(complaints(table).empty());
+  }
+  auto near = test::drive("foot.all", {0, 2}, {}, {0, 0.01});
+  test::at(near, "near") = test::values({0, 1}, "m");
+  test::at(table, "motions") = test::list({test::fix("foot.top"), near});
+  check_only(table, "motions[2]", {"foot.all", "foot.top", "(0, 1) m", "at t = 2 s to 0.01 m and to 0 m"});
+  test::at(table, "motions") = test::list({test::drive("foot.left", {0, 1, 2}, {}, {0, 0, -0.01}),
+                                           test::drive("foot.top", {0, 2}, {}, {0, -0.01})});
+  check_only(table, "motions[2]", {"at t = 1 s to -0.005 m and to 0 m", "same path"});
 }
 
 TEST_CASE("paths shorter than the run, unsorted, or of unequal length") {
