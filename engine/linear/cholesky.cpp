@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "linear/cholmod_view.hpp"
 #include "linear/recycling.hpp"
 
@@ -15,6 +16,18 @@ void dpotri_(char const* uplo, int const* n, double* a, int const* lda, int* inf
 }
 
 namespace stiction::linear {
+
+namespace {
+
+/// bytes: of the factor, as far as they are known.
+void refuse_lack_of_memory(cholmod_common const& common, Pattern const& pattern, double bytes) {
+  if (common.status != CHOLMOD_OUT_OF_MEMORY && common.status != CHOLMOD_TOO_LARGE)
+    return;
+  auto const size = bytes > 0 ? fmt::format(", {:.3g} GB", 1e-9 * bytes) : "";
+  throw core::OutOfMemory(fmt::format("for the factor of {} unknowns{}", pattern.size(), size));
+}
+
+} // namespace
 
 struct Cholesky::Workspace {
   cholmod_common common{};
@@ -39,6 +52,7 @@ Cholesky::Cholesky(Pattern pattern, Index trailing)
   auto& matrix = work_->matrix;
   matrix = view_of(pattern_);
   work_->factor = cholmod_analyze(&matrix, &common);
+  refuse_lack_of_memory(common, pattern_, sizeof(double) * common.lnz);
   core::expect(work_->factor != nullptr, "CHOLMOD to analyse the pattern");
   matrix.xtype = CHOLMOD_REAL;
   // what solving needs is taken now, lest it takes the blocks that the next factorization counts on
@@ -69,6 +83,7 @@ bool Cholesky::factorize(std::span<double const> values) {
   if (values.empty()) // nothing is unknown: CHOLMOD calls the empty matrix singular
     return true;
   cholmod_factorize(&w.matrix, w.factor, &w.common);
+  refuse_lack_of_memory(w.common, pattern_, sizeof(double) * static_cast<double>(w.factor->xsize));
   return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
 }
 

@@ -110,7 +110,7 @@ void check_refinement(Complaints& complaints, std::string const& path, GmshGeome
   check_numbers(complaints, {path + ".size", {refinement.size}, "m", {0, geometry.size, true, false}, 1});
   if (!(refinement.until > refinement.within))
     complaints.push_back(
-        {"", path + ".until",
+        {"", path + ".beyond",
          fmt::format("is {:g} m; it must be > within = {:g} m", refinement.until, refinement.within)});
 }
 
@@ -264,7 +264,7 @@ core::Schema const& GmshGeometry::schema() {
           .nested("edges", "edge", Need::required,
                   "list of edges {to=, centre=, through=, name=}, back to the start")
           .nested("holes", "outline", Need::optional, "list of outlines {start=, edges=} cut out")
-          .nested("refine", "refinement", Need::optional, "list of {near=, size=, within=, until=}")
+          .nested("refine", "refinement", Need::optional, "list of {near=, size=, within=, beyond=}")
           .numbers("sizes", &GmshGeometry::sizes, "m", Need::optional,
                    "cells of these sizes at points, {x1, y1, size1, x2, ...}; larger away from them")
           .number("growth", &GmshGeometry::growth, "1", core::positive, Need::optional,

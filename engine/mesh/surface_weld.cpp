@@ -91,9 +91,12 @@ std::string read_surface_file(std::string const& path) {
   if (!in)
     refuse_surface(path, "cannot be read");
   content << in.rdbuf();
-  if (content.str().empty())
+  auto text = content.str();
+  if (text.empty())
     refuse_surface(path, "is empty");
-  return content.str();
+  if (constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; text.starts_with(byte_order_mark))
+    text.erase(0, byte_order_mark.size());
+  return text;
 }
 
 bool read_vertex(std::istream& in, Eigen::RowVector3d& vertex) {

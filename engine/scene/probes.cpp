@@ -14,7 +14,7 @@ namespace {
 
 struct Context {
   Scene const& scene;
-  record::Series& series;
+  Columns const& series;
   std::string const& name;
   [[nodiscard]] bool plane() const { return scene.part.kinematics == solid::Kinematics::plane_strain; }
   [[nodiscard]] int dim() const { return scene.part.dim(); }
@@ -285,14 +285,16 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
   context.column("motion_work", unit, "work done by motions and obstacles");
   context.column("load_work", unit, "work done by prescribed forces");
   context.column("damping_loss", unit, "dissipated by the bodies' viscosity");
+  context.column("stabilisation_loss", unit, "dissipated by the stabilisation of scheme.quasi_static");
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
   context.column("scheme_loss", unit, "lost by the time scheme");
   Sampler const more = probe.audit ? add_audit(context) : Sampler{};
   return [more](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
-    row.insert(row.end(), {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work,
-                           l.damping_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
+    row.insert(row.end(),
+               {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work, l.damping_loss,
+                l.stabilisation_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
     if (more)
       more(state, row);
   };
@@ -312,6 +314,15 @@ void add_step_columns(Scene const& scene, record::Series& series) {
 }
 
 std::vector<Sampler> add_probes(Scene const& scene, record::Series& series) {
+  return add_probes(scene,
+                    Columns{[&](auto const& group, auto const& column, auto const& unit, auto const& meaning,
+                                int width) { series.add(group, column, unit, meaning, width); },
+                            [&](auto const& group, auto const& name, double value) {
+                              series.set_attribute(group, name, value);
+                            }});
+}
+
+std::vector<Sampler> add_probes(Scene const& scene, Columns const& series) {
   std::vector<Sampler> samplers;
   for (auto const& [name, probe] : scene.part.probes) {
     Context const context{scene, series, name};

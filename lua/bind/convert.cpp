@@ -81,7 +81,10 @@ core::Input Converter::convert(int index, std::string const& path, std::string c
     break;
   default:
     complain(input, path,
-             fmt::format("a {} cannot be part of a scene; give a value", luaL_typename(lua_, index)));
+             fmt::format("a {} cannot be part of a scene; give a value{}", luaL_typename(lua_, index),
+                         lua_isfunction(lua_, index)
+                             ? " (a constructor makes one with its table: kind{ ... })"
+                             : ""));
   }
   return input;
 }

@@ -2,6 +2,7 @@
 #include "bind/engine.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -45,12 +46,14 @@ int write_file(lua_State* lua) {
   std::ofstream file(draft, std::ios::binary);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
-  std::error_code failed;
+  std::error_code failed(file ? 0 : errno, std::generic_category());
   if (file)
     fs::rename(draft, path, failed);
   if (!file || failed) {
-    fs::remove(draft, failed);
-    throw core::RunError(fmt::format("cannot write {}: is the folder writable, the disk full?", path));
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    throw core::RunError(fmt::format("cannot write {}: {}; make room, or choose another folder with --out",
+                                     path, failed ? failed.message() : "is the folder writable?"));
   }
   return 0;
 }

@@ -1,8 +1,10 @@
 // Ctrl-C and SIGTERM: one flag that running scripts and the engine look at.
 #include "bind/interrupt.hpp"
 
+#include <chrono>
 #include <csignal>
 #include <fmt/format.h>
+#include <iostream>
 #include <string_view>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -44,11 +46,33 @@ void on_signal(int signal) {
   throw core::Bug("lua_error returned");
 }
 
+/// How long the user's code has been running, by the time between looks; a pause longer than the longest that
+/// a script makes between two is no work of its.
+void tell_of_long_work(lua_State* lua) {
+  using Clock = std::chrono::steady_clock;
+  using std::chrono::seconds;
+  static auto last = Clock::now();
+  static Clock::duration busy{}, next = seconds(5);
+  auto const now = Clock::now();
+  busy = in_user_code(lua) ? busy + std::min<Clock::duration>(now - last, seconds(1)) : Clock::duration{};
+  last = now;
+  if (busy < next) {
+    next = busy == Clock::duration{} ? seconds(5) : next;
+    return;
+  }
+  std::cerr << fmt::format(
+      "stiction: {} is still running after {} s of the script's own work; Ctrl-C stops it\n", user_place(lua),
+      std::chrono::duration_cast<seconds>(busy).count());
+  next = 2 * busy;
+}
+
 /// After the first stop every further instruction of the user's raises again, so that no pcall of theirs
 /// holds the script alive. Our own library ends in its own, orderly way.
 void on_event(lua_State* lua, lua_Debug* event) {
   if (event->event == LUA_HOOKLINE)
     note_line(lua, event);
+  else
+    tell_of_long_work(lua);
   if (looks_left > 0 && event->event == LUA_HOOKCOUNT)
     --looks_left;
   if ((!stop && looks_left != 0) || !in_user_code(lua))
@@ -80,6 +104,7 @@ void watch_signals() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may grow no more is a failed write, with its reason
 }
 
 void follow_parent() {

@@ -28,7 +28,9 @@ std::string field(lua_State* lua, char const* name) {
 }
 
 /// Prints the error value on top of the stack; its exit code.
-int report(lua_State* lua) {
+int report(lua_State* lua, int status) {
+  if (status == LUA_ERRMEM)
+    bind::push_memory_error(lua);
   auto const kind = field(lua, "kind");
   std::cerr << fmt::format("stiction: {}{}\n", field(lua, "message"), field(lua, "trace"));
   return kind == "input" || kind == "script" ? 2 : 1;
@@ -39,12 +41,12 @@ int call_library(lua_State* lua, bind::CommandLine const& line) {
   lua_pushcfunction(lua, bind::on_error);
   lua_getglobal(lua, "require");
   lua_pushliteral(lua, "stiction.cli");
-  if (lua_pcall(lua, 1, 1, 1) != LUA_OK)
-    return report(lua);
+  if (int const status = lua_pcall(lua, 1, 1, 1); status != LUA_OK)
+    return report(lua, status);
   bind::push(lua, line.command);
   push_options(lua, line);
-  if (lua_pcall(lua, 2, 1, 1) != LUA_OK)
-    return report(lua);
+  if (int const status = lua_pcall(lua, 2, 1, 1); status != LUA_OK)
+    return report(lua, status);
   return static_cast<int>(lua_tointeger(lua, -1));
 }
 

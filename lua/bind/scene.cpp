@@ -9,6 +9,7 @@
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
 #include "scene/preview.hpp"
+#include "scene/probes.hpp"
 #include "scene/run.hpp"
 
 namespace stiction::bind {
@@ -85,6 +86,25 @@ int explain(lua_State* lua) {
   return 1;
 }
 
+/// probe_columns(scene) -> list of {probe =, name =, unit =, meaning =} of all that its probes record
+int probe_columns(lua_State* lua) {
+  auto const built = scene::build(to_input(lua, 1));
+  lua_newtable(lua);
+  lua_Integer count = 0;
+  scene::Columns const columns{
+      [&](auto const& probe, auto const& name, auto const& unit, auto const& meaning, int) {
+        lua_newtable(lua);
+        set(lua, "probe", probe);
+        set(lua, "name", name);
+        set(lua, "unit", unit);
+        set(lua, "meaning", meaning);
+        lua_rawseti(lua, -2, ++count);
+      },
+      [](auto const&, auto const&, double) {}};
+  static_cast<void>(scene::add_probes(built, columns));
+  return 1;
+}
+
 void push(lua_State* lua, scene::Progress const& progress) {
   lua_newtable(lua);
   set(lua, "time", progress.time);
@@ -150,6 +170,7 @@ void add_scene_functions(lua_State* lua) {
   add<preview>(lua, "preview");
   add<validate>(lua, "validate");
   add<explain>(lua, "explain");
+  add<probe_columns>(lua, "probe_columns");
   add<run>(lua, "run");
 }
 

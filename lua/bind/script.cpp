@@ -13,10 +13,14 @@ namespace stiction::bind {
 
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // that some editors put first
+
 /// load_script(text, name, environment) -> function, or nil and the reason; messages call the file `name`.
 /// Text only, no bytecode.
 int load_script(lua_State* lua) {
-  auto const text = text_at(lua, 1);
+  auto text = text_at(lua, 1);
+  if (text.starts_with(byte_order_mark))
+    text.erase(0, byte_order_mark.size());
   auto const name = fmt::format("@{}", text_at(lua, 2));
   if (luaL_loadbufferx(lua, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
     lua_pushnil(lua);
@@ -38,7 +42,12 @@ int where(lua_State* lua) {
 int call(lua_State* lua) {
   lua_pushcfunction(lua, on_error);
   lua_insert(lua, 1);
-  bool const held = lua_pcall(lua, lua_gettop(lua) - 2, LUA_MULTRET, 1) == LUA_OK;
+  int const status = lua_pcall(lua, lua_gettop(lua) - 2, LUA_MULTRET, 1);
+  bool const held = status == LUA_OK;
+  if (status == LUA_ERRMEM) { // which no message handler has seen
+    lua_settop(lua, 1);
+    push_memory_error(lua);
+  }
   push(lua, held);
   lua_replace(lua, 1);
   return lua_gettop(lua);

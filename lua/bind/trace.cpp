@@ -7,6 +7,7 @@
 #include "bind/push.hpp"
 #include "bind/state.hpp"
 #include "bind/wrap.hpp"
+#include "core/unit.hpp"
 
 namespace stiction::bind {
 
@@ -65,6 +66,19 @@ std::string trace_of(lua_State* lua, std::string const& message) {
   return trace;
 }
 
+/// What to write where a word of the table of units was taken for a variable.
+std::string unit_hint(std::string const& message) {
+  constexpr std::string_view key = "(global '";
+  auto const start = message.find(key);
+  if (start == std::string::npos)
+    return "";
+  auto const word =
+      message.substr(start + key.size(), message.find('\'', start + key.size()) - start - key.size());
+  if (!core::parse_unit(word))
+    return "";
+  return fmt::format("; as a unit it wants a line before: local {0} = stiction.units.{0}", word);
+}
+
 } // namespace
 
 void note_line(lua_State* lua, lua_Debug* event) {
@@ -100,7 +114,8 @@ int on_error(lua_State* lua) {
     lua_settop(lua, 1);
     return 1;
   }
-  std::string const message = luaL_tolstring(lua, 1, nullptr);
+  std::string message = luaL_tolstring(lua, 1, nullptr);
+  message += unit_hint(message);
   std::string trace = trace_of(lua, message);
   if (trace.empty() &&
       user_place(lua).empty()) { // nothing of the user's is running: our own library is at fault

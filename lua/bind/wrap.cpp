@@ -1,7 +1,11 @@
 // The error value of the binding.
 #include "bind/wrap.hpp"
 
+#include <fmt/format.h>
+#include <sys/resource.h>
+
 #include "bind/push.hpp"
+#include "core/memory.hpp"
 
 namespace stiction::bind {
 
@@ -23,6 +27,24 @@ void push_error(lua_State* lua, char const* kind, char const* message) {
   set(lua, "message", message);
   push_error_metatable(lua);
   lua_setmetatable(lua, -2);
+}
+
+void push_memory_error(lua_State* lua, std::bad_alloc const& error) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  auto const* const asked = dynamic_cast<core::OutOfMemory const*>(&error);
+  auto const allowed =
+      limit.rlim_cur == RLIM_INFINITY
+          ? ""
+          : fmt::format(" of the {:.3g} GB that it may take", 1e-9 * static_cast<double>(limit.rlim_cur));
+  auto const words = fmt::format("memory ran out{}{}: the process held {:.3g} GB{}; a coarser mesh or fewer "
+                                 "cases at a time (--jobs) take "
+                                 "less, and 'stiction explain STUDY' says what a case takes",
+                                 asked != nullptr ? " " : "", asked != nullptr ? asked->what() : "",
+                                 1e-9 * 1024 * static_cast<double>(usage.ru_maxrss), allowed);
+  push_error(lua, "run", words.c_str());
 }
 
 bool is_error_value(lua_State* lua, int index) {

@@ -1,6 +1,7 @@
 // The one wrapper every C++ function of the binding goes through: exceptions become Lua errors.
 #pragma once
 #include <lua.hpp>
+#include <new>
 
 #include "core/error.hpp"
 
@@ -13,6 +14,9 @@ inline constexpr char const* quantity_metatable = "stiction.quantity";
 /// Pushes {kind =, message =}, the error value of everything that is not a plain script error.
 /// Kinds: "input" (exit 2), "run" (exit 1), "bug" (exit 1), "stopped" (exit 1), "script" (exit 2).
 void push_error(lua_State* lua, char const* kind, char const* message);
+
+/// The same of kind "run" for memory that ran out; `error`: what it was asked for, if it knows.
+void push_memory_error(lua_State* lua, std::bad_alloc const& error = {});
 
 /// True if the value at index was made by push_error or carries its metatable.
 bool is_error_value(lua_State* lua, int index);
@@ -29,6 +33,8 @@ template<Function Target> int guarded(lua_State* lua) {
     push_error(lua, "input", error.what());
   } catch (core::Bug const& error) {
     push_error(lua, "bug", error.what());
+  } catch (std::bad_alloc const& error) {
+    push_memory_error(lua, error);
   } catch (std::exception const& error) {
     push_error(lua, "run", error.what());
   }

@@ -52,6 +52,10 @@ local function show_text(pool, job, text)
 end
 
 local verdict_of = { stopped = "stopped", run = "failed", bug = "crashed" } -- by kind of fault; else bad input
+local words_of_signal = {
+  [9] = "by signal 9 (killed), as the system ends a process when memory runs out: a coarser mesh or fewer cases at a time "
+    .. "(--jobs) take less",
+}
 local signals_to_stop = { [2] = true, [15] = true }
 
 local function outcome(job, code)
@@ -63,7 +67,7 @@ local function outcome(job, code)
   elseif signals_to_stop[signal] and engine.stopped() then
     return { verdict = "stopped", reason = "stopped by the user before it began" }
   end
-  local how = signal and ("by signal %d"):format(signal) or ("with exit code %d"):format(code)
+  local how = signal and (words_of_signal[signal] or ("by signal %d"):format(signal)) or ("with exit code %d"):format(code)
   return { verdict = "crashed", reason = ("its process ended %s%s"):format(how, job.text ~= "" and ": " .. job.text or "") }
 end
 

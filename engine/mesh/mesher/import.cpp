@@ -35,12 +35,24 @@ void check_ends(std::string const& content) {
 
 } // namespace
 
-void import_file(nlohmann::json const& request) {
+void import_file(nlohmann::json const& request, std::string const& output) {
   auto const path = request.at("path").get<std::string>();
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  check_ends(content.str());
-  gmsh::open(path);
+  std::ostringstream read;
+  read << std::ifstream(path, std::ios::binary).rdbuf();
+  auto content = read.str();
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // which gmsh does not read over
+  bool const marked = content.starts_with(byte_order_mark);
+  if (marked)
+    content.erase(0, byte_order_mark.size());
+  check_ends(content);
+  if (marked) {
+    auto const twin = output + ".msh";
+    std::ofstream(twin, std::ios::binary) << content;
+    gmsh::open(twin);
+    std::filesystem::remove(twin);
+  } else {
+    gmsh::open(path);
+  }
   std::vector<std::string> log;
   gmsh::logger::get(log);
   for (auto const& line : log)

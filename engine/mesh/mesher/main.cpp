@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gmsh.h>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <sys/prctl.h>
 
@@ -50,8 +51,27 @@ std::string gmsh_words() {
   return words;
 }
 
+constexpr char const* no_memory =
+    "memory ran out while gmsh made the mesh: ask for fewer cells (a larger size)";
+
+bool lacks_memory(std::exception_ptr const& error) {
+  try {
+    if (error)
+      std::rethrow_exception(error);
+  } catch (std::bad_alloc const&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+  return false;
+}
+
 /// gmsh throws inside its parallel regions, out of which no exception can come: say what it noted and end.
 [[noreturn]] void end_with_gmsh_words() {
+  if (lacks_memory(std::current_exception())) {
+    std::cerr << no_memory << std::endl;
+    std::_Exit(1);
+  }
   std::string const words = gmsh_words();
   std::cerr << "gmsh says: " << (words.empty() ? "it failed without a reason" : words) << std::endl;
   std::_Exit(2);
@@ -61,7 +81,7 @@ void answer(std::string const& request_text, std::string const& output) {
   auto const request = nlohmann::json::parse(request_text);
   auto const task = request.at("task").get<std::string>();
   if (task == "import")
-    mesher::import_file(request);
+    mesher::import_file(request, output);
   else if (task == "solid")
     mesher::build_solid(request);
   else
@@ -80,6 +100,9 @@ int guarded(std::string const& request, std::string const& output) {
     return 1;
   } catch (core::InputError const& error) {
     std::cerr << error.what() << '\n';
+  } catch (std::bad_alloc const&) {
+    std::cerr << no_memory << '\n';
+    return 1;
   } catch (std::exception const& error) {
     std::string const words = gmsh_words();
     std::cerr << "gmsh says: " << (words.empty() ? error.what() : words) << '\n';

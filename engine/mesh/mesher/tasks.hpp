@@ -16,7 +16,7 @@ void build_solid(nlohmann::json const& request);
 
 /// Reads the .msh file of a request into gmsh's current model.
 /// Throws InputError when the file is truncated or not a mesh file.
-void import_file(nlohmann::json const& request);
+void import_file(nlohmann::json const& request, std::string const& output);
 
 /// The plane or solid mesh of gmsh's current model, lengths times `scale`, with its physical groups as sets.
 /// Throws InputError for shells, for solid and surface cells without a physical volume, and for cells of a
