@@ -254,6 +254,8 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
   bool const wide = choice(reader, "width", {"single", "double"}, usual) == "double";
   figure.width = static_cast<int>(std::lround(millimetres(wide ? 175 : 85)));
   figure.height = millimetres(reader.number_or("height", "1", {20, 240}, 0));
+  if (kind == "map" && reader.has("height"))
+    reader.complain_at("height", "is not for a map, whose rows decide; leave it out");
   read_content(reader, figure, folder);
   reader.finish();
   return figure;

@@ -141,6 +141,26 @@ TEST_CASE("panels carry letters and all parts, pictures repeat bit by bit") {
   CHECK(content(work / "panel/panel.png") == first);
 }
 
+TEST_CASE("a panel has its title above its parts and shares its height among their rows") {
+  auto const panel = [](std::string const& more) {
+    return R"({"name":"it","kind":"panel","columns":1,"figures":[)" + von_mises + "," + von_mises + "]" +
+           more + "}";
+  };
+  REQUIRE(draw("untitled", panel("")).code == 0);
+  REQUIRE(draw("titled", panel(R"(,"title":"The title of all parts")")).code == 0);
+  REQUIRE(draw("tall", panel(R"(,"title":"The title of all parts","height":200)")).code == 0);
+  Image const without(work / "untitled/it.png"), with(work / "titled/it.png"), tall(work / "tall/it.png");
+  int const strip = with.height() - without.height();
+  CHECK(strip > 30);
+  CHECK(with.white_rim());
+  double const top = 1 - static_cast<double>(strip) / with.height();
+  CHECK(with.count({38, 38, 38}, {0, 0.5, top, 1}) > 100); // ink of the words
+  CHECK(std::abs(tall.height() - 200 / 25.4 * 300) <= 2);
+  CHECK(draw("map_height", R"({"name":"it","kind":"map","height":90,"columns":[{"label":"a"}],
+    "kinds":[{"letter":"x","label":"y"}],"rows":[{"group":"g","label":"r","cells":"x"}]})")
+            .code == 2);
+}
+
 TEST_CASE("a wrong spec ends with 2 and says where") {
   auto const unit = draw("unit", simple_lines(R"("file":"case0/series.h5","y":"/crown/beta")", "MPa"));
   CHECK(unit.code == 2);
