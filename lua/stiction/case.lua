@@ -117,7 +117,8 @@ local function result_number(entry, value)
     value = value:to(entry.unit) * engine.parse_unit(entry.unit)
   end
   if type(value) ~= "number" then
-    fault.input("result %s must be a number, not a %s", entry.name, type(value))
+    fault.input("result %s must be a number%s", entry.name,
+      value == nil and "; its function gave nothing: is its `return` missing?" or ", not a " .. type(value))
   end
   return value
 end

@@ -2,6 +2,7 @@
 -- unit of their axis.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local known = require("stiction.figure_keys").known
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local units = require "stiction.units"
@@ -10,88 +11,115 @@ local figure = {}
 
 local figure_mark = {}
 
-local function factor_of(unit, what)
-  unit = unit or "1"
-  local factor = type(unit) == "string" and engine.parse_unit(unit)
-  return factor or fault.script("%s: unknown unit '%s'%s", what, tostring(unit),
-    fault.meant(tostring(unit), engine.unit_words()))
+local function word_of(value)
+  return type(value) == "string" and ("\"%s\""):format(value) or units.is_quantity(value) and tostring(value)
+    or type(value) == "table" and "a table" or tostring(value)
 end
 
---- SI number or quantity (or a list of them) in the unit with this factor.
-local function scaled(value, factor)
-  if type(value) == "table" and not units.is_quantity(value) then
-    return numeric.map(value, function(x) return units.si(x) / factor end)
-  elseif value ~= nil then
-    return units.si(value) / factor
+--- {word =, what = for messages, factor = to SI, metre =, kilogram =, second =}
+local function unit_of(word, what)
+  word = word or "1"
+  local unit = { word = word, what = what }
+  if type(word) == "string" then
+    unit.factor, unit.metre, unit.kilogram, unit.second = engine.parse_unit(word)
   end
+  return unit.factor and unit or fault.script("%s: unknown unit '%s'%s", what, tostring(word),
+    fault.meant(tostring(word), engine.unit_words()))
 end
 
-local function copy(t, known, what)
+--- Where no unit is asked for, any will do.
+local function fits(value, unit)
+  return unit.word == "1" or (value.metre == unit.metre and value.kilogram == unit.kilogram
+    and value.second == unit.second)
+end
+
+--- SI number or quantity (or a list of them) in this unit; nil stays nil.
+local function scaled(value, unit)
+  if type(value) == "table" and not units.is_quantity(value) then
+    return numeric.map(value, function(x) return scaled(x, unit) end)
+  elseif units.is_quantity(value) and not fits(value, unit) then
+    fault.script("%s: %s cannot be written in '%s'", unit.what, word_of(value), unit.word)
+  elseif value ~= nil and type(units.si(value)) ~= "number" then
+    fault.script("%s: a number or a quantity is wanted, not %s", unit.what, word_of(value))
+  end
+  return value and units.si(value) / unit.factor
+end
+
+local function copy(t, allowed, what)
+  local keys = ordered.keys(allowed)
+  if type(t) ~= "table" or units.is_quantity(t) then
+    fault.script("%s is a table with %s, not %s", what, table.concat(keys, ", "), word_of(t))
+  end
   local twin = {}
   for _, key in ipairs(ordered.keys(t)) do
-    if not known[key] then
-      fault.script("%s: unknown key '%s'%s; keys: %s", what, tostring(key), fault.meant(key, ordered.keys(known)),
-        table.concat(ordered.keys(known), ", "))
+    if not allowed[key] then
+      fault.script("%s: unknown key '%s'%s; keys: %s", what, tostring(key), fault.meant(key, keys), table.concat(keys, ", "))
     end
     twin[key] = t[key]
   end
   return twin
 end
 
-local function set_of(words)
-  local set = {}
-  for word in words:gmatch("%S+") do
-    set[word] = true
+--- A list of tables or values, each by `make`.
+local function each(list, what, make)
+  if type(list) ~= "table" or units.is_quantity(list) or (#list == 0 and next(list) ~= nil) then
+    fault.script("%s: a list { ... } is wanted, not %s", what, word_of(list))
   end
-  return set
+  return numeric.map(list, make)
 end
 
-local figure_keys = "name title width height "
-local known = {
-  lines = set_of(figure_keys .. "x y legend colours curves marks"),
-  field = set_of(figure_keys .. "case file time array component unit label deformed range window window_unit mesh"
-    .. " scale_bar view mirror crop sphere"),
-  panel = set_of(figure_keys .. "columns figures"),
-  map = set_of(figure_keys .. "blocks columns kinds rows"),
-  axis = set_of "label unit log range",
-  curve = set_of "label case file x y x_shift y_shift x_sign y_sign colour style component",
-  mark = set_of "x label",
-  scale_bar = set_of "length unit",
-  view = set_of "azimuth elevation",
-  crop = set_of "xmin xmax ymin ymax zmin zmax",
-  sphere = set_of "centre radius path",
-  path = set_of "times x y z",
-}
+local places = { x = 1, y = 2, z = 3, xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, xz = 6 }
+local vector, tensor = { "x", "y", "z" }, { "xx", "yy", "zz", "xy", "yz", "xz" }
+local names_of_array = { displacement = vector, velocity = vector, cauchy_stress = tensor }
+
+--- The index from 0 of a field's component by number or name; nil: the magnitude, or the only one.
+local function component(value, array)
+  if value == nil or value == "magnitude" then
+    return nil
+  end
+  local names = names_of_array[array] -- nil: of a file that is not ours
+  local named = names and numeric.first_where(names, function(name) return name == value end)
+  local at = named or math.type(value) and math.tointeger(value) or not names and places[value]
+  if not at or at < 1 or (names and at > #names) then
+    fault.script("figure.field: component = %s; of %s it is \"%s\", or \"magnitude\"", word_of(value),
+      tostring(array), table.concat(names or { "x", "y", "z", table.unpack(tensor) }, '", "'))
+  end
+  return at - 1
+end
 
 local function axis(t, what)
   local result = copy(t or {}, known.axis, what)
-  local factor = factor_of(result.unit, what)
-  result.range = scaled(result.range, factor)
-  return result, factor
+  local unit = unit_of(result.unit, what)
+  result.range = scaled(result.range, unit)
+  return result, unit
 end
 
 --- "/group/name" of "group/name"; numbers in the axis unit.
-local function coordinate(value, factor)
+local function coordinate(value, unit)
   if type(value) == "string" then
     return value:sub(1, 1) == "/" and value or "/" .. value
   end
-  return scaled(value, factor)
+  return scaled(value, unit)
 end
 
 local function file_of(t, name)
   return t.file or (t.case and t.case.place .. "/" .. name) or nil
 end
 
-local function curve(t, x_factor, y_factor)
+local function curve(t, x_unit, y_unit)
   local result = copy(t, known.curve, "curve")
   result.case, result.file = nil, file_of(t, "series.h5")
-  result.x = coordinate(t.x or (result.file and "/time"), x_factor)
-  result.y = coordinate(t.y, y_factor)
+  result.x = coordinate(t.x or (result.file and "/time"), x_unit)
+  result.y = coordinate(t.y, y_unit)
   if not result.x or not result.y then
     fault.script("curve '%s' needs y, and a case or x", tostring(t.label))
   end
   result.x_shift, result.y_shift = units.si(t.x_shift), units.si(t.y_shift)
-  result.component = t.component and t.component - 1
+  local at = math.type(t.component) and math.tointeger(t.component)
+  if t.component and not (at and at >= 1) then
+    fault.script("curve '%s': component = %s; a number from 1 is wanted", tostring(t.label), word_of(t.component))
+  end
+  result.component = at and at - 1
   return result
 end
 
@@ -107,40 +135,56 @@ end
 --- Curves over one pair of axes: lines{ name =, x = {label =, unit =}, y =, curves = {{label =, case =, y =}} }.
 function figure.lines(t)
   local result = make(t, "lines")
-  local x_factor, y_factor
-  result.x, x_factor = axis(t.x, "figure.lines: x")
-  result.y, y_factor = axis(t.y, "figure.lines: y")
-  result.curves = numeric.map(t.curves or {}, function(c) return curve(c, x_factor, y_factor) end)
-  result.marks = t.marks and numeric.map(t.marks, function(mark)
+  local x_unit, y_unit
+  result.x, x_unit = axis(t.x, "figure.lines: x")
+  result.y, y_unit = axis(t.y, "figure.lines: y")
+  result.curves = each(t.curves or {}, "figure.lines: curves", function(c) return curve(c, x_unit, y_unit) end)
+  result.marks = t.marks and each(t.marks, "figure.lines: marks", function(mark)
     local twin = copy(mark, known.mark, "mark")
-    twin.x = scaled(mark.x, x_factor)
+    twin.x = scaled(mark.x, x_unit)
     return twin
   end)
   return result
 end
 
---- The box that a solid is cut by, its sides in the unit with this factor.
-local function crop(t, factor)
+--- The box that a solid is cut by, its sides in this unit.
+local function crop(t, unit)
   local result = copy(t, known.crop, "crop")
   for key, side in pairs(result) do
-    result[key] = scaled(side, factor)
+    result[key] = scaled(side, unit)
   end
   return result
 end
 
---- A rigid sphere (a circle in a plane picture): centre, radius and path in the unit with this factor, times in s.
-local function sphere(t, factor)
+--- A rigid sphere (a circle in a plane picture): centre, radius and path in this unit, times in s.
+local function sphere(t, unit)
   local result = copy(t, known.sphere, "sphere")
-  result.centre, result.radius = scaled(t.centre, factor), scaled(t.radius, factor)
+  result.centre, result.radius = scaled(t.centre, unit), scaled(t.radius, unit)
   if t.path then
     local path = copy(t.path, known.path, "sphere.path")
-    path.times = scaled(t.path.times, 1)
+    path.times = scaled(t.path.times, unit_of("s", "sphere.path: times"))
     for _, axis_name in ipairs { "x", "y", "z" } do
-      path[axis_name] = scaled(t.path[axis_name], factor)
+      path[axis_name] = scaled(t.path[axis_name], unit)
     end
     result.path = path
   end
   return result
+end
+
+--- A length, in the unit it was written in or plainly in m; or {length =, unit =}.
+local function scale_bar(t)
+  if type(t) == "number" then
+    return { length = t, unit = "m" }
+  elseif units.is_quantity(t) then
+    if not units.same_dimension(t, units.units.m) then
+      fault.script("figure.field: scale_bar = %s; a length is wanted, e.g. 1*mm", word_of(t))
+    end
+    local length, unit = t:display()
+    return { length = length, unit = unit }
+  end
+  local bar = copy(t, known.scale_bar, "scale_bar")
+  bar.length = scaled(t.length, unit_of(t.unit or "m", "scale_bar"))
+  return bar
 end
 
 --- A field on the mesh at one time: field{ name =, case =, time = number, quantity or "last", array =, unit = };
@@ -148,38 +192,47 @@ end
 function figure.field(t)
   local result = make(t, "field")
   result.case, result.file = nil, file_of(t, "fields.pvd")
-  result.time = type(t.time) == "string" and t.time or units.si(t.time)
-  result.range = scaled(t.range, factor_of(t.unit, "figure.field"))
-  local metres = factor_of(t.window_unit or "m", "figure.field: window_unit")
+  result.time = type(t.time) == "string" and t.time or scaled(t.time, unit_of("s", "figure.field: time"))
+  result.range = scaled(t.range, unit_of(t.unit, "figure.field"))
+  local metres = unit_of(t.window_unit or "m", "figure.field: window_unit")
   result.window = scaled(t.window, metres)
   result.view = t.view and copy(t.view, known.view, "view")
   result.crop = t.crop and crop(t.crop, metres)
   result.sphere = t.sphere and sphere(t.sphere, metres)
-  result.component = t.component and t.component - 1
-  if t.scale_bar then
-    result.scale_bar = copy(t.scale_bar, known.scale_bar, "scale_bar")
-    result.scale_bar.length = scaled(t.scale_bar.length, factor_of(t.scale_bar.unit or "m", "scale_bar"))
-  end
+  result.component = component(t.component, t.array)
+  result.scale_bar = t.scale_bar and scale_bar(t.scale_bar)
   return result
 end
 
---- Several of the above beside each other: panel{ name =, columns = 2, figures = {...} }.
+--- Several of the others beside each other: panel{ name =, columns = 2, figures = {...} }.
 function figure.panel(t)
-  return make(t, "panel")
+  local result = make(t, "panel")
+  result.figures = each(t.figures or {}, "figure.panel: figures", function(entry)
+    if getmetatable(entry) ~= figure_mark then
+      fault.script("figure.panel: figures holds %s; each is made by figure.lines, field or map", word_of(entry))
+    end
+    return entry
+  end)
+  return result
 end
 
 --- A table of outcomes: map{ name =, blocks =, columns = {text}, kinds = {{letter =, label =, colour =}}, rows =
 --- {{group =, label =, cells = "a letter of a kind per column, . for none"}} }.
 function figure.map(t)
   local result = make(t, "map")
-  result.columns = numeric.map(t.columns or {}, function(label) return { label = label } end)
+  result.columns = each(t.columns or {}, "figure.map: columns", function(label) return { label = label } end)
   return result
 end
 
 --- The specification of a study's figures for the figure program.
 function figure.spec(study, cases)
   local list = study.figures(cases)
-  for i, entry in ipairs(type(list) == "table" and list or {}) do
+  if getmetatable(list) == figure_mark then
+    list = { list }
+  elseif list ~= nil and type(list) ~= "table" then
+    fault.input("study.figures must return a list of figures, not %s", word_of(list))
+  end
+  for i, entry in ipairs(list or {}) do
     if getmetatable(entry) ~= figure_mark then
       fault.input("study.figures: entry %d is not made by stiction.figure", i)
     end

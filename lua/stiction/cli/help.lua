@@ -1,6 +1,8 @@
 -- stiction help: everything a scene can hold, from the engine's own descriptions; and how a study is written.
+local columns = require "stiction.cli.columns"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local figure_keys = require "stiction.figure_keys"
 local pages = require "stiction.cli.pages"
 local report = require "stiction.report"
 
@@ -47,6 +49,38 @@ local function show_kind(category, kind)
   end
 end
 
+--- What a probe records: the columns of its group in series.h5.
+local function show_columns(kind)
+  report.line("    Its columns, for run:series(\"NAME\", \"COLUMN\") and figures (\"NAME/COLUMN\"), NAME being the probe's in the scene:")
+  local rows = {}
+  for i, column in ipairs(kind) do
+    rows[i] = { "        " .. column[1], column[2], column[3] }
+  end
+  report.table(rows)
+end
+
+--- The columns of one kind of probe, or of all.
+local function show_probes(kinds, wanted)
+  local found = columns.by_kind(kinds)
+  for _, kind in ipairs(kinds) do
+    if not wanted or kind.name == wanted then
+      report.line("\n%s: %s", kind.name, kind.meaning)
+      show_columns(found[kind.name])
+    end
+  end
+end
+
+local function show_figures()
+  report.line("%s", pages.figure)
+  for _, entry in ipairs(figure_keys.tables) do
+    report.line("\n%s", entry[2])
+    for _, key in ipairs(entry[3]) do
+      report.line("    %s", key[1])
+      report.line("%s", report.wrapped(key[2], "        "))
+    end
+  end
+end
+
 local function show_category(category)
   report.line("%s: %s", category.name, category.meaning)
   for _, kind in ipairs(category.kinds) do
@@ -84,6 +118,9 @@ local function show_kinds(catalog, topic)
     local kind = find(category.kinds, topic)
     if kind then
       show_kind(category, kind)
+      if category.name == "probe" then
+        show_probes(category.kinds, kind.name)
+      end
       found = true
     end
   end
@@ -91,7 +128,7 @@ local function show_kinds(catalog, topic)
 end
 
 local function known_topics(catalog)
-  local topics = { "units", "study", "commands" }
+  local topics = { "units", "study", "commands", "figure", "columns", "results", "solve", "trade" }
   for _, category in ipairs(catalog) do
     topics[#topics + 1] = category.name
     for _, kind in ipairs(category.kinds) do
@@ -113,12 +150,19 @@ return function(options)
     show_overview(catalog)
   elseif topic == "units" then
     show_units()
+  elseif topic == "figure" or topic == "figures" then
+    show_figures()
+  elseif topic == "columns" then
+    show_probes(find(catalog, "probe").kinds)
   elseif pages[topic] then
     report.line("%s", pages[topic])
   else
     local category = find(catalog, topic) or find(catalog, singular(topic))
     if category then
       show_category(category)
+      if category.name == "probe" then
+        show_probes(category.kinds)
+      end
     elseif not show_kinds(catalog, topic) then
       fault.input("there is no help on '%s'%s", options.topic, fault.meant(topic, known_topics(catalog)))
     end

@@ -3,7 +3,8 @@ local pages = {}
 
 pages.overview = [[
 stiction run STUDY        run a study's cases, checks and figures
-stiction help TOPIC       topics: commands, study, units, any part below or any of its kinds
+stiction help TOPIC       topics: commands, study, results, figure, columns (of probes), units, solve, trade, any part
+                          below or any of its kinds
 ]]
 
 pages.commands = [[
@@ -75,10 +76,50 @@ check: equal(name, value, expected, tolerance), close(name, value, expected, rel
        ledger(case, tolerance): energies sum up to 1e-6 of the largest (probe.energy{audit = true});
        table{title =, columns = {...}, rows = {{"key", ...}, ...}}: into the report, joined by title and key.
 stiction.schemes: names(), make(name), about(name): the time schemes that studies compare.
-figure: lines{name, title, width, x = {label, unit, log, range}, y = {...}, legend, curves = {{label, case or
-      file, x, y = "group/name" or list, x_shift, y_shift, y_sign, component, colour, style}}, marks = {{x, label}}},
-      field{name, case, time, array, unit, label, deformed, range, window, window_unit, mesh, scale_bar},
-      panel{name, columns, figures}. Plain numbers are SI; quantities may stand wherever numbers have units.]]
+figure: lines{...}, field{...}, panel{...}, map{...}: 'stiction help figure'.]]
+
+pages.figure = [[
+figures = function(cases) return { stiction.figure.lines{ ... }, ... } end,      -- a key of a study
+
+Each becomes figures/NAME.png in the output folder, anew with 'stiction figures STUDY'. Plain numbers are SI; quantities
+may stand wherever numbers have units. Where a case is given, "probe/column" names one of its histories ('stiction help
+columns' lists them). cases: as in results and checks; a loop over them makes a curve of each:
+
+  local curves = {}
+  for i, case in ipairs(cases) do
+    curves[i] = { label = "mu = " .. case.p.mu, case = case, y = "top/force_y" }
+  end
+  return { stiction.figure.lines { name = "force", x = { label = "time", unit = "ms" },
+    y = { label = "force", unit = "N/m" }, curves = curves } }]]
+
+pages.results = [[
+results = {                                           -- a key of a study
+  peak = { unit = "Pa", meaning = "Largest pressure", function(run, p) return run:max("crown", "pressure") end },
+}
+
+The function gives a number in SI or a quantity; it stands in summary.csv in SI and on the screen in `unit`.
+run.id, run.p            name and parameters of the case
+run.time                 list of the times of its steps, s
+run:series(probe, column [, component])    list of values at those times, and the unit; component: of a column that has
+                         several values, as those of contact_line: one per point, from 1
+run:max(probe, column [, component])       largest value and its time; run:min likewise
+run:at(time, probe, column [, component])  value at a time, between steps on a straight line
+run:columns()            names "probe/column" of all there is; 'stiction help columns' says what they are
+run.cost                 counters of the run: seconds, steps, iterations, work, unknowns ...
+It is run:max(...), with a colon. stiction.numeric works on lists: max, min, extreme, argmax, argmin, interpolate(xs, ys,
+x), first_where(list, test, start), integral(xs, ys), mean(list), amplitude(list), map(list, f).
+Results are computed when a case ends; a changed function needs 'stiction run STUDY' once more.]]
+
+pages.solve = [[
+stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
+
+FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder, and
+output{problems_every = n} saves that of every n-th step. It is solved by SOLVER ('stiction help solver' lists them;
+default: all in turn) to a relative natural-map residual (default 1e-10), from no forces. Each line tells whether the
+solver converged, its iterations, its work in products W p and the residual, which is judged apart from all solvers; below
+stands where theory promises no single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one
+did not; 2: no such file or solver. A study may do the same in place of a scene: problem = function(p) return { file =
+"...h5", solver = "newton", tolerance = 1e-8 } end.]]
 
 pages.trade = [[
 trade = {                                             -- a key of a study

@@ -1,0 +1,113 @@
+-- The keys of every table that a figure is made of, with what they mean: for the check of keys and for `stiction help figure`.
+local common = {
+  { "name", "of its file, without .png" },
+  { "title", "above the plot" },
+  { "width", "\"single\" (85 mm) or \"double\" (175 mm)" },
+  { "height", "mm; default by the content" },
+}
+
+local function with_common(keys)
+  local list = {}
+  for _, part in ipairs { common, keys } do
+    for _, key in ipairs(part) do
+      list[#list + 1] = key
+    end
+  end
+  return list
+end
+
+local keys = {}
+
+--- In the order of the help page: {name, what it is, {{key, meaning}, ...}}.
+keys.tables = {
+  { "lines", "figure.lines{ ... }: curves over one pair of axes", with_common {
+    { "x", "axis{ ... }" },
+    { "y", "axis{ ... }" },
+    { "curves", "list of curve{ ... }" },
+    { "legend", "\"top right\", \"top left\", \"bottom right\", \"bottom left\", \"below\" or \"none\"; default: where there is "
+      .. "room" },
+    { "colours", "\"distinct\" or \"sequential\", along the order of the curves" },
+    { "marks", "vertical lines: list of {x =, label =}" },
+  } },
+  { "axis", "an axis, a table without a constructor", {
+    { "label", "text beside it" },
+    { "unit", "in which it is drawn; default 1" },
+    { "log", "true: logarithmic" },
+    { "range", "{low, high}; default: all data" },
+  } },
+  { "curve", "a curve, a table without a constructor", {
+    { "label", "in the legend" },
+    { "case", "whose series are meant" },
+    { "file", "an HDF5 file instead of a case, from the output folder on" },
+    { "x", "\"probe/column\" or a list of numbers or quantities; default: time" },
+    { "y", "\"probe/column\" or a list" },
+    { "x_shift", "is taken away from x first" },
+    { "y_shift", "is taken away from y first" },
+    { "x_sign", "then x is multiplied by this" },
+    { "y_sign", "then y is multiplied by this" },
+    { "component", "which of a column that has several, from 1" },
+    { "colour", "0, 1, ... 6 of the palette; default: the order" },
+    { "style", "\"solid\", \"dash\", \"dot\", \"dashdot\" or \"points\"" },
+  } },
+  { "mark", "a vertical line, a table without a constructor", {
+    { "x", "where" },
+    { "label", "beside it" },
+  } },
+  { "field", "figure.field{ ... }: a mesh in colours at one time", with_common {
+    { "case", "whose fields are meant" },
+    { "file", "a .pvd or .vtu file instead of a case, from the output folder on" },
+    { "time", "a time, the nearest frame to it; or \"last\" (default)" },
+    { "array", "displacement, velocity, cauchy_stress, von_mises, beta, contact_pressure, normal_adhesion, "
+      .. "tangential_adhesion or status" },
+    { "component", "of a vector \"x\", \"y\" or \"z\", of a tensor \"xx\", \"yy\", \"zz\", \"xy\", \"yz\" or \"xz\", or their number "
+      .. "from 1; default: \"magnitude\"" },
+    { "unit", "of the colour bar" },
+    { "label", "of the colour bar; default: the array's name" },
+    { "deformed", "true: at the displaced nodes" },
+    { "range", "{low, high} of the colours" },
+    { "window", "{xmin, xmax, ymin, ymax}: what is shown" },
+    { "window_unit", "of window, crop and sphere where they are plain numbers; default m" },
+    { "mesh", "true: with the edges of cells" },
+    { "scale_bar", "a length, e.g. 1*mm" },
+    { "view", "of a solid: {azimuth =, elevation =} in degrees, default 30 and 25" },
+    { "mirror", "list of \"x\", \"y\", \"z\": shown with its image across x = 0, ..." },
+    { "crop", "a solid cut by a box: {xmin =, xmax =, ymin =, ymax =, zmin =, zmax =}, any of them" },
+    { "sphere", "a rigid sphere or circle: {centre =, radius =, path = {times =, x =, y =, z =}}" },
+  } },
+  { "panel", "figure.panel{ ... }: several of these beside each other", with_common {
+    { "columns", "how many beside each other; default 2" },
+    { "figures", "list of figure.lines, figure.field and figure.map" },
+  } },
+  { "map", "figure.map{ ... }: a table of outcomes, each a colour and a letter", with_common {
+    { "blocks", "side by side, the rows shared out" },
+    { "columns", "list of texts" },
+    { "kinds", "list of {letter =, label =, colour = 0, 1, ... of the palette}" },
+    { "rows", "list of {group =, label =, cells = a letter of a kind per column, . for none}" },
+  } },
+}
+
+--- The keys of smaller tables.
+keys.small = {
+  scale_bar = { "length", "unit" },
+  view = { "azimuth", "elevation" },
+  crop = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" },
+  sphere = { "centre", "radius", "path" },
+  path = { "times", "x", "y", "z" },
+}
+
+--- By table the set of its keys.
+keys.known = {}
+for _, entry in ipairs(keys.tables) do
+  keys.known[entry[1]] = {}
+  for _, key in ipairs(entry[3]) do
+    keys.known[entry[1]][key[1]] = true
+  end
+end
+for name, list in next, keys.small do
+  keys.known[name] = {}
+  for _, key in ipairs(list) do
+    keys.known[name][key] = true
+  end
+end
+
+return keys
