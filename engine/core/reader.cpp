@@ -15,10 +15,20 @@ std::string shown_outside(double value, Range range) {
   auto text = fmt::format("{:g}", value);
   return std::isfinite(value) && range.contains(std::stod(text)) ? fmt::format("{}", value) : text;
 }
+
+/// The way out where a value outside its range is a wish that has one.
+char const* way_out(std::string_view key, double value) {
+  if (key == "poisson" && value >= 0.5 && value <= 0.501)
+    return "; a body that hardly changes its volume: poisson = 0.499 with interpolation = "
+           "\"mean_dilatation\" "
+           "in its body";
+  return "";
+}
 } // namespace
 
 char const* kind_of(Input const& input) {
-  static constexpr char const* names[] = {"nothing", "true/false", "a number", "a text", "a list", "a table"};
+  static constexpr char const* names[] = {"nothing", "true/false", "a number",
+                                          "a text",  "a list",     "a table with names"};
   return names[input.value.index()];
 }
 
@@ -110,9 +120,9 @@ bool Reader::check_number(std::string_view key, Input const& given, std::string_
   }
   double const in_unit = quantity->value / wanted->value;
   if (!range.contains(in_unit)) {
-    complain_at(key,
-                fmt::format("is {}{}; it must be {}", shown_outside(in_unit, range),
-                            unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit), range.words(unit)));
+    complain_at(key, fmt::format("is {}{}; it must be {}{}", shown_outside(in_unit, range),
+                                 unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit),
+                                 range.words(unit), way_out(key, in_unit)));
     return false;
   }
   value = quantity->value;
@@ -243,6 +253,12 @@ void Reader::fill(void* target, Schema const& schema) {
 }
 
 void Reader::complain_unknown_kind(std::string const& name, std::vector<std::string> const& known) {
+  if (input_->table() == nullptr) { // the reader has complained already, knowing less
+    if (!complaints_->empty() && complaints_->back().path == path_ && input_->value.index() != 0)
+      complaints_->back().text =
+          fmt::format("is {}; it must be made by one of {}", kind_of(*input_), fmt::join(known, ", "));
+    return;
+  }
   auto const meant = nearest(name, known);
   complain(
       fmt::format("{}; it must be made by one of {}{}",

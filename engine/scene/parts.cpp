@@ -11,10 +11,15 @@ using core::Reader;
 
 namespace {
 
+bool is_empty(Reader& reader, char const* key) {
+  auto const* list = reader.at(key, Need::optional).list();
+  return list != nullptr && list->empty();
+}
+
 /// Values along times: both lists of one length, times ascending.
 void check_path(Reader& reader, Numbers const& times, Numbers const& values, char const* key) {
-  if (!reader.has(key))
-    return;
+  if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")))
+    return; // times that could not be read have their own complaint
   if (values.size() != times.size() || times.empty())
     reader.complain_at(
         key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));

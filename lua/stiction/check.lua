@@ -20,7 +20,8 @@ function check.recorder()
 
   local function keep(entry)
     if type(entry.name) ~= "string" or seen[entry.name] then
-      fault.script("every check needs a name of its own; got '%s'", tostring(entry.name))
+      fault.script("every check needs a name of its own, a text, before its values; got '%s'%s", tostring(entry.name),
+        seen[entry.name] and " twice" or "")
     end
     seen[entry.name] = true
     list[#list + 1] = entry
@@ -117,7 +118,7 @@ function check.recorder()
   calls.functions(recorder, "check")
   setmetatable(recorder, {
     __index = function(_, name)
-      fault.script("there is no check.%s%s", tostring(name),
+      fault.script("there is no check.%s%s; study.check is given (cases, check)", tostring(name),
         fault.meant(name, { "equal", "close", "within", "holds", "non_decreasing", "non_increasing", "increasing", "ledger",
           "proof", "table" }))
     end,

@@ -63,6 +63,39 @@ local function watched_io(source)
   return watched
 end
 
+local trust_words = "a study is kept from running programs, from files of its own and from the clock, so that it can be "
+  .. "shared and repeats; 'stiction run STUDY --trust' gives it io and os"
+local closed_words = {
+  load = "text cannot be run as Lua in a study", loadstring = "text cannot be run as Lua in a study",
+  dofile = "a study reads its own modules with require 'NAME' (NAME.lua beside it)",
+  loadfile = "a study reads its own modules with require 'NAME' (NAME.lua beside it)",
+  collectgarbage = "memory looks after itself", debug = "a study cannot look into the library",
+  package = "a study reads its own modules with require 'NAME' (NAME.lua beside it)",
+}
+
+--- Stands for a library that scripts do not have, and says why at its first use.
+local function closed_library(name, words)
+  local function refuse(_, key)
+    fault.script("%s.%s is not there: %s", name, tostring(key), words)
+  end
+  return setmetatable({}, { __index = refuse, __newindex = refuse, __metatable = "closed" })
+end
+
+local function close_doors(names, trust)
+  for _, name in ipairs { "load", "loadstring", "dofile", "loadfile", "collectgarbage" } do
+    names[name] = function()
+      fault.script("%s is not there: %s", name, closed_words[name])
+    end
+  end
+  names.math.randomseed = function()
+    fault.script("math.randomseed is not there: math.random gives the same numbers in every run, so that runs repeat")
+  end
+  names.debug, names.package = closed_library("debug", closed_words.debug), closed_library("package", closed_words.package)
+  if not trust then
+    names.io, names.os = closed_library("io", trust_words), closed_library("os", trust_words)
+  end
+end
+
 --- The globals of a script: copies, so that no script can reach into the library. `trust` adds io and os.
 function loader.environment(trust, source)
   local names = {}
@@ -75,6 +108,7 @@ function loader.environment(trust, source)
   if trust then
     names.io, names.os = source and watched_io(source) or io, os -- luacheck: ignore
   end
+  close_doors(names, trust)
   names.pairs, names.print, names._G = ordered.pairs, print_to_output, names
   return names
 end
@@ -126,6 +160,9 @@ local function make_require(source)
 end
 
 local function not_found(path)
+  if engine.kind_of_path(path) == "file" then
+    fault.input("%s is no study: a .lua file or a folder with study.lua is", path)
+  end
   local parent, name = path:match("^(.*)/([^/]+)/*$")
   local siblings = {}
   for i, sibling in ipairs(engine.list(parent or ".", false)) do

@@ -69,7 +69,7 @@ local function read_result(name, entry)
   end
   local unit = entry.unit or "1"
   if type(unit) ~= "string" or not engine.parse_unit(unit) then
-    fault.script("study.results.%s: unknown unit '%s'", name, tostring(unit))
+    fault.script("study.results.%s: unknown unit '%s'; 'stiction help units' lists them", name, tostring(unit))
   end
   return { name = name, unit = unit, meaning = entry.meaning or "", compute = body }
 end
@@ -179,6 +179,10 @@ end
 --- The scene of a case, made once.
 function methods.scene_of(self, case)
   case.scene = case.scene or self.scene(case.p)
+  if type(case.scene) ~= "table" then
+    fault.input("study.scene must end with: return stiction.scene{ ... }; it gave %s",
+      case.scene == nil and "nothing" or "a " .. type(case.scene))
+  end
   return case.scene
 end
 

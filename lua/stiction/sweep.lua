@@ -302,7 +302,8 @@ function sweep.find(cases, id)
     end
     ids[i] = case.id
   end
-  fault.input("there is no case '%s'%s; --list shows the cases", id, fault.meant(id, ids))
+  fault.input("there is no case '%s'%s; %s", id, fault.meant(id, ids), #ids > 10 and "--list shows the cases"
+    or "cases are " .. table.concat(ids, ", "))
 end
 
 return sweep

@@ -26,7 +26,15 @@ expect 2 "'density' must be like 1000 kg/m^3, not 3" "$stiction" run "$tiny" --s
 expect 2 "unknown unit 'kgg'; did you mean 'kg'?" "$stiction" run "$tiny" --set "density=3 kgg"
 expect 2 "no case 'mu0.3'; did you mean" "$stiction" run "$tiny" --case mu0.3
 touch file
+changed half 's/poisson = 0.3/poisson = 0.5/'
 expect 2 "cannot make the folder file/out|--out" "$stiction" run "$tiny" --out file/out
+
+expect 2 "poisson: is 0.5; it must be|poisson = 0.499 with interpolation = \"mean_dilatation\"" "$stiction" run half
+changed mark ''
+for file in study.lua block.lua; do # a byte-order mark, as some editors put first
+  printf '\357\273\277' | cat - "$tiny/$file" >"mark/$file"
+done
+expect 0 "mu0  to run" "$stiction" run mark --list
 
 mkdir scripts
 cat >scripts/deep.lua <<'L'
@@ -50,7 +58,13 @@ expect 2 "syntax.lua:1: unexpected symbol" "$stiction" run scripts/syntax.lua
 echo 'return 3' >scripts/nothing.lua
 expect 2 "nothing.lua must end with: return stiction.study" "$stiction" run scripts/nothing.lua
 echo 'os.execute("true")' >scripts/os.lua
-expect 2 "os.lua:1: |'os'" "$stiction" run scripts/os.lua
+expect 2 "os.lua:1: os.execute is not there|--trust" "$stiction" run scripts/os.lua
+echo 'local f = io.open("x.csv")' >scripts/io.lua
+expect 2 "io.lua:1: io.open is not there|--trust" "$stiction" run scripts/io.lua
+echo 'dofile("other.lua")' >scripts/dofile.lua
+expect 2 "dofile.lua:1: dofile is not there|require" "$stiction" run scripts/dofile.lua
+echo 'local a = 5*mm' >scripts/unit.lua
+expect 2 "unit.lua:1: |local mm = stiction.units.mm" "$stiction" run scripts/unit.lua
 echo 'require "other"' >scripts/require.lua
 expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
 
