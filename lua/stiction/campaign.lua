@@ -22,14 +22,14 @@ function campaign.survey(plan)
 end
 
 --- Bad input if the case's scene, or the problem in its place, cannot be, or if a result asks for a column that its
---- histories will not have; else what is known against the case (a list).
-function campaign.validate(study, case)
+--- histories will not have; else what is known against the case (a list). curves: of a trade, or nil.
+function campaign.validate(study, case, curves)
   if study.problem then
     problem.read(study, case.p)
     return {}
   end
   local preview = engine.preview(study:scene_of(case))
-  local mistake = not study.source.trust and rehearsal.mistake(study, case, preview) -- the trusted may write files
+  local mistake = not study.source.trust and rehearsal.mistake(study, case, preview, curves) -- the trusted may write files
   if mistake then
     fault.input("%s", mistake)
   end
@@ -37,10 +37,10 @@ function campaign.validate(study, case)
 end
 
 --- Validates every case to come, so that bad input is told before anything runs; a list of {id =, warnings =}.
-local function validate_all(study, cases)
+local function validate_all(study, cases, curves)
   local told = {}
   for i, case in ipairs(cases) do
-    local held, value = engine.call(campaign.validate, study, case)
+    local held, value = engine.call(campaign.validate, study, case, curves)
     if not held then
       if value.kind == "input" and #cases > 1 then
         fault.input("%s\n  (in case %s)", value.message, case.id)
@@ -109,7 +109,7 @@ function campaign.run(plan, rows)
   for _, row in ipairs(rows) do
     row_of[row.case.id] = row
   end
-  warn(validate_all(plan.study, pending), rows, plan.options)
+  warn(validate_all(plan.study, pending, plan.curves), rows, plan.options)
   hold.note(plan.folder, plan.study)
   settle(plan, rows, pending)
   campaign.write_summary(plan, rows)

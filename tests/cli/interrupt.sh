@@ -49,7 +49,7 @@ holds "no message: $(cat output)" printed "stopped by the user while a script wa
 # what writes nothing ends at once, also within the engine: no memory is held
 changed huge 's/cells = { 4,/cells = { 700,/'
 for signal in INT TERM; do
-  for command in "explain $work/huge" "run $work/huge --no-figures --out never"; do
+  for command in "explain $work/huge" "run $work/huge --no-figures --out never" "bench $work/huge"; do
     # shellcheck disable=SC2086 # words
     "$stiction" $command >output 2>&1 </dev/null &
     id=$!

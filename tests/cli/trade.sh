@@ -18,6 +18,12 @@ holds "one default" [ "$(grep -c ",true,[a-z]*$" out/soft/trade/trade.csv)" = 1 
 holds "kept beside the study" [ -s soft/trade.json ]
 cut -d, -f1-10 out/soft/trade/trade.csv >first
 
+# a curve of a column that is not there, before anything runs
+sed 's|sole/force_y" }|sole/forcey" }|' soft/study.lua >soft/curve.lua
+expect 2 "curve history: case cells4_steps10 has no series 'sole/forcey'; did you mean" "$stiction" trade soft/curve.lua --no-figures
+holds "something ran" [ -z "$(find out/curve -name series.h5)" ]
+rm soft/curve.lua
+
 # a trade again runs nothing, and says the same on another number of processes: counts, no seconds
 expect 0 "force_y: reference" "$stiction" trade soft --no-figures
 holds "a finished run was run again" [ "$(grep -c started output)" = 0 ]

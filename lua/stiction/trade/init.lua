@@ -75,7 +75,7 @@ end
 local function run_round(trade, wanted)
   table.move(wanted, 1, #wanted, #trade.wanted + 1, trade.wanted)
   local plan = { study = trade.study, cases = cases_at(trade.all, trade.wanted), names = trade.names,
-    folder = trade.folder, options = trade.options }
+    folder = trade.folder, options = trade.options, curves = trade.quantities }
   local rows = campaign.survey(plan)
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
