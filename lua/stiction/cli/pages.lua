@@ -164,8 +164,9 @@ and its error columns stay empty.
 number of the knobs a level finer, one at a time, and with the default in place of each other choice. The claim is the
 sum of what these change, of a number times 1 / (1 - r^-0.4) where its resolution falls by r (4.1 for a half), as if
 errors fell with the order 0.4: mostly they fall faster, but of 46 changed scenes (studies/trade/claims) 8 were off by
-more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth of the value is added for the solvers' tolerances. With --accuracy
-it is a check that the claim is within the share. The finer runs are kept below finer/ in the output.]]
+more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth
+of the value is added for the solvers' tolerances. With --accuracy it is a check that the claim is within the share.
+The finer runs are kept below finer/ in the output.]]
 
 --- What parameters do to a result, told with the kind that has them.
 pages.notes = {
