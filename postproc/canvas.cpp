@@ -118,7 +118,11 @@ public:
 
 double fitting_size(std::string const& text, double size, double width) {
   double const needed = measure(text, size).width;
-  return needed <= width ? size : std::max(4.0, size * width / needed);
+  if (needed <= width)
+    return size;
+  double const pixels =
+      std::floor(points(size) * width / needed); // letters have whole ones: rounded up, they overflow
+  return std::max(4.0, pixels / points(1));
 }
 
 Size measure(std::string const& text, double size) {
