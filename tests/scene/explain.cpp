@@ -225,6 +225,8 @@ TEST_CASE("points at the nodes of quadratic cells in space are advised against b
   CHECK_FALSE(warns(input, "contact points at the nodes"));
   at(input, "bodies.ground") = at(input, "bodies.foot");
   at(input, "bodies.ground.mesh") = box(-1);
+  at(input, "motions") = list({make("motion.fix", {{"set", text("foot.top")}}),
+                               make("motion.fix", {{"set", text("ground.bottom")}})});
   at(input, "pairs.sole.primary") = text("ground.top");
   auto const found = warnings(input, "contact points at the nodes of hex20 cells");
   REQUIRE(found.size() == 1);
