@@ -78,7 +78,8 @@ void draw_heading(Canvas& canvas, std::string const& heading, Size const& pictur
   if (heading.empty())
     return;
   Lettering lettering;
-  lettering.size = fitting_size(heading, title_size, picture.width - 2 * points(edge));
+  double const room = picture.width - 2 * points(edge);
+  lettering.size = fitting_size(heading, title_size, 0.97 * room); // drawn a little wider than measured
   lettering.along = Along::top;
   canvas.text(heading, {points(edge), picture.height - points(edge)}, lettering);
 }
