@@ -171,6 +171,9 @@ TEST_CASE("probes: the force on an obstacle is that of its own pairs, also where
                                                                    {"normal", test::values({1, 0})}})},
                               {"pivot", test::values({0, 0.5}, "m")}});
   test::at(table, "pairs.side") = test::pair("foot.left", "wall");
+  test::at(table, "obstacles.floor.times") = test::values({0, 1}, "s"); // along itself, with its pivot
+  test::at(table, "obstacles.floor.x") = test::values({0, 0.2}, "m");
+  test::at(table, "probes.line") = probe("contact_line", "pair", "sole");
   test::at(table, "motions") = test::list(
       {test::drive("foot.top", {0, 1}, {}, {0, -0.01}), test::drive("foot.right", {0, 1}, {0, -0.02}, {})});
   test::at(table, "schedule") = test::schedule({{1, 1}});
@@ -182,7 +185,9 @@ TEST_CASE("probes: the force on an obstacle is that of its own pairs, also where
   CHECK(seen.number("wall/force_x") == doctest::Approx(-20).epsilon(1e-8));
   CHECK(seen.number("wall/force_y") == doctest::Approx(0).scale(1));
   CHECK(seen.series.columns.at("floor/moment").unit == "N");
-  CHECK(seen.number("floor/moment") == doctest::Approx(-10 * 0.49).epsilon(1e-8)); // 0.02 m narrower
+  CHECK(seen.number("floor/moment") == doctest::Approx(-10 * (0.49 - 0.2)).epsilon(1e-8)); // 0.02 m narrower
+  CHECK(seen.number("floor/u_x") == doctest::Approx(0.2));
+  CHECK(seen.series.columns.at("line/area").unit == "m");
   CHECK(seen.number("wall/moment") == doctest::Approx(20 * -0.005).epsilon(1e-6)); // 0.01 m lower
 }
 
