@@ -339,7 +339,7 @@ template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
 }
 
 template<int D, int C> void Stage<D, C>::gather() {
-  reduced_.clear();
+  reduced_.clear(structure_->symmetric());
   for (Index const k : active_) {
     auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
@@ -402,7 +402,7 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   gather();
   take_shift_away(weight);
   problem_.dim = C;
-  reduced_.eliminate(structure_->factor().trailing_inverse(), y, weight, problem_.W, problem_.free);
+  reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W, problem_.free);
   Vector guess(C * static_cast<Index>(active_.size()));
   problem_.start.setZero(guess.size());
   for (std::size_t row = 0; row < active_.size(); ++row) {

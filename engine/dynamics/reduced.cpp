@@ -5,8 +5,9 @@
 
 namespace stiction::dynamics {
 
-void Reduced::clear() {
+void Reduced::clear(bool symmetric) {
   rows_ = 0;
+  symmetric_ = symmetric;
   H_.clear();
   K_.clear();
 }
@@ -61,9 +62,12 @@ void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W
     right_(i, m) = y[used_[ix(i)]];
   W.setZero(m, m);
   free.setZero(m);
-  for (auto const& h : H_) { // V is symmetric, so this W is its own transpose
+  for (auto const& h : H_) {
     Index const place = place_[ix(h.column)];
-    W.col(h.row) += h.value * right_.row(place).head(m).transpose();
+    if (symmetric_) // W is its own transpose
+      W.col(h.row) += h.value * right_.row(place).head(m).transpose();
+    else
+      W.row(h.row) += h.value * right_.row(place).head(m);
     free[h.row] += h.value * right_(place, m);
   }
 
@@ -77,9 +81,15 @@ void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W
   pushed_.setZero(s, m + 1);
   for (auto const& k : K_)
     pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
-  // H V = (weight V H^T)^T / weight
-  W.noalias() += (1 / weight) * (right_.topLeftCorner(s, m).transpose() * pushed_.leftCols(m));
-  free.noalias() += (1 / weight) * (right_.topLeftCorner(s, m).transpose() * pushed_.col(m));
+  if (!symmetric_) {
+    left_.setZero(s, m);
+    for (auto const& h : H_)
+      left_.col(h.row) += (weight * h.value) * V_.row(place_[ix(h.column)]).head(s).transpose();
+  }
+  // H V = (weight V^T H^T)^T / weight
+  auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
+  W.noalias() += (1 / weight) * (HV * pushed_.leftCols(m));
+  free.noalias() += (1 / weight) * (HV * pushed_.col(m));
 }
 
 void Reduced::push(Vector const& force, double weight, Vector& c) const {

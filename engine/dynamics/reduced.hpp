@@ -8,7 +8,8 @@ namespace stiction::dynamics {
 /// sparse. Workspace is kept between calls.
 class Reduced {
 public:
-  void clear();
+  /// symmetric: is the V to come?
+  void clear(bool symmetric = true);
   /// unknowns[columns]: trailing unknown behind each column of H, -1 if driven. H: [components, columns].
   void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
   void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
@@ -25,6 +26,7 @@ private:
     double value;
   };
   Index rows_ = 0;
+  bool symmetric_ = true;
   std::vector<Entry> H_, K_;
   void gather(Dense const& V);
 
@@ -32,6 +34,7 @@ private:
   Index support_ = 0;    ///< how many of them K touches
   Dense V_;              ///< between them
   Dense right_;          ///< weight V H^T | y, [used, rows + 1]
+  Dense left_;           ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
   Dense small_;          ///< I - weight V K on the support
   Dense motion_;         ///< du on the support per force | without, [support, rows + 1]
   Dense pushed_;         ///< weight K motion

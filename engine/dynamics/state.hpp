@@ -1,5 +1,6 @@
 // All that must survive a step.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "contact/kinematics.hpp"
@@ -60,6 +61,12 @@ struct Ledger {
   [[nodiscard]] double unaccounted() const { return scheme_loss() - predicted.sum(); }
 };
 
+/// What a factor was made from that serves steps to come: to tell it from others, and to make it again.
+struct FactorSource {
+  std::shared_ptr<Vector const> u; ///< m
+  double dt = 0;                   ///< s
+};
+
 struct State {
   double t = 0; ///< s
   Vector u, v;  ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
@@ -75,6 +82,10 @@ struct State {
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
   Ledger ledger;
+  /// The factors that the step which led here left for the next, the last used first; where they depend on u.
+  std::vector<FactorSource> factors;
+  double critical_step = 0; ///< of explicit schemes, s, found `critical_age` steps ago; age 0: not known
+  int critical_age = 0;
 };
 
 } // namespace stiction::dynamics

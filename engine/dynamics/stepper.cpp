@@ -24,8 +24,7 @@ core::Schema const& StepControl::schema() {
           .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-14, 1e-2, false, false},
                   Need::optional, "out-of-balance force and contact residual over the largest nodal force")
           .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
-                   "Newton iterations at most; three times as many for damped bodies with contact nodes "
-                   "apart (contact_inertia), while the residual falls steadily")
+                   "Newton iterations at most")
           .build();
   return made;
 }
@@ -216,7 +215,7 @@ bool Stepper::converged(Outcome& outcome) const {
 /// one.
 bool Stepper::correct(double dt, Outcome& outcome) {
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
-  bool const keep = structure_.take_factor(weights_, dt) && (structure_.linear() || !slow);
+  bool const keep = structure_.take_factor(weights_, dt, cost_) && (structure_.linear() || !slow);
   if (keep && apply_factor())
     return true;
   if (!keep || !structure_.linear()) {
@@ -235,26 +234,18 @@ bool Stepper::correct(double dt, Outcome& outcome) {
 
 /// Solves for the correction and adds it to the displacement; false if the contact problem was not solved.
 bool Stepper::apply_factor() {
-  auto& factor = structure_.factor();
-  Index const surface = structure_.unknowns() - structure_.first_contact_unknown();
   correction_.resize(structure_.unknowns());
   {
     Timer const timer(cost_.solve);
     for (Index k = 0; k < structure_.unknowns(); ++k)
       correction_[k] = -dry_[structure_.dof_of(k)];
-    factor.forward(correction_);
-    surface_ = correction_.tail(surface);
-    factor.trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(surface_);
+    surface_ = structure_.reduce(correction_);
   }
   if (!contact_->solve(surface_, weights_.contact, push_, cost_))
     return false;
   {
     Timer const timer(cost_.solve);
-    if (!push_.isZero(0)) {
-      factor.trailing_factor().triangularView<Eigen::Lower>().solveInPlace(push_);
-      correction_.tail(surface) += push_;
-    }
-    factor.backward(correction_);
+    structure_.recover(push_, correction_);
     ++cost_.solves;
   }
   for (Index k = 0; k < structure_.unknowns(); ++k)
@@ -268,9 +259,11 @@ Outcome Stepper::step(State const& old, double dt) {
   if (weights_.explicit_forces)
     if (auto refused = too_long(old, dt))
       return *std::move(refused);
+  structure_.recall(old.factors, weights_);
   Outcome outcome = attempt(old, dt, !model_->held_by_bonds);
   if (outcome.converged() || old.v.isZero(0) || model_->held_by_bonds)
     return outcome;
+  structure_.recall({}, weights_); // where the first led nowhere its factor is of no use
   Outcome second = attempt(old, dt, false);
   second.iterations += outcome.iterations;
   return second;
@@ -295,18 +288,27 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
   return "";
 }
 
-/// How many iterations may be made. The stiffness takes the viscosity of contact nodes that balance by
-/// themselves at the rate of the others: a stiff one is met by a steady factor, and it is worth going on.
-int Stepper::patience() const {
-  bool const steady = structure_.damped() && weights_.surface_apart() && contraction_ < 0.6;
-  return (steady ? 3 : 1) * model_->control.iterations;
+/// A correction that turns a cell inside out went too far, not astray: half of it, or half of that, need not.
+bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
+  double part = 1;
+  for (int halvings = 0; halvings < 6 && outcome.iterations > 0; ++halvings) {
+    part *= 0.5;
+    for (Index k = 0; k < structure_.unknowns(); ++k)
+      d_[structure_.dof_of(k)] -= part * correction_[k];
+    if (balance(old, dt, outcome)) {
+      outcome.verdict = StepVerdict::not_converged;
+      outcome.reason.clear();
+      return true;
+    }
+  }
+  return false;
 }
 
 Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
   Outcome outcome;
   predict(old, dt, extrapolate);
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
-    if (!balance(old, dt, outcome))
+    if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
       return outcome;
     force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
                              inertia_.lpNorm<Eigen::Infinity>(), contact_->force_scale(),
@@ -316,7 +318,7 @@ Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
     previous_imbalance_ = now;
     if (outcome.iterations > 0 && converged(outcome))
       break;
-    if (outcome.iterations >= patience() || !std::isfinite(now)) {
+    if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
       outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
                                    outcome.out_of_balance, outcome.iterations);
       return outcome;
@@ -367,6 +369,9 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   account(old, next);
   if (model_->audited)
     audit(old, next);
+  next.factors = structure_.sources();
+  next.critical_step = critical_step_;
+  next.critical_age = critical_age_;
   outcome.verdict = StepVerdict::converged;
 }
 

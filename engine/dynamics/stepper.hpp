@@ -48,12 +48,12 @@ public:
 
 private:
   [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
-  [[nodiscard]] int patience() const;
   [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, bool extrapolate);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool internal_forces(Outcome& outcome);
+  [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
   void accelerate(State const& old, double dt);
   void start_rates(State& state);
   void set_explicit_rates(State const& old, double dt, State& next) const;
@@ -84,7 +84,7 @@ private:
   Vector external_old_, external_; ///< weight and loads at the step's ends, N
   Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
-  int critical_age_ = 0; ///< steps since the critical step was found; 0: not known
+  int critical_age_ = 0; ///< as State::critical_age, after the step
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
 };

@@ -25,12 +25,11 @@ void Stepper::set_explicit_rates(State const& old, double dt, State& next) const
 /// The stability limit holds for the state it was found for; where bodies are not linear it is found anew
 /// from time to time.
 std::optional<Outcome> Stepper::too_long(State const& old, double dt) {
-  if (critical_age_ == 0)
-    critical_step_ = critical_step(*model_, old.u);
+  critical_step_ = old.critical_age == 0 ? critical_step(*model_, old.u) : old.critical_step;
   bool const constant = std::all_of(model_->bodies.begin(), model_->bodies.end(), [](auto const& body) {
     return std::holds_alternative<material::LinearElastic>(body->material);
   });
-  critical_age_ = constant ? 1 : (critical_age_ + 1) % critical_steps;
+  critical_age_ = constant ? 1 : (old.critical_age + 1) % critical_steps;
   if (dt <= critical_step_ * (1 + critical_margin))
     return {};
   Outcome outcome;

@@ -1,8 +1,10 @@
 // Numbering, mass with or without inertia on contact nodes, and the effective stiffness.
 #include "dynamics/structure.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "dynamics/timer.hpp"
 
@@ -93,6 +95,7 @@ Structure::Structure(Model const& model, StepWeights const& weights)
   cell_size_ = largest_cell(model);
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
+  own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1 && trailing_ > 0;
 }
 
 void Structure::number_unknowns(Model const& model) {
@@ -235,19 +238,62 @@ double mass_factor(StepWeights const& weights, double dt) {
 }
 } // namespace
 
-bool Structure::take_factor(StepWeights const& weights, double dt) {
+void Structure::Kept::is_of(FactorSource from, StepWeights const& weights) {
+  source = std::move(from);
+  made = false;
+  own.reset();
+  xi = weights.xi;
+  mass = mass_factor(weights, source.dt);
+}
+
+bool Structure::take_factor(StepWeights const& weights, double dt, Cost& cost) {
   double const mass = mass_factor(weights, dt);
   auto const found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(weights.xi, mass); });
   if (found == kept_.end())
     return false;
   std::rotate(kept_.begin(), found, found + 1);
-  return true;
+  return kept_.front().made || make(weights, cost);
 }
 
-/// Puts first what may be overwritten by a factor of these coefficients: one of the same, one that is empty
-/// or new, or the one used longest ago.
-void Structure::place_factor(double xi, double mass) {
-  auto found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(xi, mass) || !one.ready; });
+void Structure::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
+  if (linear_)
+    return;
+  std::vector<Kept> had = std::exchange(kept_, {});
+  auto const* any = had.front().factor.get();
+  for (auto const& source : wanted) {
+    auto const found = std::ranges::find_if(had, [&](Kept const& one) { return one.comes_from(source); });
+    if (found == had.end()) {
+      kept_.emplace_back().is_of(source, weights);
+      continue;
+    }
+    kept_.push_back(std::move(*found));
+    had.erase(found);
+  }
+  for (auto& one : kept_) // overwritten: in the memory of what nobody wants
+    if (one.factor == nullptr && had.empty()) {
+      one.factor = std::make_unique<linear::Cholesky>(any->pattern(), trailing_);
+    } else if (one.factor == nullptr) {
+      one.factor = std::move(had.back().factor);
+      had.pop_back();
+    }
+  for (auto& one : had)
+    kept_.emplace_back().factor = std::move(one.factor);
+}
+
+std::vector<FactorSource> Structure::sources() const {
+  std::vector<FactorSource> all;
+  for (auto const& one : kept_)
+    if (!linear_ && one.source.u != nullptr)
+      all.push_back(one.source);
+  return all;
+}
+
+/// Puts first what may be overwritten by a factor from this source: one of the same coefficients, one that is
+/// empty or new, or the one used longest ago.
+void Structure::place_factor(FactorSource source, StepWeights const& weights) {
+  double const mass = mass_factor(weights, source.dt);
+  auto found = std::ranges::find_if(
+      kept_, [&](Kept const& one) { return one.is(weights.xi, mass) || one.source.u == nullptr; });
   if (found == kept_.end() && kept_.size() < kept_at_most_) {
     kept_.emplace_back().factor = std::make_unique<linear::Cholesky>(factor().pattern(), trailing_);
     found = kept_.end() - 1;
@@ -255,8 +301,7 @@ void Structure::place_factor(double xi, double mass) {
     found = kept_.end() - 1;
   }
   std::rotate(kept_.begin(), found, found + 1);
-  kept_.front().xi = xi;
-  kept_.front().mass = mass;
+  kept_.front().is_of(std::move(source), weights);
 }
 
 void Structure::add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
@@ -264,31 +309,97 @@ void Structure::add_stiffness(Vector const& u, StepWeights const& weights, doubl
     auto const first = ix(dim_ * model_->first_node[body]),
                count = ix(dim_ * model_->first_node[body + 1]) - first;
     model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
-    if (damped_ && model_->cells[body].damped())
-      model_->cells[body].add_damping_stiffness({u.data() + first, count}, weights.xi / (weights.rate * dt),
-                                                maps_[body], values_);
   }
   ++cost.stiffness_passes;
+  double const viscous = weights.xi / (weights.rate * dt);
+  if (damped_ && !own_rates_)
+    add_damping(u, viscous, values_);
+  if (!own_rates_)
+    return;
+  viscous_.assign(values_.size(), 0.0);
+  add_damping(u, viscous, viscous_);
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    values_[k] += viscous_[k];
+}
+
+void Structure::add_damping(Vector const& u, double factor, std::vector<double>& values) const {
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    if (model_->cells[body].damped())
+      model_->cells[body].add_damping_stiffness({u.data() + first, count}, factor, maps_[body], values);
+  }
+}
+
+/// The columns of contact unknowns in `share` times what A adds.
+std::vector<OwnRates::Entry> Structure::own_columns(double share) const {
+  auto const& pattern = kept_.front().factor->pattern();
+  Index const first_contact = first_contact_unknown();
+  std::vector<OwnRates::Entry> entries;
+  auto const add = [&](Index row, Index column, double value) {
+    if (column >= first_contact && value != 0)
+      entries.push_back({row, column - first_contact, share * value});
+  };
+  for (Index j = 0; j < unknowns(); ++j)
+    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k) {
+      Index const i = pattern.rows[ix(k)];
+      add(i, j, viscous_[ix(k)]);
+      if (i != j)
+        add(j, i, viscous_[ix(k)]);
+    }
+  return entries;
+}
+
+Vector Structure::reduce(Vector& b) {
+  auto& kept = kept_.front();
+  kept.factor->forward(b);
+  if (kept.own)
+    return kept.own->reduce(*kept.factor, b);
+  Vector y = b.tail(trailing_);
+  kept.factor->trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
+  return y;
+}
+
+void Structure::recover(Vector const& push, Vector& z) {
+  auto& kept = kept_.front();
+  if (kept.own) {
+    kept.own->recover(*kept.factor, push, z);
+  } else if (!push.isZero(0)) {
+    Vector own = push;
+    kept.factor->trailing_factor().triangularView<Eigen::Lower>().solveInPlace(own);
+    z.tail(trailing_) += own;
+  }
+  kept.factor->backward(z);
+}
+
+Dense const& Structure::contact_inverse() {
+  auto& kept = kept_.front();
+  return kept.own ? kept.own->inverse() : kept.factor->trailing_inverse();
 }
 
 bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
+  place_factor({std::make_shared<Vector const>(u), dt}, weights);
+  return make(weights, cost);
+}
+
+/// The present factor from its source.
+bool Structure::make(StepWeights const& weights, Cost& cost) {
+  auto& now = kept_.front();
+  auto const [u, dt] = now.source;
   {
     Timer const timer(cost.assembly);
-    double const inertia = mass_factor(weights, dt);
-    place_factor(weights.xi, inertia);
     if (weights.inertia)
       for (std::size_t k = 0; k < values_.size(); ++k)
-        values_[k] = inertia * mass_in_matrix_[k];
+        values_[k] = now.mass * mass_in_matrix_[k];
     else
       std::fill(values_.begin(), values_.end(), 0.0);
     if (!diagonal_)
-      add_stiffness(u, weights, dt, cost);
+      add_stiffness(*u, weights, dt, cost);
     for (Index j = 0; j < (grip_.size() > 0 ? unknowns() : 0); ++j)
       values_[ix(factor().pattern().columns[ix(j)])] +=
           (grip_in_matrix_ + weights.stabilisation / dt) * grip_[dof_of(j)];
   }
   Timer const timer(cost.factorization);
-  auto& now = kept_.front();
   auto const& columns = now.factor->pattern().columns;
   now.shift = now.scale = now.bodies = 0;
   for (Index j = 0; j < unknowns(); ++j) {
@@ -297,15 +408,22 @@ bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt
     now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
   }
   ++cost.factorizations;
-  now.ready = !(model_->held_by_bonds && trailing_ > 0) && now.factor->factorize(values_);
-  if (now.ready || trailing_ == 0)
-    return now.ready;
-  ++cost.factorizations;
-  ++cost.shifted_factorizations;
-  now.shift = 10 * now.scale;
-  for (Index j = first_contact_unknown(); j < unknowns(); ++j)
-    values_[ix(columns[ix(j)])] += now.shift;
-  return now.ready = now.factor->factorize(values_);
+  now.made = !(model_->held_by_bonds && trailing_ > 0) && now.factor->factorize(values_);
+  if (!now.made && trailing_ > 0) {
+    ++cost.factorizations;
+    ++cost.shifted_factorizations;
+    now.shift = 10 * now.scale;
+    for (Index j = first_contact_unknown(); j < unknowns(); ++j)
+      values_[ix(columns[ix(j)])] += now.shift;
+    now.made = now.factor->factorize(values_);
+  }
+  if (now.made && own_rates_) {
+    now.own = std::make_unique<OwnRates>();
+    now.made = now.own->add(*now.factor, own_columns(weights.rate - 1), trailing_);
+  }
+  if (!now.made)
+    now.source = {};
+  return now.made;
 }
 
 } // namespace stiction::dynamics

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "dynamics/mass.hpp"
-#include "linear/cholesky.hpp"
+#include "dynamics/own_rates.hpp"
+#include "dynamics/state.hpp"
 
 namespace stiction::dynamics {
 
@@ -43,21 +44,36 @@ public:
   /// Mass and weight; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
-  /// Builds and factors xi K(u) + xi A(u) / (rate dt) + M / (mass dt^2), (49); of explicit schemes the lumped
-  /// M alone, without any pass over the cells. Where that is not positive definite by itself but would be
-  /// with the contact surfaces held, as a law that softens under a punch, `shift` is added on the contact
-  /// unknowns; who solves with the factor takes it away again. False if that does not help.
+  /// Builds and factors xi K(u) + xi A(u) / (rate dt) + M / (mass dt^2), (49), with rate = 1 in the columns
+  /// of contact nodes that balance by themselves; of explicit schemes the lumped M alone, without any pass
+  /// over the cells. The change of A with u is left out. Where that is not positive definite by itself but
+  /// would be with the contact surfaces held, as a law that softens under a punch, `shift` is added on the
+  /// contact unknowns; who solves with the factor takes it away again. False if that does not help.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
   /// What the present factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
   [[nodiscard]] double shift() const { return kept_.front().shift; }
-  /// Takes up a factor for these coefficients, of whatever u; false if none is kept.
-  [[nodiscard]] bool take_factor(StepWeights const& weights, double dt);
+  /// Takes up a factor for these coefficients, of whatever u; false if none is kept. One that `recall` wants
+  /// and that has been overwritten is made again.
+  [[nodiscard]] bool take_factor(StepWeights const& weights, double dt, Cost& cost);
+  /// Keeps these factors and no others: what a step that failed has left is as if it had not been. Factors
+  /// that do not depend on u all stay.
+  void recall(std::vector<FactorSource> const& wanted, StepWeights const& weights);
+  /// Those kept, the last used first; none where they do not depend on u.
+  [[nodiscard]] std::vector<FactorSource> sources() const;
   /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
   void keep_factors(std::size_t count) { kept_at_most_ = count; }
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
   /// True if the internal force is linear in u.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
+  /// b becomes L^-1 b; returns the motion of the contact unknowns that b alone gives.
+  [[nodiscard]] Vector reduce(Vector& b);
+  /// From what `reduce` left the motion of all unknowns with `push` on the contact unknowns beside b.
+  void recover(Vector const& push, Vector& z);
+  /// Inverse of the Schur complement onto the contact unknowns, [trailing, trailing], m/N.
+  [[nodiscard]] Dense const& contact_inverse();
+  /// Is that symmetric?
+  [[nodiscard]] bool symmetric() const { return kept_.front().own == nullptr; }
   [[nodiscard]] linear::Cholesky& factor() { return *kept_.front().factor; }
   [[nodiscard]] linear::Effort effort() const { return kept_.front().factor->effort(); }
   /// Largest diagonal entry of the present factor's matrix, N/m: sets the floor of rounding.
@@ -71,19 +87,28 @@ private:
   /// A factor, and what it is the factor of.
   struct Kept {
     std::unique_ptr<linear::Cholesky> factor;
-    bool ready = false;
-    double xi = 0, mass = 0;                 ///< coefficients of K and of M, 1 and 1/s^2
+    std::unique_ptr<OwnRates> own; ///< where contact nodes have rates of their own and bodies a viscosity
+    FactorSource source;           ///< no u: nothing is kept here
+    bool made = false;             ///< false: to be made from the source when it is asked for
+    double xi = 0, mass = 0;       ///< coefficients of K and of M, 1 and 1/s^2
     double scale = 0, bodies = 0, shift = 0; ///< N/m
+    void is_of(FactorSource from, StepWeights const& weights);
     [[nodiscard]] bool is(double of_xi, double of_mass) const {
-      return ready && xi == of_xi && mass == of_mass;
+      return source.u != nullptr && xi == of_xi && mass == of_mass;
+    }
+    [[nodiscard]] bool comes_from(FactorSource const& other) const {
+      return source.u == other.u && source.dt == other.dt;
     }
   };
-  void place_factor(double xi, double mass);
+  [[nodiscard]] bool make(StepWeights const& weights, Cost& cost);
+  void place_factor(FactorSource source, StepWeights const& weights);
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
+  void add_damping(Vector const& u, double factor, std::vector<double>& values) const;
+  [[nodiscard]] std::vector<OwnRates::Entry> own_columns(double share) const;
 
   Model const* model_;
   int dim_;
@@ -96,11 +121,13 @@ private:
   double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
-  std::vector<double> values_;
+  std::vector<double> values_,
+      viscous_;            ///< viscous_: what A adds, where contact nodes have rates of their own
   std::vector<Kept> kept_; ///< the present one first, then by when they were used; at least one
   std::size_t kept_at_most_ = 1;
   bool linear_ = false, linear_bodies_ = false, damped_ = false;
-  double cell_size_ = 0; ///< m
+  bool own_rates_ = false; ///< of damped bodies' contact nodes
+  double cell_size_ = 0;   ///< m
 };
 
 } // namespace stiction::dynamics

@@ -87,20 +87,21 @@ bool Cholesky::factorize(std::span<double const> values) {
   return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
 }
 
-void Cholesky::solve_system(int system, Vector& b) {
-  if (b.size() == 0)
+void Cholesky::solve_system(int system, Eigen::Ref<Dense> B) {
+  if (B.size() == 0)
     return;
   auto& w = *work_;
   cholmod_dense rhs{};
-  rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(b.size());
-  rhs.ncol = 1;
-  rhs.x = b.data();
+  rhs.nrow = rhs.d = static_cast<std::size_t>(B.rows());
+  rhs.ncol = static_cast<std::size_t>(B.cols());
+  rhs.nzmax = rhs.nrow * rhs.ncol;
+  rhs.x = B.data();
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
   int const solved = cholmod_solve2(system, w.factor, &rhs, nullptr, &w.solution, nullptr, &w.scratch1,
                                     &w.scratch2, &w.common);
   core::expect(solved == 1, "CHOLMOD to solve with its factor");
-  std::copy_n(static_cast<double const*>(w.solution->x), b.size(), b.data());
+  std::copy_n(static_cast<double const*>(w.solution->x), B.size(), B.data());
 }
 
 void Cholesky::solve(Vector& b) {
@@ -111,6 +112,11 @@ void Cholesky::forward(Vector& b) {
 }
 void Cholesky::backward(Vector& z) {
   solve_system(CHOLMOD_Lt, z);
+}
+void Cholesky::forward(Dense& B) {
+  constexpr Eigen::Index most = 64; // columns: enough for matrix products, little memory
+  for (Eigen::Index j = 0; j < B.cols(); j += most)
+    solve_system(CHOLMOD_L, B.middleCols(j, std::min(most, B.cols() - j)));
 }
 
 Dense const& Cholesky::trailing_factor() {

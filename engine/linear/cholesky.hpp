@@ -32,6 +32,8 @@ public:
   /// unknowns only may be added to z as (trailing factor)^-1 of it.
   void forward(Vector& b);
   void backward(Vector& z);
+  /// L^-1 B in place, a few columns at a time. [n, any]
+  void forward(Dense& B);
   /// Lower triangular factor of the Schur complement onto the trailing unknowns. [trailing, trailing]
   [[nodiscard]] Dense const& trailing_factor();
   /// Inverse of the Schur complement onto the trailing unknowns: the trailing block of A^-1. [trailing,
@@ -42,7 +44,7 @@ public:
 
 private:
   struct Workspace;
-  void solve_system(int system, Vector& b);
+  void solve_system(int system, Eigen::Ref<Dense> B);
 
   Pattern pattern_;
   Index trailing_;

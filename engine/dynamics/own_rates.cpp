@@ -1,0 +1,39 @@
+// Elimination of the columns of contact unknowns with a factor of the symmetric part.
+#include "dynamics/own_rates.hpp"
+
+#include <Eigen/LU>
+
+namespace stiction::dynamics {
+
+bool OwnRates::add(linear::Cholesky& factor, std::vector<Entry> entries, Index trailing) {
+  entries_ = std::move(entries);
+  Dense B = Dense::Zero(factor.pattern().size(), trailing);
+  for (auto const& [row, column, value] : entries_)
+    B(row, column) += value;
+  factor.forward(B);
+  // L_c L_c^T + B_c - S_ci S_ii^-1 B_i = L_c (L_c^T + last rows of L^-1 B)
+  Dense const& L = factor.trailing_factor();
+  Dense const sum = Dense(L.transpose()) + B.bottomRows(trailing);
+  inverse_ = Dense(L.triangularView<Eigen::Lower>() * sum).partialPivLu().inverse();
+  return inverse_.allFinite();
+}
+
+Vector OwnRates::reduce(linear::Cholesky& factor, Vector const& z) const {
+  return inverse_ * (factor.trailing_factor().triangularView<Eigen::Lower>() * z.tail(inverse_.rows()));
+}
+
+void OwnRates::recover(linear::Cholesky& factor, Vector const& push, Vector& z) {
+  Dense const& L = factor.trailing_factor();
+  auto const first = z.size() - inverse_.rows();
+  Vector const force = L.triangularView<Eigen::Lower>() * z.tail(inverse_.rows());
+  Vector const motion = inverse_ * (force + push);
+  interior_.setZero(z.size());
+  for (auto const& [row, column, value] : entries_)
+    if (row < first)
+      interior_[row] += value * motion[column];
+  factor.forward(interior_);
+  z.head(first) -= interior_.head(first);
+  z.tail(inverse_.rows()) = L.transpose().triangularView<Eigen::Upper>() * motion;
+}
+
+} // namespace stiction::dynamics
