@@ -17,6 +17,7 @@
 #include "record/step_log.hpp"
 #include "scene/frame.hpp"
 #include "scene/manifest.hpp"
+#include "scene/patience.hpp"
 #include "scene/preview.hpp"
 #include "scene/probes.hpp"
 #include "scene/remarks.hpp"
@@ -108,7 +109,8 @@ class Run {
 public:
   Run(Scene const& scene, RunOptions const& options)
       : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
-        state_(stepper_.initial()), remarks_(scene), judge_(scene, state_) {
+        patience_(scene.part.schedule, *scene.model, stepper_), state_(stepper_.initial()), remarks_(scene),
+        judge_(scene, state_) {
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.structure().keep_factors(static_cast<std::size_t>(accuracy->factors));
       pace_.emplace(*accuracy, stepper_.structure(), *scene.model);
@@ -205,6 +207,7 @@ private:
 
   bool run_stage(StagePart const& stage, double start) {
     double const nominal = (stage.until - start) / stage.steps;
+    patience_.begin(nominal);
     if (pace_)
       pace_->begin(nominal, scene_->part.schedule.halvings);
     for (int k = 0; k < stage.steps; ++k) {
@@ -235,11 +238,13 @@ private:
       if (stopped())
         return false;
       double const left = to - state_.t, dt = pace_->next(state_, left);
-      auto outcome = stepper_.step(state_, dt);
+      auto outcome = attempt(dt);
+      bool const converged = outcome.converged();
       auto const judgement = pace_->judge(state_, outcome, dt);
       note(judgement, dt);
-      if (judgement.failed)
-        return give_up(outcome, dt);
+      auto const enough = converged ? "" : patience_.lost();
+      if (judgement.failed || !enough.empty())
+        return give_up(outcome, dt, enough);
       if (!judgement.accepted())
         continue;
       if (pace_->arrives(dt, left))
@@ -274,7 +279,7 @@ private:
         return false;
       long const size = whole >> halved_;
       double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
-      auto outcome = stepper_.step(state_, dt);
+      auto outcome = attempt(dt);
       if (!outcome.converged()) {
         if (!halve(outcome, dt, floor))
           return false;
@@ -293,11 +298,20 @@ private:
     return true;
   }
 
+  dynamics::Outcome attempt(double dt) {
+    patience_.look();
+    if (options_->rehearse > 0 && ++attempts_ % options_->rehearse == 0)
+      static_cast<void>(stepper_.step(state_, dt));
+    return stepper_.step(state_, dt);
+  }
+
   bool stopped() {
-    if (options_->stop == nullptr || !options_->stop->load())
+    bool const asked = options_->stop != nullptr && options_->stop->load();
+    auto const late = patience_.late(seconds_since(began_));
+    if (!asked && late.empty())
       return false;
     result_.verdict = "stopped";
-    result_.reason = fmt::format("stopped on request at t = {:g} s", state_.t);
+    result_.reason = fmt::format("stopped {} at t = {:g} s", asked ? "on request" : late, state_.t);
     return true;
   }
 
@@ -307,14 +321,17 @@ private:
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       remarks_.look(stepper_.contact(), state_.t + dt, contact::Look::all);
     recorder_.change({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason});
-    return ++halved_ <= floor || give_up(outcome, dt);
+    auto const enough = patience_.lost();
+    return (++halved_ <= floor && enough.empty()) || give_up(outcome, dt, enough);
   }
 
-  /// Always false.
-  bool give_up(dynamics::Outcome const& outcome, double dt) {
+  /// Always false. enough: which limit has been passed, if one has.
+  bool give_up(dynamics::Outcome const& outcome, double dt, std::string const& enough) {
     result_.verdict = "not converged";
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    if (!enough.empty())
+      result_.reason += "; gave up, as " + enough;
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       result_.reason +=
           fmt::format("; its problem is {}", recorder_.problem(stepper_.contact().problem(), "failed"));
@@ -323,6 +340,7 @@ private:
 
   void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
     state_ = std::move(outcome.state);
+    patience_.reached(state_.t);
     if (++result_.steps == 1)
       blocks_ = linear::blocks_from_system();
     remarks_.look(stepper_.contact(), state_.t, contact::Look::bearing);
@@ -361,6 +379,7 @@ private:
   dynamics::Stepper stepper_;
   std::optional<dynamics::Pace> pace_; ///< none: equal steps
   Recorder recorder_;
+  Patience patience_;
   dynamics::State state_;
   Remarks remarks_;
   MeshJudge judge_;
@@ -368,6 +387,7 @@ private:
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
+  long attempts_ = 0;
   std::size_t blocks_ = 0; ///< that SuiteSparse had taken from the system after the first step
 };
 

@@ -26,12 +26,14 @@ struct RunOptions {
   std::string manifest_json; ///< study part of the manifest (parameters given/chosen, ...), a JSON object
   std::function<void(Progress const&)> progress;
   std::atomic<bool> const* stop = nullptr; ///< set by a signal: the run ends with verdict "stopped"
+  /// For tests: every so many steps is first made and thrown away, then made again; 0: none.
+  int rehearse = 0;
 };
 
 struct RunResult {
-  std::string
-      verdict; ///< "finished", "stopped", "not converged", "unstable" (not even begun), "output failed"
-  std::string reason;            ///< one sentence, empty when finished
+  std::string verdict; ///< "finished", "stopped" (by the user or by schedule.seconds), "not converged",
+                       ///< "unstable" (not even begun), "output failed"
+  std::string reason;  ///< one sentence, empty when finished
   std::vector<Warning> warnings; ///< known before the first step
   std::vector<std::string>
       remarks; ///< no single answer by theory, energy made or lost: one sentence per kind
