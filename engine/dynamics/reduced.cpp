@@ -75,12 +75,23 @@ void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W
   if (s == 0)
     return;
   small_.setIdentity(s, s);
+  bool const crowded = K_.size() > static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
+  if (crowded) {
+    K_all_.setZero(s, s);
+    for (auto const& k : K_)
+      K_all_(place_[ix(k.row)], place_[ix(k.column)]) += weight * k.value;
+    small_.noalias() -= V_.topLeftCorner(s, s) * K_all_;
+  }
   for (auto const& k : K_)
-    small_.col(place_[ix(k.column)]) -= (weight * k.value) * V_.col(place_[ix(k.row)]).head(s);
+    if (!crowded)
+      small_.col(place_[ix(k.column)]) -= (weight * k.value) * V_.col(place_[ix(k.row)]).head(s);
   motion_ = small_.partialPivLu().solve(right_.topRows(s));
   pushed_.setZero(s, m + 1);
+  if (crowded)
+    pushed_.noalias() = K_all_ * motion_;
   for (auto const& k : K_)
-    pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
+    if (!crowded)
+      pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
   if (!symmetric_) {
     left_.setZero(s, m);
     for (auto const& h : H_)

@@ -36,6 +36,7 @@ private:
   Dense right_;          ///< weight V H^T | y, [used, rows + 1]
   Dense left_;           ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
   Dense small_;          ///< I - weight V K on the support
+  Dense K_all_;          ///< weight K on the support, where it has more entries than places
   Dense motion_;         ///< du on the support per force | without, [support, rows + 1]
   Dense pushed_;         ///< weight K motion
 };

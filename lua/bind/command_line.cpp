@@ -144,6 +144,7 @@ void Commands::add_internal() {
   out(one)->required();
   flag(one, "trade", "");
   value<std::string>(one, "--fingerprint", "HEX", "");
+  value<double>(one, "--rehearse", "N", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();

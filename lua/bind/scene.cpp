@@ -141,7 +141,7 @@ std::string option(lua_State* lua, char const* name) {
   return text;
 }
 
-/// run(scene, {out =, case_id =, manifest =}, progress) -> result; progress(snapshot) is called once a step
+/// run(scene, {out =, case_id =, manifest =, rehearse =}, progress) -> result; progress(snapshot) is called once a step
 int run(lua_State* lua) {
   luaL_checktype(lua, 2, LUA_TTABLE);
   luaL_checktype(lua, 3, LUA_TFUNCTION);
@@ -150,6 +150,9 @@ int run(lua_State* lua) {
   options.out = option(lua, "out");
   options.case_id = option(lua, "case_id");
   options.manifest_json = option(lua, "manifest");
+  lua_getfield(lua, 2, "rehearse");
+  options.rehearse = static_cast<int>(lua_tonumber(lua, -1));
+  lua_pop(lua, 1);
   options.stop = &stop_flag();
   std::optional<EndsAtOnce> now(std::in_place); // until the first step is done
   options.progress = [lua, &now](scene::Progress const& progress) {

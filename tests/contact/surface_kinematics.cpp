@@ -86,6 +86,48 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE("frame, slip and forces go on across sides and vertices of facets") {
+    for (bool const triangles : {false, true})
+      for (double const gap : {-0.01, 0.0, 0.06}) {
+        auto const shell = waves(5, triangles);
+        auto const surface = shell.surface({1, 0.3, 0.2});
+        // stretched by place, so that facets are strained differently
+        auto const moved_to = [&](Vec3 const& point) {
+          auto x = shell.with(point);
+          for (Index node = 0; node < shell.free_node(); ++node)
+            for (int c = 0; c < 2; ++c)
+              x[ix(3 * node + c)] *= 1 + 0.2 * std::sin(3.0 * node + c);
+          return x;
+        };
+        auto const still = moved_to(Vec3::Zero());
+        for (int f = 0; f < surface.size(); ++f)
+          for (int k = 0; k < surface.facets()[ix(f)].count; ++k)
+            for (double const part : {0.0, 0.3}) { // a node, a place on a side
+              auto const& facet = surface.facets()[ix(f)];
+              int const other = facet.neighbour[ix(k)];
+              if (other < 0)
+                continue;
+              Vec2 const here = side_place(facet.count, k, part),
+                         there = side_place(surface.facets()[ix(other)].count, facet.across[ix(k)], 1 - part);
+              auto const at_foot = surface.evaluate({f, here.x(), here.y()}, still);
+              auto const x = moved_to(at_foot.x + gap * at_foot.normal);
+              auto const a = kinematics(surface, shell.free_node(), {f, 0.2, 0.2}, {f, here.x(), here.y()},
+                                        x),
+                         b = kinematics(surface, shell.free_node(), {f, 0.2, 0.2},
+                                        {other, there.x(), there.y()}, x);
+              REQUIRE((a.found && b.found));
+              CHECK((a.frame - b.frame).norm() < 1e-12);
+              CHECK((a.slip - b.slip).norm() < 1e-12);
+              Dense H = Dense::Zero(3, static_cast<Index>(x.size()));
+              for (int j = 0; j < a.count; ++j)
+                H.middleCols<3>(3 * a.nodes[ix(j)]) += a.H.middleCols<3>(3 * j);
+              for (int j = 0; j < b.count; ++j)
+                H.middleCols<3>(3 * b.nodes[ix(j)]) -= b.H.middleCols<3>(3 * j);
+              CHECK(H.cwiseAbs().maxCoeff() < 1e-11);
+            }
+      }
+  }
+
   TEST_CASE("along the normal the gap grows as its row says, whatever the surface") {
     for (auto const& c : cases()) {
       auto const surface = c.shell.surface();

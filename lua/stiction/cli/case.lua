@@ -80,7 +80,8 @@ local function run(options, study)
   if study.problem then
     result, answers = problem.solve(study, case)
   else
-    local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options) }
+    local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options),
+      rehearse = options.rehearse or 0 }
     result = engine.run(study:scene_of(case), settings, progress_teller())
   end
   if result.verdict == "finished" then
