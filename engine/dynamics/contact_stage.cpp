@@ -10,6 +10,7 @@
 #include "dynamics/poses.hpp"
 #include "dynamics/reduced.hpp"
 #include "dynamics/rigid_load.hpp"
+#include "dynamics/sharp_solver.hpp"
 #include "dynamics/timer.hpp"
 #include "dynamics/twin_points.hpp"
 
@@ -112,8 +113,8 @@ private:
 
 template<int D, int C>
 Stage<D, C>::Stage(Model const& model, Structure& structure)
-    : model_(&model), structure_(&structure), weights_(weights(model.scheme)),
-      solver_(contact::make_solver(model.solver)), poses_(model.rigids.size()) {
+    : model_(&model), structure_(&structure), weights_(weights(model.scheme)), solver_(sharp_solver(model)),
+      poses_(model.rigids.size()) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     add_search(described);

@@ -2,18 +2,26 @@
 #include "dynamics/own_rates.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace stiction::dynamics {
 
 bool OwnRates::add(linear::Cholesky& factor, std::vector<Entry> entries, Index trailing) {
+  constexpr Index most = 64; // columns at a time: enough for matrix products, little memory
   entries_ = std::move(entries);
-  Dense B = Dense::Zero(factor.pattern().size(), trailing);
-  for (auto const& [row, column, value] : entries_)
-    B(row, column) += value;
-  factor.forward(B);
+  std::ranges::stable_sort(entries_, {}, &Entry::column);
   // L_c L_c^T + B_c - S_ci S_ii^-1 B_i = L_c (L_c^T + last rows of L^-1 B)
   Dense const& L = factor.trailing_factor();
-  Dense const sum = Dense(L.transpose()) + B.bottomRows(trailing);
+  Dense sum = L.transpose(), B;
+  auto entry = entries_.begin();
+  for (Index first = 0; first < trailing; first += most) {
+    Index const count = std::min(most, trailing - first);
+    B.setZero(factor.pattern().size(), count);
+    for (; entry != entries_.end() && entry->column < first + count; ++entry)
+      B(entry->row, entry->column - first) += entry->value;
+    factor.forward(B);
+    sum.middleCols(first, count) += B.bottomRows(trailing);
+  }
   inverse_ = Dense(L.triangularView<Eigen::Lower>() * sum).partialPivLu().inverse();
   return inverse_.allFinite();
 }

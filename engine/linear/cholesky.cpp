@@ -114,9 +114,7 @@ void Cholesky::backward(Vector& z) {
   solve_system(CHOLMOD_Lt, z);
 }
 void Cholesky::forward(Dense& B) {
-  constexpr Eigen::Index most = 64; // columns: enough for matrix products, little memory
-  for (Eigen::Index j = 0; j < B.cols(); j += most)
-    solve_system(CHOLMOD_L, B.middleCols(j, std::min(most, B.cols() - j)));
+  solve_system(CHOLMOD_L, B);
 }
 
 Dense const& Cholesky::trailing_factor() {

@@ -32,7 +32,7 @@ public:
   /// unknowns only may be added to z as (trailing factor)^-1 of it.
   void forward(Vector& b);
   void backward(Vector& z);
-  /// L^-1 B in place, a few columns at a time. [n, any]
+  /// L^-1 B in place. [n, any]
   void forward(Dense& B);
   /// Lower triangular factor of the Schur complement onto the trailing unknowns. [trailing, trailing]
   [[nodiscard]] Dense const& trailing_factor();

@@ -1,0 +1,72 @@
+// Hopeless cases end at the limits of their schedule and say which it was.
+#include <doctest/doctest.h>
+
+#include "folder.hpp"
+#include "scene/run.hpp"
+#include "scene/scenes.hpp"
+
+using namespace stiction;
+
+namespace {
+
+/// Pressed faster than one Newton iteration can follow, at any step that is allowed.
+test::Input hopeless() {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.material") =
+      test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
+  test::at(table, "control") =
+      test::make("control", {{"iterations", test::value(1)}, {"force_tolerance", test::value(1e-14)}});
+  return table;
+}
+
+scene::RunResult run(test::Input const& table) {
+  test::Folder const folder;
+  scene::RunOptions options;
+  options.out = folder / "case";
+  options.case_id = "one";
+  return scene::run(table, options);
+}
+
+bool says(std::string const& text, char const* part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("without other limits a hopeless case ends when its step has been halved so often") {
+  auto const result = run(hopeless());
+  CHECK(result.verdict == "not converged");
+  CHECK(result.cuts == 11);
+  CHECK_FALSE(says(result.reason, "schedule."));
+}
+
+TEST_CASE("a case ends after so many cuts of one step") {
+  auto table = hopeless();
+  test::at(table, "schedule.cuts") = test::value(4);
+  auto const result = run(table);
+  CHECK(result.verdict == "not converged");
+  CHECK(result.cuts == 5);
+  CHECK(says(result.reason, "5 attempts from t = 0 s on failed, more than schedule.cuts"));
+}
+
+TEST_CASE("a case ends when the attempts at one step have lost so many operations") {
+  auto table = hopeless();
+  test::at(table, "schedule.work") = test::value(1e-9);
+  auto const all = run(table);
+  CHECK(all.cuts == 11); // a thousand factorizations are more
+  test::at(table, "schedule.halvings") = test::value(20);
+  test::at(table, "control.iterations") = test::value(200);
+  auto const result = run(table);
+  CHECK(result.verdict == "not converged");
+  CHECK(result.cuts < 21);
+  CHECK(says(result.reason, "more than schedule.work"));
+}
+
+TEST_CASE("a case that is given seconds is stopped after them") {
+  auto table = test::foot_on_floor();
+  test::at(table, "schedule.seconds") = test::value(1e-9, "s");
+  auto const result = run(table);
+  CHECK(result.verdict == "stopped");
+  CHECK(says(result.reason, "longer than schedule.seconds"));
+  CHECK(result.steps == 0);
+}
