@@ -44,6 +44,11 @@ cp soft/trade.json measured
 sed -i 's/"force_y": 2[0-9]\./"force_y": 99./' soft/trade.json
 expect 1 "$promise" "$stiction" run soft --accuracy 20% --no-figures
 mv measured soft/trade.json
+cp soft/trade.json measured
+sed -i '/"force_y": {/,/}/s/"uncertainty": [^,]*/"uncertainty": 1.5/' soft/trade.json
+expect 0 "--accuracy 20% of force_y" "$stiction" run soft --accuracy 20% --of force_y --no-figures
+holds "a claim holds the doubt of the reference" awk -v error="$(value_of force_y_error mu0.2)" 'BEGIN { exit !(error >= 1.5) }'
+mv measured soft/trade.json
 expect 2 "the best that was measured is|finer levels" "$stiction" run soft --accuracy 1e-9 --no-figures
 # one number decides where one is asked for; a scene that was not measured is told as such, and can be measured
 expect 0 "--accuracy 20% of force_y: " "$stiction" run soft --accuracy 20% --of force_y --no-figures --case mu0.2 --out one
