@@ -2,7 +2,8 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "contact/descent.hpp"
+#include "contact/minimum.hpp"
+#include "contact/pivoting.hpp"
 #include "contact/solver.hpp"
 
 namespace stiction::contact {
@@ -10,6 +11,8 @@ namespace stiction::contact {
 namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
+constexpr int refinements = 3;
+constexpr int pivotings = 12; // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -125,18 +128,18 @@ private:
   double merit_ = 0, work_ = 0;
 };
 
+/// What Newton may do where it stagnates.
+enum class Stuck { give_up, sweep };
+
 class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    bool const downhill_first = may_snap(problem) && !solved(problem, guess);
-    if (downhill_first)
-      if (auto answer = downhill(problem, guess))
-        return *std::move(answer);
-    Solution solution = polish(problem, guess);
-    if (!solution.converged && !downhill_first && frictionless(problem))
-      if (auto answer = downhill(problem, guess); answer && answer->converged)
-        return *std::move(answer);
+    spent_ = {};
+    Solution solution =
+        frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
+    solution.iterations = spent_.iterations;
+    solution.work = spent_.work;
     return solution;
   }
 
@@ -145,28 +148,102 @@ private:
     return judge(problem, force).relative() <= settings_.tolerance;
   }
 
-  /// Nothing where there is no potential. Where a descent does not settle, Newton from the guess may answer
-  /// if no bond is leaped over: else it went to another branch.
-  [[nodiscard]] std::optional<Solution> downhill(Problem const& problem, Vector const& guess) const {
-    auto const end = descend(problem, guess, 20L * settings_.iterations);
-    if (!end)
-      return std::nullopt;
-    Solution solution = polish(problem, end->settled ? end->force : guess);
-    if (!end->settled && solution.converged && leaps(problem, guess, solution.force)) {
-      solution.converged = false;
-      solution.force = end->force;
-      solution.verdict = judge(problem, end->force);
+  /// There is a potential: downhill first where a root might be on another branch, else where Newton fails.
+  [[nodiscard]] Solution without_friction(Problem const& problem, Vector const& guess) {
+    bool const downhill_first = may_snap(problem) && !solved(problem, guess);
+    Solution solution;
+    if (!downhill_first) {
+      solution = polish(problem, guess, Stuck::give_up);
+      if (solution.converged)
+        return solution;
     }
-    solution.iterations += end->iterations;
-    auto const descents = static_cast<double>(end->iterations), n = static_cast<double>(problem.free.size());
-    solution.work += descents * (1 + n / 6); // a product and a symmetric factorization each
+    for (auto const& go : {descend, minimise}) {
+      auto const end = go(problem, guess, 20L * settings_.iterations);
+      if (end)
+        solution = landed(problem, guess, *end);
+      else if (downhill_first)
+        solution = near(problem, guess);
+      if (solution.converged)
+        return solution;
+    }
+    return downhill_first ? solution : polish(problem, guess, Stuck::sweep);
+  }
+
+  /// Where a descent does not settle, Newton from the guess may answer.
+  [[nodiscard]] Solution landed(Problem const& problem, Vector const& guess, Descended const& end) {
+    auto const descents = static_cast<double>(end.iterations), n = static_cast<double>(problem.free.size());
+    spend(end.iterations, descents * (1 + n / 6)); // a product and a symmetric factorization each
+    Solution solution = end.settled ? polish(problem, end.force, Stuck::give_up) : near(problem, guess);
+    if (!end.settled && !solution.converged) {
+      solution.force = end.force;
+      solution.verdict = judge(problem, end.force);
+    }
     return solution;
   }
 
-  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess) const {
-    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+  /// Newton's answer if no bond is leaped over: else it went to another branch.
+  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess) {
+    Solution solution = polish(problem, guess, Stuck::give_up);
+    solution.converged = solution.converged && !leaps(problem, guess, solution.force);
+    return solution;
   }
-  template<int D> Solution run(Problem const& problem, Vector const& guess) const {
+
+  /// Pivoting where all that starts from the guess fails.
+  [[nodiscard]] Solution with_friction(Problem const& problem, Vector const& guess) {
+    Solution solution = polish(problem, guess, Stuck::sweep);
+    Vector const stuck = solution.force;
+    for (auto const from : {From::nothing, From::statuses, From::closed})
+      if (!solution.converged)
+        pivot_from(problem, from, from == From::statuses ? guess : stuck, solution);
+    return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// Again and again with the bonds linear about the last answer.
+  void pivot_from(Problem const& problem, From from, Vector about, Solution& solution) {
+    for (int k = 0; k < pivotings && !solution.converged; ++k) {
+      auto const found = pivot(problem, about, from);
+      if (!found || found->force.size() == 0 || !found->force.allFinite())
+        return;
+      spend(1, static_cast<double>(found->pivots));
+      auto next = polish(problem, found->force, Stuck::give_up);
+      if (next.converged || next.verdict.residual < solution.verdict.residual)
+        solution = std::move(next);
+      if (found->force == about)
+        return;
+      about = found->force;
+    }
+  }
+
+  /// Where W is indefinite, sweeps from nothing find what pivots do not, and so does trying everything.
+  [[nodiscard]] Solution last_of_all(Problem const& problem, Solution solution) {
+    if (auto swept = from_nothing(problem); swept.converged)
+      return swept;
+    for (auto const& force : enumerate(problem, solution.force))
+      if (auto tried = polish(problem, force, Stuck::give_up); tried.converged)
+        return tried;
+    return solution;
+  }
+
+  [[nodiscard]] Solution from_nothing(Problem const& problem) {
+    GaussSeidel sweeps_alone;
+    sweeps_alone.tolerance = settings_.tolerance;
+    sweeps_alone.iterations = sweeps;
+    auto solution = sweeps_alone.make()->solve(problem, Vector::Zero(problem.free.size()));
+    spend(solution.iterations, solution.work);
+    return solution;
+  }
+
+  void spend(long iterations, double work) {
+    spent_.iterations += iterations;
+    spent_.work += work;
+  }
+
+  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
+    auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
+    spend(solution.iterations, solution.work);
+    return solution;
+  }
+  template<int D> Solution run(Problem const& problem, Vector const& guess, Stuck stuck) const {
     NewtonRun<D> newton(problem, guess);
     Solution solution;
     int restarts = 0;
@@ -181,7 +258,7 @@ private:
       ++solution.iterations;
       if (newton.step())
         continue;
-      if (++restarts > 5) {
+      if (++restarts > 5 || stuck == Stuck::give_up) {
         stagnated = !judged();
         break;
       }
@@ -190,7 +267,8 @@ private:
     // Sweeps are slow where Newton is quick, but they do not cycle. Where the residual no longer falls there
     // may be nothing to sweep to.
     double before = std::numeric_limits<double>::infinity();
-    for (int swept = 0; stagnated && !solution.converged && swept < most_sweeps; swept += sweeps) {
+    for (int swept = 0; stuck == Stuck::sweep && stagnated && !solution.converged && swept < most_sweeps;
+         swept += sweeps) {
       if (!(solution.verdict.relative() < 0.99 * before))
         break;
       before = solution.verdict.relative();
@@ -199,10 +277,26 @@ private:
       judged();
     }
     solution.force = newton.force();
+    for (int k = 0; k < refinements && solution.converged && restarts > 0 && solution.verdict.residual > 0 &&
+                    newton.step();
+         ++k) {
+      ++solution.iterations; // what sweeps leave, Newton finds in one step where no point changes its status
+      auto const swept = solution;
+      if (!judged() || swept.verdict.residual <= solution.verdict.residual) {
+        solution = swept;
+        break;
+      }
+      solution.force = newton.force();
+    }
     solution.work = newton.work() + judgements;
     return solution;
   }
 
+  struct Spent {
+    long iterations = 0;
+    double work = 0;
+  };
+  Spent spent_;
   BipotentialNewton settings_;
 };
 

@@ -106,8 +106,8 @@ Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Look
 }
 
 std::string words(FrictionDoubt const& doubt) {
-  std::string text = fmt::format("W_nn = {:.3g} m/N <= mu |W_nt| = {:.3g} x {:.3g} m/N: with friction there "
-                                 "is more than one answer, or none",
+  std::string text = fmt::format("W_nn = {:.3g} m/N <= mu |W_nt| = {:.3g} x {:.3g} m/N: by itself, all "
+                                 "other forces held, it has with friction more than one answer, or none",
                                  doubt.W_nn, doubt.mu, doubt.W_nt);
   if (doubt.W_nn > 0)
     text += fmt::format(
