@@ -62,6 +62,9 @@ TEST_SUITE("mesh") {
     Mesh const mesh = block({.size = {1, 1}, .cells = {5, 1}, .grading = {4, 1}});
     double const first = mesh.nodes(1, 0) - mesh.nodes(0, 0), last = mesh.nodes(5, 0) - mesh.nodes(4, 0);
     CHECK(last / first == doctest::Approx(4));
+    Mesh const up = block({.size = {1, 1}, .cells = {1, 3}, .grading = {4, 0.5}});
+    double const lowest = up.nodes(2, 1) - up.nodes(0, 1), highest = up.nodes(6, 1) - up.nodes(4, 1);
+    CHECK(highest / lowest == doctest::Approx(0.5));
   }
 
   TEST_CASE("facets of a block have the body to their left") {
@@ -194,6 +197,13 @@ TEST_SUITE("mesh") {
         CHECK(size <= 2);
         before = size;
       }
+      std::vector<double> ys;
+      for (auto const& facet : mesh.sets.at("left").facets)
+        ys.insert(ys.end(), {mesh.nodes(facet.nodes[0], 1), mesh.nodes(facet.nodes[1], 1)});
+      std::sort(ys.begin(), ys.end());
+      CHECK(ys.end()[-1] - ys.end()[-2] == doctest::Approx(0.25));
+      auto const below = std::lower_bound(ys.begin(), ys.end(), -3.0); // two metres under the fine zone
+      CHECK(below[0] - below[-1] > 0.5);
     }
   }
 

@@ -1,6 +1,7 @@
 // Quality numbers of known shapes, and the refusal of meshes that cannot be computed on.
 #include <cmath>
 #include <doctest/doctest.h>
+#include <numbers>
 
 #include "helpers.hpp"
 #include "mesh/generators.hpp"
@@ -36,6 +37,13 @@ TEST_SUITE("mesh") {
     CHECK(t.min_angle == doctest::Approx(45));
     CHECK(t.max_angle == doctest::Approx(90));
     CHECK(mentions(report(squares(), "plate"), "3 cells"));
+  }
+
+  TEST_CASE("an arrowhead has an angle above a half turn") {
+    Mesh mesh = block({.size = {1, 1}, .cells = {1, 1}});
+    mesh.nodes.row(3) << 0.25, 0.25; // the corner across the origin
+    CHECK(quality(mesh).max_angle == doctest::Approx(270 - 2 * std::atan(1.0 / 3) * 180 / std::numbers::pi));
+    CHECK(quality(mesh).min_jacobian < 0);
   }
 
   TEST_CASE("an inverted cell is refused with its number, centre and Jacobian") {

@@ -121,6 +121,14 @@ TEST_CASE("closing and sliding are told apart where a motion does both at once")
   CHECK(number(explanation, "Numbers of pair sole", "sliding speed") == doctest::Approx(0.004));
 }
 
+TEST_CASE("contact lasts until the motion has gone back past the touch") {
+  auto input = bonded(4, 1000, 40);
+  at(input, "motions") = list({drive("foot.top", {0, 1, 2}, {0, 0, 0}, {0, -0.01, 0.01})});
+  at(input, "schedule") = schedule({{1, 10}, {2, 10}});
+  CHECK(number(scene::explain(input), "Numbers of pair sole", "closed / bonding time") ==
+        doctest::Approx(0.15));
+}
+
 TEST_CASE("both sides of a pair are soft, and both are round") {
   auto blocks = two_blocks();
   at(blocks, "bodies.lower.material.young") = value(3000, "Pa");

@@ -1,6 +1,7 @@
 // Meshes made anew: the target is met, where the stress asks for it, and only with meshes that gmsh makes.
 #include "scene/remesh.hpp"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 
 #include "folder.hpp"
@@ -73,6 +74,37 @@ TEST_CASE("a target that no allowed mesh meets is told, with what would help") {
   REQUIRE(result.remarks.size() == 1);
   CHECK(result.remarks[0].find("body 'foot': the error of the stress is") != std::string::npos);
   CHECK(result.remarks[0].find("above the target 0.01; allow more passes") != std::string::npos);
+}
+
+TEST_CASE("cells too large for their bonds are told, each pair by its own law") {
+  if (mesh::find_mesher().empty()) {
+    MESSAGE("the mesher was not built: nothing tested");
+    return;
+  }
+  auto table = bent(0.9); // E* = 1000 Pa, cells of 0.25 m
+  test::at(table, "bodies.foot.remesh.passes") = test::value(1);
+  test::at(table, "bodies.foot.remesh.cohesive_cells") = test::value(3);
+  test::at(table, "obstacles.floor") = test::floor();
+  test::at(table, "obstacles.wall.shape") = test::make("rigid.plane", {{"normal", test::values({1, 0})}});
+  test::at(table, "pairs.a") = test::pair("foot.bottom", "floor");
+  test::at(table, "pairs.b") = test::pair("foot.left", "wall");
+  auto const remarks = [&](double below, double beside) {
+    test::at(table, "pairs.a.adhesion") = test::rcc(1, below, 1);
+    test::at(table, "pairs.b.adhesion") = test::rcc(1, beside, 1);
+    for (char const* pair : {"a", "b"})
+      test::at(table, std::string("pairs.") + pair + ".adhesion.beta0") = test::value(0.5);
+    auto const result = run(table);
+    CHECK(result.verdict == "finished");
+    return result.remarks;
+  };
+  auto const told = [](std::vector<std::string> const& texts) {
+    return std::ranges::any_of(texts, [](auto const& text) {
+      return text.find("body 'foot': bonded cells are") != std::string::npos;
+    });
+  };
+  CHECK_FALSE(told(remarks(500, 500)));
+  CHECK(told(remarks(4000, 500)));
+  CHECK(told(remarks(500, 4000)));
 }
 
 TEST_CASE("only a mesh that gmsh makes from outlines can be made anew") {

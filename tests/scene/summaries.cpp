@@ -3,6 +3,7 @@
 
 #include "folder.hpp"
 #include "record/series.hpp"
+#include "scene/frame.hpp"
 #include "scene/run.hpp"
 #include "scene/scenes.hpp"
 
@@ -51,4 +52,39 @@ TEST_CASE("a turning obstacle tells its turn and the force on it") {
     CHECK(std::abs(on_foot) > 1e-3);
     CHECK(end((std::string("wheel/") + component).c_str()) == doctest::Approx(-on_foot));
   }
+}
+
+TEST_CASE("of a pair's mortar only what faces the other side is closed") {
+  auto table = test::two_blocks();
+  test::at(table, "bodies.lower") = test::block({{-0.4, -1}, {1, 1}, {4, 4}}, test::linear_elastic(1000, 0));
+  test::at(table, "pairs.joint.discretisation") = test::text("mortar");
+  test::at(table, "motions") = test::list(
+      {test::fix("lower.bottom"), test::drive("upper.top", {0, 1, 2}, {0, 0, 0}, {0, -0.01, -0.01})});
+  test::at(table, "probes.whole") = test::make("probe.contact", {{"pair", test::text("joint")}});
+  CHECK(run(table).columns.at("whole/closed_area").values.back() == doctest::Approx(0.6).epsilon(0.02));
+}
+
+TEST_CASE("friction and bonding are told apart, and a point's slip is that since the start") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
+  test::at(table, "probes.energy") = test::make("probe.energy");
+  test::at(table, "probes.tip") = test::make(
+      "probe.contact_point", {{"pair", test::text("sole")}, {"near", test::values({0.5, 0}, "m")}});
+  auto const series = run(table);
+  CHECK(series.columns.at("energy/friction_loss").values.back() > 0.1);
+  CHECK(series.columns.at("energy/bonding_loss").values.back() == 0);
+  CHECK(std::abs(series.columns.at("tip/slip").values.back()) > 0.08);
+}
+
+TEST_CASE("a frame holds displacements and velocities, each its own") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  test::at(table, "bodies.foot.velocity") = test::values({3, 0}, "m/s");
+  test::at(table, "motions") = test::list({});
+  auto const scene = scene::build(table);
+  auto const frame = scene::frame_of(scene, dynamics::Stepper(*scene.model).initial());
+  for (auto const& array : frame.point_arrays)
+    if (array.name == "displacement" || array.name == "velocity")
+      for (std::size_t k = 0; k < array.values.size(); ++k)
+        CHECK(array.values[k] == (array.name == "velocity" && k % 3 == 0 ? 3 : 0));
 }
