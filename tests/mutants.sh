@@ -161,10 +161,11 @@ reaching() {
     awk -F '\t' -v most="$budget" '{ sum += $1 } NR == 1 || sum <= most'
 }
 
-# Batches of unit tests, each twice as long as the one before: seconds and names parted by commas.
+# Batches of unit tests, each twice as long as the one before: seconds and names parted by commas, a comma of theirs as
+# doctest's wildcard.
 batches() {
   awk -F '\t' 'function flush() { if (names != "") print int(10 * sum + 20) "\t" names; names = ""; sum = 0; most *= 2 }
-    BEGIN { most = 2 } { if (sum + $1 > most) flush(); sum += $1; names = names (names == "" ? "" : ",") $2 } END { flush() }'
+    BEGIN { most = 2 } { if (sum + $1 > most) flush(); sum += $1; gsub(",", "?", $2); names = names (names == "" ? "" : ",") $2 } END { flush() }'
 }
 
 by_units() { # NUMBER: the first test of the engine that notices it, or nothing
