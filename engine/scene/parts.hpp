@@ -108,7 +108,7 @@ struct SchedulePart {
   std::vector<StagePart> stages;
   int halvings = 10;  ///< the floor of the step: its nominal size / 2^halvings
   int cuts = 100;     ///< of one nominal step, after which the run ends
-  double work = 60;   ///< lost on one nominal step, after which the run ends, 1e9 operations
+  double work = 40;   ///< lost on one nominal step, after which the run ends, 1e9 operations
   double seconds = 0; ///< of the machine, after which the run ends; 0: never
   std::optional<dynamics::Accuracy> accuracy; ///< none: steps are equal but for halving
   static core::Schema const& schema();
