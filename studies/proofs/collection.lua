@@ -16,6 +16,7 @@ return {
   "jkr_cylinder",
   "maugis_dugdale",
   "dcb",
+  "capstan",
   "time_schemes",
   "bar_impact",
   "bouncing_bar",
