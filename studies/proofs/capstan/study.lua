@@ -55,7 +55,8 @@ local function scene(p)
     motions = drawn(p, phi, way),
     loads = { stiction.load.traction { set = "belt.slack", times = { 0*s, 1*s, 2*s }, y = { 0*Pa, -p.T1, -p.T1 } } },
     scheme = stiction.scheme.quasi_static {},
-    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 10 }, stiction.stage { to = 2*s, steps = 40 } } },
+    schedule = stiction.schedule {
+      stages = { stiction.stage { to = 1*s, steps = 10 }, stiction.stage { to = 2*s, steps = 40 } } },
     output = stiction.output { frames = 1 },
     probes = { tight = stiction.probe.force { set = "belt.tight" }, wrap = stiction.probe.contact { pair = "wrap" } },
   }
@@ -74,7 +75,8 @@ end
 return stiction.study {
   title = "Belt round a drum",
   question = "Does the tension grow as exp(mu phi)?",
-  given = { R = { 20*mm, "drum" }, t = { 1*mm, "belt" }, T1 = { 1e5*Pa, "over the slack end" }, young = { 1000*MPa, "" } },
+  given = { R = { 20*mm, "drum" }, t = { 1*mm, "belt" },
+    T1 = { 1e5*Pa, "over the slack end" }, young = { 1000*MPa, "" } },
   chosen = { h = { 1*mm, "one quad8 cell through the belt" } },
   sweep = { { "phi", { 30, 90, 120 } }, { "mu", { 0.1, 0.3, 0.6 } } },
   quick = { sweep = { { "phi", { 90 } }, { "mu", { 0.3, 0.6 } } } },
@@ -88,8 +90,8 @@ return stiction.study {
   check = function(cases, check)
     for _, case in ipairs(cases) do
       check.proof { case = "belt round a drum", quantity = "ln(T2/T1), " .. case.id, kind = "exact",
-        source = "Euler 1769; tension at R + t/2", reference = exponent(case.p), tolerance = 0.02, resolution = "m cell",
-        values = { { case.p.h, math.log(case.results.T2_T1) } }, run = case }
+        source = "Euler 1769; tension at R + t/2", reference = exponent(case.p), tolerance = 0.02,
+        resolution = "m cell", values = { { case.p.h, math.log(case.results.T2_T1) } }, run = case }
     end
   end,
   figures = function(cases)
