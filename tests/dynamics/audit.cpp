@@ -149,6 +149,32 @@ TEST_CASE("a heavy viscous bar: the ledger closes, and no term of it is too smal
   }
 }
 
+TEST_CASE("mortar: a block rubbed off the end of another closes its ledger while the areas shrink") {
+  auto table = test::two_blocks();
+  test::at(table, "pairs.joint.discretisation") = test::text("mortar");
+  test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
+  test::at(table, "motions") = test::list(
+      {test::fix("lower.bottom"), test::drive("upper.top", {0, 1, 2}, {0, 0, 0.6}, {0, -0.01, -0.01})});
+  test::at(table, "scheme") = test::make("scheme.theta_xi", test::cure("none")); // means of both ends' forces
+  test::at(table, "schedule") = test::schedule({{1, 50}, {2, 200}});
+  auto made = scene::build(table);
+  made.model->control.force_tolerance = 1e-8;
+  made.model->audited = true;
+  dynamics::Stepper stepper(*made.model);
+  double at_stake = 0, most = 0; // J/m: friction's part of changes of area
+  auto const end = test::march(
+      stepper, stepper.initial(), 0.01, 180, [&](test::State const& old, test::State const& next) {
+        for (std::size_t i = 0; i < next.contacts[0].size(); ++i) {
+          auto const &before = old.contacts[0][i], &after = next.contacts[0][i];
+          at_stake += std::abs(0.5 * (after.area - before.area) * before.dry[1] * after.slip[0]);
+        }
+        most = std::max(most, std::abs(next.ledger.unaccounted()));
+      });
+  double const scale = end.ledger.motion_work;
+  CHECK(at_stake > 1e-4 * scale);
+  CHECK(most < 1e-6 * scale);
+}
+
 TEST_CASE("bonds that slide past an open end are let go, and the ledger closes") {
   auto table = test::two_blocks();
   test::at(table, "pairs.joint.adhesion") = test::rcc(1, 50, 10);

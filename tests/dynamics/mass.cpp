@@ -62,6 +62,25 @@ TEST_CASE("each body keeps its mass and its weight whatever the inertia of conta
   }
 }
 
+TEST_CASE("what massless nodes would carry goes to the other nodes of their own cells") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot") = test::block({{0, 0}, {0.5, 2}, {1, 4}}, test::linear_elastic(1, 0), 3);
+  auto const scene = scene::build(table);
+  std::vector<bool> bottom(ix(scene.model->node_count()), false);
+  for (Index const node : test::nodes_of(scene, "foot.bottom"))
+    bottom[ix(node)] = true;
+  auto const mass = assemble_mass(*scene.model, bottom, ContactInertia::none);
+  Vector ones = Vector::Ones(scene.model->dofs()), sums;
+  mass.times(ones, sums);
+  double const cell = 3 * 0.5 * 0.5; // kg/m
+  for (Index i = 0; i < scene.model->node_count(); ++i) {
+    double const y = scene.model->reference(i, 1);
+    CAPTURE(y);
+    double const cells = y < 0.1 ? 0 : y < 0.6 ? 0.75 : y < 1.9 ? 0.5 : 0.25;
+    CHECK(sums[2 * i] == doctest::Approx(cells * cell).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("contact nodes have no inertia, or a positive one of their own") {
   for (auto const& kind : kinds) {
     auto const scene = blocks(kind);

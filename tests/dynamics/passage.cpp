@@ -1,4 +1,7 @@
 // Steps so long that they would carry one body through another: refused, or solved all the same.
+#include "dynamics/passage.hpp"
+
+#include <algorithm>
 #include <doctest/doctest.h>
 
 #include "dynamics/marching.hpp"
@@ -37,6 +40,31 @@ TEST_CASE("no step ends with bodies inside each other and no force between them"
       auto const outcome = stepper.step(stepper.initial(), 1);
       CHECK((!outcome.converged() || test::contact_force(scene, outcome.state).y() > 0));
     }
+}
+
+TEST_CASE("a point in reach that cuts through the last corner of a body is noticed however short its way") {
+  auto table = stamp(1, "node_to_segment");
+  test::at(table, "bodies.bed") =
+      test::block({{-1.99, -2.02}, {3, 2}, {12, 8}}, test::linear_elastic(1000, 0)); // ends at x = 1.01
+  auto const scene = scene::build(table);
+  auto const& pair = scene.model->pairs[0];
+  dynamics::Stepper stepper(*scene.model);
+  auto old = stepper.initial();
+  auto next = old;
+  auto const corner = scene.nearest(pair.secondary, {1, 0});
+  auto const lost = static_cast<std::size_t>(std::find(pair.secondary.begin(), pair.secondary.end(), corner) -
+                                             pair.secondary.begin());
+  for (auto* state : {&old, &next})
+    for (auto& point : state->contacts[0])
+      point.in_reach = true;
+  next.contacts[0][lost].in_reach = false;
+  dynamics::Passage const passage(*scene.model);
+  test::Vec2 const way(0.015, -0.09); // through (1.0075, -0.045), past the end and below it
+  REQUIRE(way.norm() < pair.reach);
+  next.u.segment<2>(2 * corner) = way;
+  CHECK(passage.passed(old, next) == "sole");
+  next.u.segment<2>(2 * corner) = test::Vec2(0.05, -0.01);
+  CHECK(passage.passed(old, next).empty());
 }
 
 TEST_CASE("a step that presses or parts bodies is not refused however long it is") {

@@ -222,6 +222,24 @@ TEST_CASE("a turning wheel drags a held block with mu N and pays for it") {
   }
 }
 
+TEST_CASE("a wheel that turns and travels with the block on it pays for the slip alone") {
+  double const turn = 0.05, way = 0.7;
+  auto table = foot_on_wheel(turn);
+  test::at(table, "obstacles.floor.x") = test::values({0, 0, way}, "m");
+  test::at(table, "motions") = test::list({test::drive("foot.all", {0, 1, 2}, {0, 0, way}, {}),
+                                           test::drive("foot.top", {0, 1, 2}, {}, {0, -0.01, -0.01})});
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const pressed = test::march(stepper, stepper.initial(), 0.25, 4);
+  auto const dragged = test::march(stepper, pressed, 0.1, 10);
+  double const normal = test::contact_force(scene, dragged).y(), loss = 0.3 * normal * 2 * turn;
+  CHECK(normal > 0.1);
+  CHECK(dragged.ledger.friction_loss == doctest::Approx(loss).epsilon(1e-3));
+  // the block pulls with mu N along the way, which is the wheel's to pay back
+  CHECK(test::force_on(scene, dragged, "foot.all").x() == doctest::Approx(0.3 * normal).epsilon(1e-3));
+  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(loss).epsilon(1e-3));
+}
+
 TEST_CASE("a turntable under a held cube loses mu p r per turn and area and pays the same") {
   double const turn = 0.2, mu = 0.3, press = 10;
   auto table = test::cube_on_floor();

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <doctest/doctest.h>
+#include <set>
 
 #include "dynamics/marching.hpp"
 #include "linear/recycling.hpp"
@@ -137,6 +138,23 @@ TEST_CASE("a body that nothing holds ends in a verdict with a reason") {
   auto const outcome = stepper.step(stepper.initial(), 1);
   CHECK_FALSE(outcome.converged());
   CHECK_FALSE(outcome.reason.empty());
+}
+
+TEST_CASE("a converged step is out of balance by less than the tolerance that was asked for") {
+  auto const scene = scene::build(rubbing());
+  dynamics::Stepper stepper(*scene.model);
+  auto const state = test::march(stepper, stepper.initial(), 0.05, 24);
+  std::set<int> counts;
+  for (double tolerance = 1e-2; tolerance > 1e-9; tolerance /= 1.5) {
+    CAPTURE(tolerance);
+    scene.model->control.force_tolerance = tolerance;
+    auto const outcome = stepper.step(state, 0.05);
+    REQUIRE(outcome.converged());
+    CHECK(outcome.out_of_balance <= tolerance);
+    CHECK(outcome.out_of_balance >= 0);
+    counts.insert(outcome.iterations);
+  }
+  CHECK(counts.size() > 2);
 }
 
 TEST_CASE("a step that may not iterate says how far it came") {

@@ -2,6 +2,7 @@
 // nearly the error itself.
 #include "solid/stress_error.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <doctest/doctest.h>
@@ -36,6 +37,37 @@ template<class Field> double relative(Index n, Field&& u) {
   return error.relative();
 }
 
+/// Relative error of a square or cube, bent and sheared, the whole turned by an angle about z, rad.
+double turned(int dim, double angle) {
+  mesh::Mesh mesh;
+  if (dim == 2) {
+    mesh::BlockOptions options;
+    options.size = {1, 1};
+    options.cells = {4, 4};
+    mesh = mesh::block(options);
+  } else {
+    mesh::BoxOptions options;
+    options.size = {1, 1, 1};
+    options.cells = {3, 3, 3};
+    mesh = mesh::box(options);
+  }
+  material::LinearElastic law;
+  law.young = 1000;
+  law.poisson = 0.3;
+  Dense const turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  std::vector<double> values;
+  for (Eigen::Index i = 0; i < mesh.nodes.rows(); ++i) {
+    double const x = mesh.nodes(i, 0), y = mesh.nodes(i, 1);
+    Eigen::Vector3d u(1e-3 * x * y, -0.5e-3 * x * x, dim == 3 ? 2e-3 * x * x * y : 0);
+    u.head<2>() = (turn * u.head<2>()).eval();
+    values.insert(values.end(), u.data(), u.data() + dim);
+    mesh.nodes.row(i).head<2>() = (turn * Eigen::Vector2d(x, y)).transpose();
+  }
+  solid::Body const body{"body", mesh, law, 1};
+  auto const kinematics = dim == 2 ? solid::Kinematics::plane_strain : solid::Kinematics::three_dimensional;
+  return solid::stress_error(body, kinematics, values).relative();
+}
+
 } // namespace
 
 TEST_CASE("a uniform stress is recovered without error") {
@@ -52,6 +84,15 @@ TEST_CASE("the error of a bent square falls with the size of its cells") {
     double const error = relative(n, bent);
     CHECK(std::log2(last / error) == doctest::Approx(1).epsilon(0.25));
     last = error;
+  }
+}
+
+TEST_CASE("the error does not depend on the frame: shear counts twice, as in the square of a tensor") {
+  for (int const dim : {2, 3}) {
+    CAPTURE(dim);
+    double const upright = turned(dim, 0), aslant = turned(dim, 0.6);
+    CHECK(upright > 0.05);
+    CHECK(aslant == doctest::Approx(upright).epsilon(1e-10));
   }
 }
 
