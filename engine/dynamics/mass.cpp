@@ -60,7 +60,7 @@ void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_
     whole += consistent.sum();
     if (inertia == ContactInertia::none)
       strip_surface(cell);
-    if (inertia == ContactInertia::implicit)
+    if (inertia == ContactInertia::implicit || inertia == ContactInertia::cells)
       lump_surface(cell);
     kept += cell.values.sum();
     for (std::size_t a = 0; a < nodes.size(); ++a) {

@@ -25,7 +25,8 @@ struct Mass {
 [[nodiscard]] Vector lumped(Dense const& consistent);
 
 /// on_surface[nodes] marks the contact nodes.
-/// none: their mass goes to the other nodes of the same cell; implicit: it is lumped onto their diagonal.
+/// none: their mass goes to the other nodes of the same cell; implicit, cells: it is lumped onto their
+/// diagonal.
 [[nodiscard]] Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface,
                                  ContactInertia inertia);
 

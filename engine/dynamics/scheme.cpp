@@ -10,10 +10,18 @@ namespace {
 using core::Need;
 
 template<class T> core::Describe<T>& add_inertia(core::Describe<T>& description) {
-  return description.choice("contact_inertia", &T::contact_inertia, {"full", "implicit", "none"},
-                            Need::optional,
-                            "contact nodes: as all others (an impact rings, and with Newmark's trapezium it "
-                            "makes energy), by backward Euler, or massless (mass redistribution)");
+  std::string meaning =
+      "contact nodes: as all others (an impact rings, and with Newmark's trapezium it makes "
+      "energy), by backward Euler (steps that are long beside the contact make energy when it "
+      "ends), massless (mass redistribution; such steps make more)";
+  std::vector<std::string> names{"full", "implicit", "none"};
+  if constexpr (std::is_same_v<T, ThetaXi>) {
+    names.emplace_back("cells");
+    meaning +=
+        ", or by backward Euler with the stress of their cells: keeps linear momentum in every step and "
+        "makes no energy when contact ends, at a little more loss";
+  }
+  return description.choice("contact_inertia", &T::contact_inertia, names, Need::optional, meaning);
 }
 
 template<class T> core::Describe<T>& add_level(core::Describe<T>& description) {

@@ -17,12 +17,12 @@ struct ThetaXi {
   double contact_weight = 1;
   ContactInertia contact_inertia = ContactInertia::implicit;
   ContactLevel contact_level = ContactLevel::position;
-  /// Where contact nodes balance at the step's end, their rows carry the factor xi to keep the matrix
-  /// symmetric.
   [[nodiscard]] StepWeights weights() const {
     auto weights = theta_weights(theta, xi);
-    weights.contact = weights.contact_work = contact_inertia == ContactInertia::full ? contact_weight : xi;
     weights.contact_inertia = contact_inertia;
+    weights.skin = contact_inertia == ContactInertia::cells && xi < 1;
+    weights.contact = contact_inertia == ContactInertia::full ? contact_weight : weights.apart_factor();
+    weights.contact_work = weights.contact; // others than skins' hand on the mean of R
     weights.level = contact_level;
     return weights;
   }

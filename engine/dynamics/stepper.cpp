@@ -111,6 +111,8 @@ void Stepper::predict(State const& old, double dt, bool extrapolate) {
       d_[dof] = motion->path.value(t1) - old.u[dof];
   gather_external(old.t, external_old_);
   gather_external(t1, external_);
+  if (weights_.skin)
+    structure_.skin_force(old.u, skin_old_);
   contact_->begin(old, t1, dt);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
 }
@@ -175,17 +177,25 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
          (1 - weights_.contact) * old.reaction;
   if (weights_.stabilisation > 0)
     dry_ += (weights_.stabilisation / dt) * structure_.grip().cwiseProduct(d_);
+  double const end = weights_.apart_end(), factor = weights_.apart_factor();
   if (weights_.surface_apart())
     for (Index dof = 0; dof < d_.size(); ++dof)
       if (apart(dof))
-        dry_[dof] = weights_.xi * (inertia_[dof] - (external_[dof] - internal_[dof]));
+        dry_[dof] = factor * (inertia_[dof] - (1 - end) * (external_old_[dof] - old.internal[dof]) -
+                              end * (external_[dof] - internal_[dof]));
+  if (weights_.skin) {
+    Timer const timer(cost_.assembly);
+    structure_.skin_force(u_, excess_);
+    excess_ -= skin_old_;
+    dry_ += excess_;
+  }
   Timer const timer(cost_.contact);
   contact_->locate(u_, outcome.iterations >= settle_after);
   contact_->reaction(reaction_);
   return true;
 }
 
-/// Contact nodes that balance by themselves at the step's end.
+/// Contact nodes that balance by themselves.
 bool Stepper::apart(Index dof) const {
   return weights_.surface_apart() && structure_.surface_dof(dof) && driver_[ix(dof)] == nullptr;
 }

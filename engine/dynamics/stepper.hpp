@@ -81,6 +81,8 @@ private:
   // workspace of one step
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, dry_, reaction_, correction_, surface_, push_;
   Vector mass_rate_, damping_;
+  Vector skin_old_;                ///< force of the skin at the step's start, N
+  Vector excess_;                  ///< what its end adds to the mean internal force, N
   Vector external_old_, external_; ///< weight and loads at the step's ends, N
   Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;

@@ -32,8 +32,10 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
   double const chi = weights_.contact_work, omega = weights_.work;
-  Vector const mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
-                            (1 - chi) * old.reaction + chi * reaction_;
+  Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
+                      (1 - chi) * old.reaction + chi * reaction_;
+  if (weights_.skin)
+    mean_force -= excess_;
   next.drive.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (driver_[ix(dof)] != nullptr) {

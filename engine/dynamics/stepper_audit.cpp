@@ -73,7 +73,8 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
     if (driver_[ix(dof)] != nullptr)
       unmet[dof] = 0;
     else if (apart(dof))
-      unmet[dof] = (1 - weights_.work) * more_force[dof] + (1 - weights_.contact_work) * more_reaction[dof];
+      unmet[dof] = (weights_.apart_end() - weights_.work) * more_force[dof] +
+                   (1 - weights_.contact_work) * more_reaction[dof];
     else if (weights_.explicit_forces && inverse_mass_[dof] > 0)
       unmet[dof] = 0.5 * next.reaction[dof] - old.push[dof] / (inverse_mass_[dof] * dt);
   }
@@ -124,6 +125,8 @@ void Stepper::audit(State const& old, State& next) const {
   double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_);
   if (structure_.damped())
     mean_work -= ((1 - omega) * old.damping + omega * damping_).dot(d_);
+  if (weights_.skin)
+    mean_work += excess_.dot(d_);
   loss.averages += mean_work - path_work(old);
   audit_contact(old, next);
 }

@@ -77,6 +77,11 @@ Structure::Structure(Model const& model, StepWeights const& weights)
   number_unknowns(model);
   if (!diagonal_)
     build_maps(model);
+  if (weights.skin) {
+    skin_more_ = 1 - weights.xi;
+    skin_.emplace(model, on_surface_);
+    skin_->place(kept_.front().factor->pattern(), unknown_of_);
+  }
   mass_.weight.setZero(model.dofs());
   bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
                                                              [](auto const& rigid) { return rigid.free(); });
@@ -177,7 +182,8 @@ void Structure::place_mass(StepWeights const& weights) {
   auto const& pattern = kept_.front().factor->pattern();
   mass_in_matrix_.assign(pattern.rows.size(), 0.0);
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
-    double const share = weights.surface_apart() && on_surface(j) ? weights.xi * weights.mass : 1.0;
+    double const share =
+        weights.surface_apart() && on_surface(j) ? weights.apart_factor() * weights.mass : 1.0;
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
       for (int c = 0; c < dim_; ++c) {
         Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
@@ -218,6 +224,11 @@ std::string Structure::cell_words(Index cell) const {
   });
   return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
                      fmt::join(middle, ", "));
+}
+
+void Structure::skin_force(Vector const& u, Vector& force) const {
+  skin_->internal_force(u, force);
+  force *= skin_more_;
 }
 
 void Structure::damping_force(Vector const& u, Vector const& v, Vector& force) const {
@@ -310,6 +321,8 @@ void Structure::add_stiffness(Vector const& u, StepWeights const& weights, doubl
                count = ix(dim_ * model_->first_node[body + 1]) - first;
     model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
   }
+  if (skin_)
+    skin_->add_stiffness(u, skin_more_, values_);
   ++cost.stiffness_passes;
   double const viscous = weights.xi / (weights.rate * dt);
   if (damped_ && !own_rates_)

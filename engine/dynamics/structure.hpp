@@ -5,6 +5,7 @@
 
 #include "dynamics/mass.hpp"
 #include "dynamics/own_rates.hpp"
+#include "dynamics/skin.hpp"
 #include "dynamics/state.hpp"
 
 namespace stiction::dynamics {
@@ -34,6 +35,9 @@ public:
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
   /// "cell 12 of body tape, at (0.1, 0.2) m" where it lies at rest; the number counts all bodies' from 0.
   [[nodiscard]] std::string cell_words(Index cell) const;
+  /// Internal force of the skin, weighted by how much more it counts at the step's end than that of all
+  /// cells, N; call only where the scheme has a skin.
+  void skin_force(Vector const& u, Vector& force) const;
   /// Has any body a viscosity?
   [[nodiscard]] bool damped() const { return damped_; }
   /// A(u) v over all degrees of freedom, N.
@@ -121,6 +125,8 @@ private:
   double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness
   std::vector<solid::ScatterMap> maps_; ///< [bodies]
+  std::optional<Skin> skin_;
+  double skin_more_ = 0; ///< weight of the skin's stress at the step's end beside that of all cells
   std::vector<double> values_,
       viscous_;            ///< viscous_: what A adds, where contact nodes have rates of their own
   std::vector<Kept> kept_; ///< the present one first, then by when they were used; at least one

@@ -3,9 +3,11 @@
 
 namespace stiction::dynamics {
 
-/// What inertia the nodes of contact surfaces have. full: as all others. implicit: lumped mass integrated by
-/// backward Euler, so that a node that lands stops at once. none: massless, F + R = 0 at the step's end.
-enum class ContactInertia { full, implicit, none };
+/// What inertia the nodes of contact surfaces have. full: as all others. implicit: lumped mass and own
+/// balance integrated by backward Euler, so that a node that lands stops at once. none: massless, F + R = 0
+/// at the step's end. cells: as implicit, with the stress of the cells that these nodes belong to at the
+/// step's end for all nodes of these cells, so that what contact nodes lose the others gain.
+enum class ContactInertia { full, implicit, none, cells };
 
 /// What the unilateral condition and friction bear on: gap and slip of the step, or their rates at its end.
 enum class ContactLevel { position, velocity };
@@ -28,8 +30,16 @@ struct StepWeights {
   ContactLevel level = ContactLevel::position;
   double restitution = 0;   ///< e of 0 <= v_n1 + e v_n0, velocity level
   double stabilisation = 0; ///< quasi-static: viscous force over (Structure::grip times velocity), s
-  /// Contact nodes have a balance of their own at the step's end instead of the weighted one.
+  /// The stress of cells with contact nodes stands at the step's end; viscosity and loads remain means. Where
+  /// bodies are linear and no normal turns, no step then makes energy, and momentum changes by impulses
+  /// alone.
+  bool skin = false;
+  /// Contact nodes have a balance of their own instead of the weighted one.
   [[nodiscard]] bool surface_apart() const { return inertia && contact_inertia != ContactInertia::full; }
+  /// Weight of F1 in that balance, beside the skin's stress, and the factor on its rows that keeps the matrix
+  /// symmetric.
+  [[nodiscard]] double apart_end() const { return skin ? xi : 1; }
+  [[nodiscard]] double apart_factor() const { return xi / apart_end(); }
   [[nodiscard]] bool accelerations() const { return gamma > 0; }
   [[nodiscard]] bool velocity_level() const { return level == ContactLevel::velocity; }
 };
@@ -58,11 +68,11 @@ struct NewmarkFamily {
     weights.gamma = gamma;
     weights.early = alpha_f;
     weights.xi = 1 - alpha_f;
-    weights.contact = full ? 1 : weights.xi;
     // the right side at index n stands for the mean over the step to alpha_m + gamma of it
     weights.work = alpha_m + gamma - alpha_f;
     weights.contact_work = full ? alpha_m + gamma : 1;
     weights.contact_inertia = inertia;
+    weights.contact = full ? 1 : weights.apart_factor();
     weights.level = level;
     return weights;
   }

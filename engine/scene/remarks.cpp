@@ -28,6 +28,13 @@ std::string place_of(Scene const& scene, dynamics::ContactStage const& contact, 
                      scene.pairs[static_cast<std::size_t>(place.pair)]);
 }
 
+/// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
+char const* tamer_scheme(Scene const& scene) {
+  return dynamics::weights(scene.model->scheme).skin
+             ? "a scheme that damps (theta = xi = 1)"
+             : "scheme.theta_xi{contact_inertia = \"cells\"}, which makes none when contact ends";
+}
+
 } // namespace
 
 void Remarks::look(dynamics::ContactStage const& contact, double t, contact::Look look) {
@@ -62,9 +69,8 @@ std::vector<std::string> Remarks::texts() const {
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   if (made_ > worth_telling_made * turned_over_)
     all.push_back(
-        fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or a "
-                    "scheme that damps",
-                    percent(made_ / turned_over_)));
+        fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",
+                    percent(made_ / turned_over_), tamer_scheme(*scene_)));
   else if (lost_ > worth_telling_lost * turned_over_)
     all.push_back(
         fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "

@@ -15,6 +15,7 @@ end
 local function add_theta_xi()
   local function jean(theta, xi) return { "jean", theta, xi } end
   add("default", "theta_xi", {}, { order = 1 })
+  add("cells", "theta_xi", { contact_inertia = "cells" }, { order = 1 })
   add("paper", "theta_xi", { theta = 0.5, xi = 0.5, contact_weight = 1, contact_inertia = "full" },
     { order = 2, recursion = jean(0.5, 0.5) })
   add("paper_055", "theta_xi", { theta = 0.55, xi = 0.55, contact_weight = 1, contact_inertia = "full" },

@@ -15,6 +15,7 @@ struct SchemeSample {
   Input table;
   int order = 0;             ///< on a smooth problem; 0: the scheme has no dynamics
   bool massless = false;     ///< contact nodes
+  bool cells = false;        ///< stress of their cells at the step's end
   bool closed_rates = false; ///< linear recursion without cures: `amplification` below holds
   double beta = 0, gamma = 0, alpha_m = 0, alpha_f = 0; ///< of Newmark's family, by the papers' formulas
   double theta = 0, xi = 0;                             ///< of Jean's
@@ -80,6 +81,8 @@ inline std::vector<SchemeSample> scheme_samples() {
   }
   add_newmark_family(all);
   all.push_back(theta_sample("theta_xi", 0.5, 0.5, cure("implicit"), 1));
+  all.push_back(theta_sample("theta_xi", 0.6, 0.7, cure("cells"), 1));
+  all.back().cells = true;
   all.push_back(theta_sample("theta_xi", 0.5, 0.5, cure("none", "velocity"), 2));
   all.back().massless = true;
   for (char const* name : {"newmark", "generalised_alpha", "hht"}) {
