@@ -32,7 +32,7 @@ public:
     for (auto const& point : points_)
       visit({point.pair, point.index}, point.kinematics.nodes, point.kinematics.H);
   }
-  void reaction(Vector& force) const override;
+  void reaction(Vector& force, int pair) const override;
   [[nodiscard]] bool solve(Vector const& y, double weight, Vector& c, Cost& cost) override;
   [[nodiscard]] double residual() const override;
   [[nodiscard]] double force_scale() const override;
@@ -290,12 +290,12 @@ template<int D, int C> void Stage<D, C>::locate(Vector const& u, bool settle) {
   }
 }
 
-template<int D, int C> void Stage<D, C>::reaction(Vector& force) const {
+template<int D, int C> void Stage<D, C>::reaction(Vector& force, int pair) const {
   force.setZero(positions_.size());
   for (Index const k : active_) {
     auto const& kinematics = points_[ix(k)].kinematics;
     auto const& p = points_[ix(k)].force;
-    if (p.isZero(0))
+    if (p.isZero(0) || (pair >= 0 && points_[ix(k)].pair != pair))
       continue;
     for (int a = 0; a < kinematics.count; ++a)
       force.segment<D>(D * kinematics.nodes[ix(a)]) +=

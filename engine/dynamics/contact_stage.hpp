@@ -29,8 +29,8 @@ public:
   /// components of the nodes, of which there are none where it has no counterpart.
   using Visit = std::function<void(ContactPlace, Indices const&, Dense const&)>;
   virtual void each_point(Visit const& visit) const = 0;
-  /// H^T p with the current forces and kinematics, [degrees of freedom], N.
-  virtual void reaction(Vector& force) const = 0;
+  /// H^T p with the current forces and kinematics, of all pairs or of one, [degrees of freedom], N.
+  virtual void reaction(Vector& force, int pair = -1) const = 0;
 
   /// Solves the contact problem linearised at the last `locate`. y: motion of the contact unknowns without
   /// contact. On return c holds weight (K_geo du + H^T p) on them. False if the solver did not converge.

@@ -107,6 +107,7 @@ struct Model {
   contact::SolverChoice solver;
   StepControl control;
   bool held_by_bonds = false; ///< quasi-static: motions alone do not hold every body, intact bonds do
+  bool tallied = false;       ///< momenta and impulses are kept
   bool audited = false; ///< the ledger predicts the scheme's loss: a force pass per step where not linear
   [[nodiscard]] Index node_count() const { return static_cast<Index>(reference.rows()); }
   [[nodiscard]] int dim() const { return solid::dimension(kinematics); }

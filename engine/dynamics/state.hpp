@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/kinematics.hpp"
+#include "dynamics/momentum.hpp"
 #include "interface/bond.hpp"
 
 namespace stiction::dynamics {
@@ -86,6 +87,7 @@ struct State {
   std::vector<FactorSource> factors;
   double critical_step = 0; ///< of explicit schemes, s, found `critical_age` steps ago; age 0: not known
   int critical_age = 0;
+  Momenta momenta; ///< empty unless the model is tallied
 };
 
 } // namespace stiction::dynamics

@@ -78,6 +78,13 @@ State Stepper::initial() {
     state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
   }
   state.ledger.start = state.ledger.kinetic + state.ledger.bond;
+  if (model_->tallied) {
+    state.momenta.pairs.resize(model_->pairs.size());
+    state.momenta.forces.resize(model_->pairs.size());
+    set_momenta(state);
+    for (auto const& body : state.momenta.bodies)
+      state.momenta.start += body;
+  }
   return state;
 }
 
@@ -382,6 +389,8 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.factors = structure_.sources();
   next.critical_step = critical_step_;
   next.critical_age = critical_age_;
+  if (model_->tallied)
+    tally(old, next);
   outcome.verdict = StepVerdict::converged;
 }
 

@@ -65,6 +65,8 @@ private:
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
   void account(State const& old, State& next) const;
+  void set_momenta(State& state) const;
+  void tally(State const& old, State& next) const;
   void audit(State const& old, State& next) const;
   [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
   [[nodiscard]] double path_work(State const& old) const;

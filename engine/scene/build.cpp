@@ -57,6 +57,8 @@ Scene Builder::run() {
   for (auto const& [name, probe] : scene_.part.probes)
     if (auto const* energy = std::get_if<EnergyProbe>(&probe))
       model.audited = model.audited || energy->audit;
+    else if (std::holds_alternative<MomentumProbe>(probe))
+      model.tallied = true;
   add_bodies();
   settle();
   add_obstacles();

@@ -23,6 +23,16 @@ template<class Map> std::vector<std::string> names(Map const& map) {
 }
 } // namespace
 
+void Builder::check_momentum(Where const& where, Numbers const& about) {
+  check_size(where, about);
+  if (!about.empty() && scene_.part.kinematics == solid::Kinematics::axisymmetric)
+    complain(where, "an axisymmetric scene has no angular momentum; leave it out");
+  if (!dynamics::weights(scene_.part.scheme).inertia)
+    complain({where[0], where[1]},
+             "a quasi-static scheme has no momentum; choose another scheme or leave the "
+             "probe out");
+}
+
 template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
   if constexpr (requires { part.pair; })
     if (!scene_.part.pairs.contains(part.pair))
@@ -41,6 +51,8 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
     static_cast<void>(resolve({"probes", name, "set"}, part.set));
   if constexpr (requires { part.near; })
     check_size({"probes", name, "near"}, part.near);
+  if constexpr (requires { part.about; })
+    check_momentum({"probes", name, "about"}, part.about);
 }
 
 } // namespace stiction::scene

@@ -68,6 +68,7 @@ private:
 
   // build_probes.cpp
   void check_probes();
+  void check_momentum(Where const& where, Numbers const& about);
   template<class Part> void check_probe(std::string const& name, Part const& part);
 
   core::Input const* input_;

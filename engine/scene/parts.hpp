@@ -152,8 +152,12 @@ struct EnergyProbe {
   bool audit = false;
   static core::Schema const& schema();
 };
-using ProbePart =
-    std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe, EnergyProbe>;
+struct MomentumProbe {
+  Numbers about; ///< m; empty: the origin
+  static core::Schema const& schema();
+};
+using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe,
+                               EnergyProbe, MomentumProbe>;
 
 struct ScenePart {
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;

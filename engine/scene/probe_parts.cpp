@@ -73,4 +73,19 @@ core::Schema const& EnergyProbe::schema() {
   return made;
 }
 
+core::Schema const& MomentumProbe::schema() {
+  static auto const made =
+      Describe<MomentumProbe>{
+          "momentum",
+          "linear and angular momentum of each body and of all, with the impulses since the "
+          "start that changed them: of each pair on its secondary side, of both sides "
+          "together, of loads and weight, of motions, and what these leave unaccounted",
+          ""}
+          .numbers("about", &MomentumProbe::about, "m", Need::optional,
+                   "fixed point {x, y [, z]} that angular momenta are about; the origin unless given. An "
+                   "axisymmetric scene has no angular momentum, and a linear one along its axis only")
+          .build();
+  return made;
+}
+
 } // namespace stiction::scene

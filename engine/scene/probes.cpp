@@ -300,6 +300,10 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
   };
 }
 
+Sampler add(MomentumProbe const& probe, Context const& context) {
+  return add_momentum(probe, context.scene, context.series, context.name);
+}
+
 } // namespace
 
 void add_step_columns(Scene const& scene, record::Series& series) {

@@ -25,4 +25,8 @@ struct Columns {
 /// Adds the columns of every probe of the scene, in the order of their names, and returns their samplers.
 [[nodiscard]] std::vector<Sampler> add_probes(Scene const& scene, record::Series& series);
 
+/// The part of add_probes that a momentum probe called `name` takes.
+[[nodiscard]] Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, record::Series& series,
+                                   std::string const& name);
+
 } // namespace stiction::scene

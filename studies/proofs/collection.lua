@@ -22,6 +22,7 @@ return {
   "bouncing_bar",
   "sliding_block",
   "sphere_impact",
+  "free_collision",
   "solver_agreement",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
