@@ -10,6 +10,7 @@
 #include "dynamics/poses.hpp"
 #include "dynamics/reduced.hpp"
 #include "dynamics/rigid_load.hpp"
+#include "dynamics/settle_bond.hpp"
 #include "dynamics/sharp_solver.hpp"
 #include "dynamics/timer.hpp"
 #include "dynamics/twin_points.hpp"
@@ -467,23 +468,16 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
     after.path = before.path + after.slip;
     auto const x = point.x();
     after.dry.head<C>() = point.force / point.law.area;
-    if (point.law.law >= 0) {
-      auto const& law = problem_.adhesions[ix(point.law.law)];
-      after.adhesion.head<C>() = interface::adhere<C>(law, point.law.bond, x).traction;
-      after.dry -= after.adhesion;
-      after.bond = interface::advance<C>(law, point.law.bond, x);
-      next.ledger.bonding_loss += point.law.area * interface::dissipation<C>(law, point.law.bond, x);
-      next.ledger.bond += point.law.area * interface::bond_energy(law, after.bond, after.gap);
-    }
+    if (point.law.law >= 0)
+      settle_bond<C>(problem_.adhesions[ix(point.law.law)], point.law, x, after, next.ledger);
     if (point.rho > 0)
       after.status = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho).status;
   }
 }
 
 template<int D, int C> double Stage<D, C>::search_radius(std::size_t pair) const {
-  if (mortars_[pair])
-    return mortars_[pair]->radius();
-  return searches_[pair] ? searches_[pair]->radius() : 0;
+  double const searched = searches_[pair] ? searches_[pair]->radius() : 0;
+  return mortars_[pair] ? mortars_[pair]->radius() : searched;
 }
 
 } // namespace
@@ -493,16 +487,14 @@ int contact_components(Model const& model) {
   return std::ranges::any_of(model.pairs, along) ? model.dim() : 1;
 }
 
+template<int D> std::unique_ptr<ContactStage> make_in(Model const& model, Structure& structure) {
+  if (contact_components(model) > 1)
+    return std::make_unique<Stage<D, D>>(model, structure);
+  return std::make_unique<Stage<D, 1>>(model, structure);
+}
+
 std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {
-  bool const tangential = contact_components(model) > 1;
-  if (model.dim() == 2) {
-    if (tangential)
-      return std::make_unique<Stage<2, 2>>(model, structure);
-    return std::make_unique<Stage<2, 1>>(model, structure);
-  }
-  if (tangential)
-    return std::make_unique<Stage<3, 3>>(model, structure);
-  return std::make_unique<Stage<3, 1>>(model, structure);
+  return model.dim() == 2 ? make_in<2>(model, structure) : make_in<3>(model, structure);
 }
 
 } // namespace stiction::dynamics
