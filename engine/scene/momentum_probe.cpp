@@ -30,21 +30,21 @@ Components components(solid::Kinematics kinematics) {
 /// Writes columns and values of one screw after the other, in the same order.
 class Writer {
 public:
-  Writer(Scene const& scene, record::Series& series, std::string const& group)
+  Writer(Scene const& scene, Columns const& series, std::string const& group)
       : which_(components(scene.part.kinematics)), series_(&series), group_(group) {}
 
   void columns(std::string const& linear, std::string const& angular, std::string const& meaning) const {
     bool const plane = which_.kinematics == solid::Kinematics::plane_strain;
     for (int const c : which_.linear)
-      series_->add(group_, linear + '_' + "xyz"[c], plane ? "N s/m" : "N s", meaning);
+      series_->add(group_, linear + '_' + "xyz"[c], plane ? "N s/m" : "N s", meaning, 1);
     for (int const c : which_.angular)
       series_->add(group_, plane ? angular : angular + '_' + "xyz"[c], plane ? "N s" : "N m s",
-                   meaning + ": about the given point");
+                   meaning + ": about the given point", 1);
   }
 
 private:
   Components which_;
-  record::Series* series_;
+  Columns const* series_;
   std::string group_;
 };
 
@@ -111,7 +111,7 @@ Screw impulses(dynamics::Momenta const& momenta) {
 
 } // namespace
 
-Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, record::Series& series,
+Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                      std::string const& name) {
   add_columns(scene, Writer(scene, series, name));
   Vec3 about = Vec3::Zero();

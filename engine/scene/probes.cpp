@@ -128,12 +128,12 @@ void add_force(Index node, Vector const& reaction, int dim, contact::Vec3& sum) 
 PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> const& points,
                       Vector const& reaction, int dim) {
   PairSummary sum;
-  double area = 0;
-  sum.gap_min = std::numeric_limits<double>::max();
+  double area = 0, least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto const& point = points[i];
     if (point.foot.found())
-      sum.gap_min = std::min(sum.gap_min, point.gap);
+      least = std::min(least, point.gap);
+    sum.gap_min = std::max(sum.gap_min, point.gap); // where no point finds a counterpart: how far was looked
     sum.beta_max = std::max(sum.beta_max, point.bond.beta);
     sum.beta_mean += pair.areas[i] * point.bond.beta;
     area += pair.areas[i];
@@ -153,6 +153,8 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
     for (Index const node : pair.nodes())
       add_force(node, reaction, dim, sum.force);
   sum.beta_mean /= area;
+  if (std::isfinite(least))
+    sum.gap_min = least;
   return sum;
 }
 
@@ -172,7 +174,7 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("pressure_max", "Pa", "largest dry pressure");
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
-  context.column("gap_min", "m", "smallest gap");
+  context.column("gap_min", "m", "smallest gap; the radius of the search where nothing is near");
   return [p, dim, &pair](State const& state, std::vector<double>& row) {
     auto const s = summarise(pair, state.contacts[p], state.reaction, dim);
     row.insert(row.end(), s.force.data(), s.force.data() + dim);

@@ -26,7 +26,7 @@ struct Columns {
 [[nodiscard]] std::vector<Sampler> add_probes(Scene const& scene, record::Series& series);
 
 /// The part of add_probes that a momentum probe called `name` takes.
-[[nodiscard]] Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, record::Series& series,
+[[nodiscard]] Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                                    std::string const& name);
 
 } // namespace stiction::scene
