@@ -15,7 +15,7 @@ expect 0 "\"warnings\"|\"sections\"|\"case\": \"mu0.4\"|\"unit\": \"m/s\"" "$sti
 expect 2 "there is no study at 'nowhere'" "$stiction" explain nowhere
 expect 2 "mu0.9" "$stiction" explain "$tiny" --case mu0.9
 changed wrong 's/primary = "floor"/primary = "flor"/'
-expect 2 "there is no set" "$stiction" explain wrong
+expect 2 "there is no obstacle or set" "$stiction" explain wrong
 changed stretched 's/descent = 0.02/descent = 0.3/; s/neo_hookean/linear_elastic/'
 expect 0 "What to change|body block will be strained by about 30 %|-> material.neo_hookean{" "$stiction" explain stretched
 

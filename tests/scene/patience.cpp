@@ -1,4 +1,5 @@
 // Hopeless cases end at the limits of their schedule and say which it was.
+#include <cmath>
 #include <doctest/doctest.h>
 
 #include "folder.hpp"
@@ -16,6 +17,23 @@ test::Input hopeless() {
       test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
   test::at(table, "control") =
       test::make("control", {{"iterations", test::value(1)}, {"force_tolerance", test::value(1e-14)}});
+  return table;
+}
+
+/// A column under more than it bears, E / (3 sqrt 3) if it is of St Venant and Kirchhoff: beyond t = 1 no
+/// step has an answer, however small.
+test::Input crushed() {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.material") = test::make(
+      "material.st_venant_kirchhoff", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0)}});
+  test::at(table, "motions") = test::list({test::fix("foot.bottom")});
+  test::at(table, "loads") = test::list(
+      {test::make("load.traction", {{"set", test::text("foot.top")},
+                                    {"times", test::values({0, 2}, "s")},
+                                    {"y", test::values({0, -2 * 1000 / (3 * std::sqrt(3.0))}, "Pa")}})});
+  test::at(table, "schedule.halvings") = test::value(20);
+  test::at(table, "control") = test::make("control", {{"iterations", test::value(500)}});
+  test::at(table, "schedule.work") = test::value(1e-9);
   return table;
 }
 
@@ -54,11 +72,8 @@ TEST_CASE("a case ends when the attempts at one step have lost so many operation
   test::at(table, "schedule.work") = test::value(1e-9);
   auto const all = run(table);
   CHECK(all.cuts == 11); // a thousand factorizations are more
-  test::at(table, "schedule.halvings") = test::value(20);
-  test::at(table, "control.iterations") = test::value(200);
-  auto const result = run(table);
+  auto const result = run(crushed());
   CHECK(result.verdict == "not converged");
-  CHECK(result.cuts < 21);
   CHECK(says(result.reason, "more than schedule.work"));
 }
 
