@@ -16,6 +16,7 @@ return {
   "jkr_cylinder",
   "maugis_dugdale",
   "dcb",
+  "peeled_film",
   "capstan",
   "time_schemes",
   "bar_impact",
