@@ -1,6 +1,5 @@
 // The judge: the natural-map residual of a contact problem, independent of every solver.
 #include "contact/problem.hpp"
-#include "contact/rounding.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -91,8 +90,8 @@ Vector rounding_of(Problem const& problem, Vector const& force) {
   return roundings * std::numeric_limits<double>::epsilon() * terms;
 }
 
-/// excused: the largest residual that is no more than rounding leaves, Pa.
-template<int D> Verdict judge_in(Problem const& problem, Vector const& force, double& excused) {
+/// A residual that is no more than rounding leaves does not count.
+template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
   Verdict verdict;
   Vector const x = displacement(problem, force);
   if (!x.allFinite() || !force.allFinite())
@@ -121,9 +120,8 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force, do
   Vector const rounding = rounding_of(problem, force);
   for (Index i = 0; i < problem.size(); ++i) {
     double const area = problem.points[ix(i)].area, left = points[ix(i)].residual;
-    bool const rounded = left <= points[ix(i)].stiffness * rounding.segment<D>(D * i).norm();
-    auto& kept = rounded ? excused : verdict.residual;
-    kept = std::max(kept, left / area);
+    if (left > points[ix(i)].stiffness * rounding.segment<D>(D * i).norm())
+      verdict.residual = std::max(verdict.residual, left / area);
   }
   return verdict;
 }
@@ -131,15 +129,7 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force, do
 } // namespace
 
 Verdict judge(Problem const& problem, Vector const& force) {
-  double excused = 0;
-  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, excused); });
-}
-
-double excused(Problem const& problem, Vector const& force) {
-  double excused = 0;
-  Verdict const verdict =
-      by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, excused); });
-  return verdict.scale > 0 ? excused / verdict.scale : 0;
+  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force); });
 }
 
 } // namespace stiction::contact

@@ -12,6 +12,7 @@
 #include "dynamics/rigid_load.hpp"
 #include "dynamics/settle_bond.hpp"
 #include "dynamics/sharp_solver.hpp"
+#include "dynamics/stage_point.hpp"
 #include "dynamics/timer.hpp"
 #include "dynamics/twin_points.hpp"
 
@@ -47,22 +48,7 @@ public:
 
 private:
   using Deformable = typename contact::Search<D>::Primary;
-  struct Point {
-    int pair = 0;
-    Index index = 0;
-    PointKinematics<D> kinematics;
-    Local<C> force = Local<C>::Zero(); ///< p = A r, N
-    double rho = 0;                    ///< of the last problem, N/m; 0 before
-    contact::ProblemPoint law;         ///< area, mu, bond
-    bool active = false;
-    bool waits = false; ///< at the velocity level: its gap will not close in this step
-    [[nodiscard]] Local<C> x() const {
-      Local<C> x;
-      x[0] = kinematics.gap;
-      x.template tail<C - 1>() = kinematics.slip.template head<C - 1>();
-      return x;
-    }
-  };
+  using Point = StagePoint<D, C>;
   [[nodiscard]] PointKinematics<D> look(Point const& point, Foot start) const;
   [[nodiscard]] PointKinematics<D> look_at_node(Point const& point, Foot start) const;
   void look_at_all();
@@ -79,14 +65,9 @@ private:
   void choose_active(Point& point) const;
   void limit_rates(Point& point, ContactState const& old, double dt) const;
   void gather();
+  [[nodiscard]] Vector pose_problem(Vector const& y, double weight);
   void take_shift_away(double weight);
 
-  /// With what does not act along the surface.
-  [[nodiscard]] static Local<D> full(Local<C> const& force) {
-    Local<D> all = Local<D>::Zero();
-    all.template head<C>() = force;
-    return all;
-  }
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
   }
@@ -105,7 +86,8 @@ private:
   State const* old_ = nullptr;
   double t1_ = 0;
   bool bonding_changed_ = false;
-  Indices unknowns_; ///< trailing unknowns of one point
+  bool turning_ = true; ///< do the problems know that normals turn as points move?
+  Indices unknowns_;    ///< trailing unknowns of one point
   Reduced reduced_;
   contact::Problem problem_;
   Indices rows_;  ///< into points_, behind the problem's rows
@@ -176,6 +158,7 @@ template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, doub
   old_ = &old;
   t1_ = old.t;
   bonding_changed_ = false;
+  turning_ = true;
   place_nodes(old.u);
   place_rigid_bodies(old.u);
   t1_ = t1;
@@ -346,15 +329,15 @@ template<int D, int C> void Stage<D, C>::gather() {
     auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
     reduced_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
-    if (!mortars_[ix(point.pair)] && !means_[ix(point.pair)])
-      add_stiffness(model_->pairs[ix(point.pair)], kinematics, full(point.force));
+    if (turning_ && !mortars_[ix(point.pair)] && !means_[ix(point.pair)])
+      add_stiffness(model_->pairs[ix(point.pair)], kinematics, full<D>(point.force));
     if (model_->held_by_bonds)
       reduced_.add_stiffness(
           unknowns_of(kinematics.nodes),
           bond_grip(model_->pairs[ix(point.pair)].law, point.law, {kinematics.gap, kinematics.H}));
   }
   for (std::size_t p = 0; p < mortars_.size(); ++p)
-    if (mortars_[p] || means_[p])
+    if (turning_ && (mortars_[p] || means_[p]))
       add_shared_stiffness(p);
 }
 
@@ -377,7 +360,7 @@ template<int D, int C> void Stage<D, C>::add_shared_stiffness(std::size_t pair) 
   std::vector<Local<D>> forces(ix(model_->pairs[pair].size()), Local<D>::Zero());
   for (Index const k : active_)
     if (auto const& point = points_[ix(k)]; ix(point.pair) == pair)
-      forces[ix(point.index)] = full(point.force);
+      forces[ix(point.index)] = full<D>(point.force);
   if (auto const& mortar = mortars_[pair]) {
     auto const [nodes, K] = mortar->stiffness(forces, positions());
     return reduced_.add_stiffness(unknowns_of(nodes), K);
@@ -395,15 +378,12 @@ template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& no
   return unknowns_;
 }
 
-template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
-  Timer const timer(cost.contact);
-  c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
-  problem_.points.clear();
-  if (active_.empty() && structure_->shift() == 0)
-    return true;
+/// The linear problem of the present kinematics; returns the present forces.
+template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double weight) {
   gather();
   take_shift_away(weight);
   problem_.dim = C;
+  problem_.points.clear();
   reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W, problem_.free);
   Vector guess(C * static_cast<Index>(active_.size()));
   problem_.start.setZero(guess.size());
@@ -417,16 +397,25 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
     if (model_->pairs[ix(point.pair)].self)
       tell_apart<C>(problem_, first, point.force);
   }
-  ++cost.contact_problems;
-  auto const solve_from = [&](Vector const& start) {
-    auto found = solver_->solve(problem_, start);
-    cost.contact_iterations += found.iterations;
-    cost.contact_operations += 2 * static_cast<double>(problem_.W.size()) * found.work;
-    return found;
+  return guess;
+}
+
+template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
+  Timer const timer(cost.contact);
+  c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
+  problem_.points.clear();
+  if (active_.empty() && structure_->shift() == 0)
+    return true;
+  auto const solve_posed = [&] {
+    Vector const guess = pose_problem(y, weight);
+    ++cost.contact_problems;
+    return solve_problem(*solver_, problem_, guess, cost);
   };
-  auto solution = solve_from(guess);
-  if (!solution.converged) // the last forces may be a bad start: once more from none
-    solution = solve_from(Vector::Zero(guess.size()));
+  auto solution = solve_posed();
+  if (!solution.converged && turning_) { // the balance has it all the same: iterations converge, if slower
+    turning_ = false;
+    solution = solve_posed();
+  }
   rows_ = active_;
   forces_ = std::move(solution.force);
   if (!solution.converged)
@@ -462,7 +451,7 @@ template<int D, int C> void Stage<D, C>::finish(State const& old, double, State&
     if (!point.active)
       continue;
     if (auto const* side = std::get_if<RigidSide>(&model_->pairs[ix(point.pair)].primary))
-      add_load<D>(point.kinematics, full(point.force), positions(), model_->first_node.back(),
+      add_load<D>(point.kinematics, full<D>(point.force), positions(), model_->first_node.back(),
                   next.on_rigid[side->body]);
     after.slip.head<D - 1>() = point.kinematics.slip;
     after.path = before.path + after.slip;
