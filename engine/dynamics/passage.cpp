@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "contact/obstacle_passage.hpp"
+#include "dynamics/poses.hpp"
+
 namespace stiction::dynamics {
 
 namespace {
@@ -32,6 +35,17 @@ template<int D> struct Drift {
   }
 };
 
+/// Something acts on it.
+bool held(ContactState const& point) {
+  return point.in_reach &&
+         !(point.status == interface::Status::open && (point.dry + point.adhesion).isZero(0));
+}
+
+/// Too far from the obstacle at both ends of a way of this length, m, to have been deep in it.
+bool clear(ContactState const& before, ContactState const& after, double length, double depth) {
+  return before.foot.found() && after.foot.found() && before.gap + after.gap - length > -2 * depth;
+}
+
 } // namespace
 
 Passage::Passage(Model const& model) : model_(&model) {
@@ -52,7 +66,7 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
   }
   ();
   if (panels.empty())
-    return false;
+    return passed_rigid<D>(pair, old, next);
   Vector const step = next.u - old.u;
   Drift<D> const drift(panels, step);
   Vector from, to;
@@ -69,6 +83,33 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
       to = from + step;
     }
     if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}}))
+      return true;
+  }
+  return false;
+}
+
+template<int D> bool Passage::passed_rigid(std::size_t pair, State const& old, State const& next) const {
+  auto const& described = model_->pairs[pair];
+  auto const* side = std::get_if<RigidSide>(&described.primary);
+  if (side == nullptr)
+    return false;
+  auto const& shape = model_->rigids[side->body].shape;
+  auto const first = pose_of<D>(*model_, side->body, old.t, old.u, old);
+  auto const last = pose_of<D>(*model_, side->body, next.t, next.u, old);
+  Eigen::Map<Vector const> const reference(model_->reference.data(), model_->dofs());
+  for (std::size_t i = 0; i < described.secondary.size(); ++i) {
+    Index const dof = D * described.secondary[i];
+    contact::Vec<D> const X = reference.segment<D>(dof);
+    contact::RelativeWay<D> const way(X + old.u.segment<D>(dof), X + next.u.segment<D>(dof), first, last);
+    auto const &before = old.contacts[pair][i], &after = next.contacts[pair][i];
+    contact::WayEnds ends{described.reach, held(after), {}, {}};
+    if (!described.shared()) { // else gap and foot are not those of the node
+      if (clear(before, after, way.length(), contact::least_depth * described.reach))
+        continue;
+      ends.first = before.foot;
+      ends.last = after.foot;
+    }
+    if (contact::passes<D>(shape, way, ends))
       return true;
   }
   return false;

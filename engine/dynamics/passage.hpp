@@ -1,4 +1,4 @@
-// Points that a step carried through a deformable body, farther than any contact was looked for.
+// Points that a step carried through their counterpart, farther than any contact was looked for.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,6 @@
 
 namespace stiction::dynamics {
 
-/// Watches pairs whose primary is a body; a rigid shape sees its points from any depth.
 class Passage {
 public:
   /// The model must outlive it.
@@ -20,6 +19,8 @@ public:
 
 private:
   template<int D> [[nodiscard]] bool passed(std::size_t pair, State const& old, State const& next) const;
+  template<int D>
+  [[nodiscard]] bool passed_rigid(std::size_t pair, State const& old, State const& next) const;
 
   Model const* model_;
   std::vector<std::vector<contact::Panel<2>>> lines_;     ///< [pairs]; in the plane

@@ -91,3 +91,22 @@ TEST_CASE("a body that would fall through a rigid floor in one step lands on it"
   for (Index const node : scene.model->pairs[0].secondary)
     CHECK(5 + outcome.state.u[2 * node + 1] > -1e-6);
 }
+
+TEST_CASE("a step that carries a body through a rigid disc that moves or stands is refused") {
+  for (bool const moving : {false, true}) {
+    auto table = test::foot_on_floor();
+    test::at(table, "obstacles.floor.shape") = test::make(
+        "rigid.circle", {{"centre", test::values({0.5, -1}, "m")}, {"radius", test::value(0.9, "m")}});
+    double const way = moving ? 0 : -4;
+    test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1, 2}, {0, 0, 0}, {0, way, way})});
+    if (moving) {
+      test::at(table, "obstacles.floor.times") = test::values({0, 1, 2}, "s");
+      test::at(table, "obstacles.floor.y") = test::values({0, 4, 4}, "m");
+    }
+    auto const scene = scene::build(table);
+    dynamics::Stepper stepper(*scene.model);
+    auto const outcome = stepper.step(stepper.initial(), 1);
+    CHECK(outcome.verdict == dynamics::StepVerdict::passed);
+    CHECK(outcome.reason.find("pair sole went through") != std::string::npos);
+  }
+}
