@@ -141,7 +141,8 @@ std::string option(lua_State* lua, char const* name) {
   return text;
 }
 
-/// run(scene, {out =, case_id =, manifest =, rehearse =}, progress) -> result; progress(snapshot) is called once a step
+/// run(scene, {out =, case_id =, manifest =, rehearse =}, progress) -> result; progress(snapshot) is called
+/// once a step
 int run(lua_State* lua) {
   luaL_checktype(lua, 2, LUA_TTABLE);
   luaL_checktype(lua, 3, LUA_TFUNCTION);
