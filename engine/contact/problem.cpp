@@ -76,7 +76,7 @@ namespace {
 
 constexpr double looked_at = 1e-6; // of the scale: below it rounding may be what is left
 constexpr double cone_rounding = 4 * std::numeric_limits<double>::epsilon();
-constexpr double roundings = 8; // of a sum, in units of its terms' last places
+constexpr double roundings = 0; // of a sum, in units of its terms' last places
 
 /// Residual of one point, and how far an error of its displacement carries into it.
 struct PointVerdict {
