@@ -156,6 +156,7 @@ void Structure::build_maps(Model const& model) {
 }
 
 /// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
+// NOLINTNEXTLINE(readability-function-size): one pass over pairs, points and nodes
 void Structure::gather_grip(Model const& model) {
   grip_.setZero(model.dofs());
   for (std::size_t b = 0; b < model.cells.size(); ++b) {
@@ -378,8 +379,7 @@ void Structure::recover(Vector const& push, Vector& z) {
   if (kept.own) {
     kept.own->recover(*kept.factor, push, z);
   } else if (!push.isZero(0)) {
-    Vector own = push;
-    kept.factor->trailing_factor().triangularView<Eigen::Lower>().solveInPlace(own);
+    Vector const own = kept.factor->trailing_factor().triangularView<Eigen::Lower>().solve(push);
     z.tail(trailing_) += own;
   }
   kept.factor->backward(z);

@@ -111,6 +111,7 @@ Screw impulses(dynamics::Momenta const& momenta) {
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-function-size): one sampler, in the order of its columns
 Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                      std::string const& name) {
   add_columns(scene, Writer(scene, series, name));
