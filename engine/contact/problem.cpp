@@ -74,54 +74,27 @@ double Verdict::relative() const {
 
 namespace {
 
-constexpr double looked_at = 1e-6; // of the scale: below it rounding may be what is left
-constexpr double cone_rounding = 4 * std::numeric_limits<double>::epsilon();
-constexpr double roundings = 0; // of a sum, in units of its terms' last places
-
-/// Residual of one point, and how far an error of its displacement carries into it.
-struct PointVerdict {
-  double residual = 0, stiffness = 0; ///< N, N/m
-};
-
-/// What rounding of the products in x = free + W p may leave of x, m.
-Vector rounding_of(Problem const& problem, Vector const& force) {
-  Vector terms = problem.free.cwiseAbs();
-  terms.noalias() += problem.W.cwiseAbs() * force.cwiseAbs();
-  return roundings * std::numeric_limits<double>::epsilon() * terms;
-}
-
-/// A residual that is no more than rounding leaves does not count.
 template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
   Verdict verdict;
   Vector const x = displacement(problem, force);
   if (!x.allFinite() || !force.allFinite())
     return {std::numeric_limits<double>::infinity(), 0};
-  std::vector<PointVerdict> points(ix(problem.size()));
   for (Index i = 0; i < problem.size(); ++i) {
     double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
-    Local<D> const p = force.segment<D>(D * i);
-    Local<D> const at = x.segment<D>(D * i);
+    Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
     auto const state = evaluate<D>(problem, i, p, at, rho);
-    bool const open = state.status == interface::Status::open;
+    double const residual = state.residual.norm();
     // the cone takes rho |x_t| off the pressure and gives it back: what that rounds to, a point that just
     // touches while it slides cannot do without
-    double const cone = open ? 0 : cone_rounding * rho * at.template tail<D - 1>().norm();
-    double const residual = state.residual.norm();
-    points[ix(i)] = {residual <= cone ? 0 : residual,
-                     (open ? 0.0 : rho * (1 + state.mu)) + state.adhesion_by_x.norm()};
+    double const rounding =
+        state.status == interface::Status::open
+            ? 0.0
+            : 4 * std::numeric_limits<double>::epsilon() * rho * at.template tail<D - 1>().norm();
+    if (!(residual <= rounding))
+      verdict.residual = std::max(verdict.residual, residual / area);
     // a separated point far away must not set the yardstick: only pushing free gaps count
     double const pressed = std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i]) * rho / area;
     verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
-    verdict.residual = std::max(verdict.residual, points[ix(i)].residual / area);
-  }
-  if (verdict.residual == 0 || verdict.residual > looked_at * verdict.scale)
-    return verdict;
-  verdict.residual = 0;
-  Vector const rounding = rounding_of(problem, force);
-  for (Index i = 0; i < problem.size(); ++i) {
-    double const area = problem.points[ix(i)].area, left = points[ix(i)].residual;
-    if (left > points[ix(i)].stiffness * rounding.segment<D>(D * i).norm())
-      verdict.residual = std::max(verdict.residual, left / area);
   }
   return verdict;
 }
