@@ -242,10 +242,13 @@ private:
   bool walk() {
     double const foretold = step_.dot(gradient_) - pressure_.dot(Vector(normal_ * step_));
     double const longest = quadratic_ ? 0 : stride();
-    for (double length = std::min(1.0, longest_stride / longest); length > 1e-6; length *= 0.5) {
+    double length = std::min(1.0, longest_stride / longest);
+    while (length > 1e-6) {
       bool const harmless = length * moved_.template lpNorm<Eigen::Infinity>() < harmless_stride * opening_;
-      if (!quadratic_ && !harmless && !(gain(length) <= downhill_part * length * foretold))
+      if (!quadratic_ && !harmless && !(gain(length) <= downhill_part * length * foretold)) {
+        length *= 0.5;
         continue;
+      }
       z_ += length * step_;
       x_ = problem_.free + root_.F * z_;
       return true;

@@ -7,7 +7,7 @@ namespace stiction::dynamics {
 
 namespace {
 
-Vec3 part(Vector const& nodal, int dim, Index node) {
+Vec3 at_one(Vector const& nodal, int dim, Index node) {
   Vec3 v = Vec3::Zero();
   v.head(dim) = nodal.segment(dim * node, dim);
   return v;
@@ -20,10 +20,10 @@ bool turns(Model const& model, Index node) {
 
 Screw at_node(Model const& model, Vector const& u, Vector const& nodal, Index node) {
   int const dim = model.dim();
-  Vec3 const value = part(nodal, dim, node);
+  Vec3 const value = at_one(nodal, dim, node);
   if (turns(model, node))
     return {Vec3::Zero(), dim == 2 ? Vec3(0, 0, value.x()) : value};
-  Vec3 place = part(u, dim, node);
+  Vec3 place = at_one(u, dim, node);
   place.head(dim) += model.reference.row(node).transpose();
   return {value, place.cross(value)};
 }

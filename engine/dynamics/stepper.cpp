@@ -232,9 +232,9 @@ double Stepper::imbalance() const {
 bool Stepper::converged(Outcome& outcome) const {
   double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
   double const beside_one = structure_.linear_bodies() ? 0 : 1e-15 * structure_.cell_size(); // F = 1 + grad u
-  double const rounding =
+  double const rounded =
       1e-14 * way * structure_.stiffness_scale() + beside_one * structure_.bodies_stiffness();
-  double const tolerance = model_->control.force_tolerance * force_scale_ + rounding;
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
   double const worst = std::max(imbalance(), contact_->residual());
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   return worst <= tolerance;
@@ -303,12 +303,12 @@ Outcome Stepper::step(State const& old, double dt) {
 std::string Stepper::makes_energy(State const& old, State const& next) const {
   auto const &before = old.ledger, &after = next.ledger;
   auto const change = [&](double Ledger::*part) { return std::abs(after.*part - before.*part); };
-  double const rounding =
+  double const rounded =
       1e-14 * structure_.bodies_stiffness() * structure_.cell_size() * structure_.cell_size() +
       1e-9 * (std::abs(after.start) + std::abs(after.motion_work) + std::abs(after.load_work) +
               std::abs(after.potential) + std::abs(after.bond));
   double const there = before.kinetic + std::abs(before.strain) + change(&Ledger::motion_work) +
-                       change(&Ledger::load_work) + change(&Ledger::potential) + rounding;
+                       change(&Ledger::load_work) + change(&Ledger::potential) + rounded;
   if (before.damping_loss - after.damping_loss > there)
     return "the viscosity of the bodies gave back more energy than there was";
   if (weights_.inertia && !weights_.explicit_forces &&

@@ -156,7 +156,6 @@ void Structure::build_maps(Model const& model) {
 }
 
 /// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
-// NOLINTNEXTLINE(readability-function-size): one pass over pairs, points and nodes
 void Structure::gather_grip(Model const& model) {
   grip_.setZero(model.dofs());
   for (std::size_t b = 0; b < model.cells.size(); ++b) {
@@ -165,10 +164,11 @@ void Structure::gather_grip(Model const& model) {
         (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
     double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
     model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
-      for (std::size_t a = 0; a < nodes.size(); ++a) {
-        auto const row = static_cast<Eigen::Index>(a);
-        grip_.segment(dim_ * (model.first_node[b] + nodes[a]), dim_).array() +=
-            per_mass * m.sum() / m.trace() * m(row, row);
+      double const lumped = per_mass * m.sum() / m.trace();
+      Eigen::Index row = 0;
+      for (Index const node : nodes) {
+        grip_.segment(dim_ * (model.first_node[b] + node), dim_).array() += lumped * m(row, row);
+        ++row;
       }
     });
   }

@@ -131,18 +131,12 @@ Zone contact_zone(Facts const& all, PairFacts const& pair, mesh::Set const& set)
     Vec3 const place = row(model.reference, node), foot = foot_on(pair.primary_fit, place);
     if ((place - foot).norm() > near)
       continue;
+    auto const distance = [&](Index other) { return (row(body.mesh.nodes, other) - foot).norm(); };
+    Index const nearest = *std::ranges::min_element(set.nodes, {}, distance);
+    bool const by_an_end = std::ranges::any_of(
+        set.nodes, [&](Index other) { return ends[ix(other)] && distance(other) <= margin; });
+    zone.inside = zone.inside && !by_an_end && !ends[ix(nearest)];
     zone.soft.push_back(node);
-    Index nearest = set.nodes.front();
-    double least = std::numeric_limits<double>::infinity();
-    for (Index const other : set.nodes) {
-      double const distance = (row(body.mesh.nodes, other) - foot).norm();
-      zone.inside = zone.inside && !(ends[ix(other)] && distance <= margin);
-      if (distance < least) {
-        least = distance;
-        nearest = other;
-      }
-    }
-    zone.inside = zone.inside && !ends[ix(nearest)];
     zone.stiff.push_back(model.first_node[*pair.primary] + nearest);
   }
   return zone;

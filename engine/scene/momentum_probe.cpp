@@ -98,20 +98,23 @@ Screw all_of(dynamics::Momenta const& momenta) {
   return sum;
 }
 
+Screw both_sides(dynamics::PairScrew const& pair) {
+  Screw sum = pair.secondary;
+  sum += pair.primary;
+  return sum;
+}
+
 /// All impulses on what moves.
 Screw impulses(dynamics::Momenta const& momenta) {
   Screw sum = momenta.loads;
   sum += momenta.motions;
-  for (auto const& pair : momenta.pairs) {
-    sum += pair.secondary;
-    sum += pair.primary;
-  }
+  for (auto const& pair : momenta.pairs)
+    sum += both_sides(pair);
   return sum;
 }
 
 } // namespace
 
-// NOLINTNEXTLINE(readability-function-size): one sampler, in the order of its columns
 Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                      std::string const& name) {
   add_columns(scene, Writer(scene, series, name));
@@ -126,13 +129,9 @@ Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns con
     Screw const all = all_of(momenta);
     put(all, about, which, row);
     for (std::size_t p = 0; p < momenta.pairs.size(); ++p) {
-      auto const& pair = momenta.pairs[p];
-      put(pair.secondary, about, which, row);
-      if (moves(model, model.pairs[p])) {
-        Screw both = pair.secondary;
-        both += pair.primary;
-        put(both, about, which, row);
-      }
+      put(momenta.pairs[p].secondary, about, which, row);
+      if (moves(model, model.pairs[p]))
+        put(both_sides(momenta.pairs[p]), about, which, row);
     }
     put(momenta.loads, about, which, row);
     put(momenta.motions, about, which, row);
