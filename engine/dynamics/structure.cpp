@@ -252,7 +252,7 @@ double mass_factor(StepWeights const& weights, double dt) {
 
 void Structure::Kept::is_of(FactorSource from, StepWeights const& weights) {
   source = std::move(from);
-  made = false;
+  made = wanted = false;
   own.reset();
   xi = weights.xi;
   mass = mass_factor(weights, source.dt);
@@ -271,25 +271,35 @@ void Structure::recall(std::vector<FactorSource> const& wanted, StepWeights cons
   if (linear_)
     return;
   std::vector<Kept> had = std::exchange(kept_, {});
-  auto const* any = had.front().factor.get();
+  std::ranges::move(std::exchange(parked_, {}), std::back_inserter(had));
   for (auto const& source : wanted) {
     auto const found = std::ranges::find_if(had, [&](Kept const& one) { return one.comes_from(source); });
     if (found == had.end()) {
       kept_.emplace_back().is_of(source, weights);
-      continue;
+    } else {
+      kept_.push_back(std::move(*found));
+      had.erase(found);
     }
-    kept_.push_back(std::move(*found));
-    had.erase(found);
+    kept_.back().wanted = true;
   }
-  for (auto& one : kept_) // overwritten: in the memory of what nobody wants
-    if (one.factor == nullptr && had.empty()) {
-      one.factor = std::make_unique<linear::Cholesky>(any->pattern(), trailing_);
-    } else if (one.factor == nullptr) {
-      one.factor = std::move(had.back().factor);
-      had.pop_back();
-    }
   for (auto& one : had)
-    kept_.emplace_back().factor = std::move(one.factor);
+    spare_.push_back(std::move(one.factor));
+  if (kept_.empty())
+    kept_.emplace_back();
+  for (auto& one : kept_)
+    if (one.factor == nullptr)
+      one.factor = spare();
+}
+
+/// Memory for a factor, what it holds is of no use.
+std::unique_ptr<linear::Cholesky> Structure::spare() {
+  if (spare_.empty()) {
+    auto const& any = *std::ranges::find_if(kept_, [](Kept const& one) { return one.factor != nullptr; });
+    return std::make_unique<linear::Cholesky>(any.factor->pattern(), trailing_);
+  }
+  auto last = std::move(spare_.back());
+  spare_.pop_back();
+  return last;
 }
 
 std::vector<FactorSource> Structure::sources() const {
@@ -307,10 +317,16 @@ void Structure::place_factor(FactorSource source, StepWeights const& weights) {
   auto found = std::ranges::find_if(
       kept_, [&](Kept const& one) { return one.is(weights.xi, mass) || one.source.u == nullptr; });
   if (found == kept_.end() && kept_.size() < kept_at_most_) {
-    kept_.emplace_back().factor = std::make_unique<linear::Cholesky>(factor().pattern(), trailing_);
+    auto memory = spare();
+    kept_.emplace_back().factor = std::move(memory);
     found = kept_.end() - 1;
   } else if (found == kept_.end()) {
     found = kept_.end() - 1;
+  }
+  if (found->wanted && found->made && kept_at_most_ > 1 && parked_.empty()) {
+    auto memory = spare();
+    parked_.push_back(std::move(*found));
+    found->factor = std::move(memory);
   }
   std::rotate(kept_.begin(), found, found + 1);
   kept_.front().is_of(std::move(source), weights);

@@ -65,6 +65,7 @@ public:
   /// Those kept, the last used first; none where they do not depend on u.
   [[nodiscard]] std::vector<FactorSource> sources() const;
   /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
+  /// Where it is more than one, one more is held for a step that may yet be given up.
   void keep_factors(std::size_t count) { kept_at_most_ = count; }
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
@@ -94,6 +95,7 @@ private:
     std::unique_ptr<OwnRates> own; ///< where contact nodes have rates of their own and bodies a viscosity
     FactorSource source;           ///< no u: nothing is kept here
     bool made = false;             ///< false: to be made from the source when it is asked for
+    bool wanted = false;           ///< by the state that the present step starts from
     double xi = 0, mass = 0;       ///< coefficients of K and of M, 1 and 1/s^2
     double scale = 0, bodies = 0, shift = 0; ///< N/m
     void is_of(FactorSource from, StepWeights const& weights);
@@ -106,6 +108,7 @@ private:
   };
   [[nodiscard]] bool make(StepWeights const& weights, Cost& cost);
   void place_factor(FactorSource source, StepWeights const& weights);
+  [[nodiscard]] std::unique_ptr<linear::Cholesky> spare();
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
@@ -128,8 +131,10 @@ private:
   std::optional<Skin> skin_;
   double skin_more_ = 0; ///< weight of the skin's stress at the step's end beside that of all cells
   std::vector<double> values_,
-      viscous_;            ///< viscous_: what A adds, where contact nodes have rates of their own
-  std::vector<Kept> kept_; ///< the present one first, then by when they were used; at least one
+      viscous_;              ///< viscous_: what A adds, where contact nodes have rates of their own
+  std::vector<Kept> kept_;   ///< the present one first, then by when they were used; at least one
+  std::vector<Kept> parked_; ///< wanted, but overwritten by the present step; at most one
+  std::vector<std::unique_ptr<linear::Cholesky>> spare_; ///< memory of factors that nobody wants
   std::size_t kept_at_most_ = 1;
   bool linear_ = false, linear_bodies_ = false, damped_ = false;
   bool own_rates_ = false; ///< of damped bodies' contact nodes

@@ -70,9 +70,8 @@ end
 
 local wanted = 0.01 -- relative error of both quantities
 
--- With inertia a step of another size wants another factor, and equal steps keep theirs: there the count grows. What a
--- rejected step overwrote is made anew, so that a step depends on nothing but its state: without inertia that adds a quarter.
-local most_factors = { plate = 3.5, rigid = 0.95, fast_bonds = 1 }
+-- With inertia a step of another size wants another factor, and equal steps keep theirs: there the count grows.
+local most_factors = { plate = 3.5, fast_bonds = 1 }
 
 -- Costs that are counted; attempts are steps taken and steps cut, work the floating-point operations of all phases.
 local counts = { "attempts", "factorizations", "solves", "cells_evaluated", "contact_iterations", "work" }
