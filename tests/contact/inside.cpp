@@ -27,6 +27,16 @@ TEST_SUITE("contact") {
       CHECK(depth<2>(block, {9, 1}) == 0);
     }
   }
+  TEST_CASE("in a notched body a wall bounds the depth only where it stands") {
+    std::vector<double> const x{0, 0, 3, 0, 3, 1, 1, 1, 1, 3, 0, 3};
+    std::vector<Panel<2>> panels;
+    for (Index i = 0; i < 6; ++i)
+      panels.push_back({i, (i + 1) % 6});
+    CHECK(depth_inside<2>(panels, x, {1.1, 0.5}) ==
+          doctest::Approx(0.5)); // 0.1 from the line of a wall above
+    CHECK(depth_inside<2>(panels, x, {0.8, 0.8}) == doctest::Approx(std::hypot(0.2, 0.2)));
+    CHECK(depth_inside<2>(panels, x, {0.5, 1.1}) == doctest::Approx(0.5));
+  }
   TEST_CASE("how deep a point is inside a box") {
     for (auto const kind :
          {mesh::CellKind::tet4, mesh::CellKind::tet10, mesh::CellKind::hex8, mesh::CellKind::hex20}) {

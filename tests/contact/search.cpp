@@ -137,6 +137,38 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE("where facets are equally near the search takes the one that a scan takes") {
+    for (bool const triangles : {false, true}) {
+      auto const shell = sheet(4, triangles);
+      auto const surface = shell.surface();
+      Search<3> search(surface, 0.5);
+      auto const x = shell.with(Vec3::Zero());
+      search.update(x);
+      for (auto const& node : shell.nodes) {
+        Vec3 const above = node + 0.125 * Vec3::UnitZ();
+        CHECK(search.nearest(above, x).segment == surface.nearest_start(above, x).segment);
+      }
+    }
+  }
+
+  TEST_CASE("a segment much longer than the others is seen from all that is within reach of it") {
+    int const shorts = 100;
+    Arc line(shorts + 2, 0, 1);
+    for (int i = 0; i <= shorts; ++i)
+      line.nodes.row(i) << -0.1 * i, 0;
+    line.nodes.row(shorts + 1) << -0.1 * shorts - 10, 0;
+    auto const curve = line.curve(Smoothing::polyline);
+    Search<2> search(curve, 1);
+    for (double const x : {-0.5, -5.0, -10.5, -15.0, -17.0, -19.5}) {
+      CAPTURE(x);
+      auto const all = line.with({x, 0.99});
+      search.update(all);
+      auto const seen = kinematics(search, line.free_node(), {}, {}, all);
+      REQUIRE(seen.found);
+      CHECK(seen.gap == doctest::Approx(0.99));
+    }
+  }
+
   TEST_CASE("a query looks at as many facets on a large surface as on a small one") {
     std::vector<long> visits;
     for (int const n : {22, 71, 224}) { // about 1e3 and 1e4 and 1e5 triangles

@@ -101,6 +101,21 @@ TEST_SUITE("contact") {
     CHECK_THROWS_WITH_AS(made(fan), doctest::Contains("up to 60 facets meet at a node"), core::InputError);
   }
 
+  TEST_CASE("no corner of a triangle is on the point's side of what is nearest to it") {
+    Shell shell;
+    shell.nodes = {{0, 0, 0}, {1, 0.1, 0.2}, {0.3, 0.9, -0.1}};
+    shell.facets = {{{0, 1, 2}}};
+    auto const surface = shell.surface();
+    auto const x = shell.with(Vec3::Zero());
+    for (auto const& point : points_in({-1, -1, -1}, {2, 2, 1}, 300)) {
+      double distance2 = 0;
+      Vec3 const way = point - surface.place(surface.sample(0, point, x, distance2), x);
+      CHECK(way.squaredNorm() == doctest::Approx(distance2));
+      for (auto const& corner : shell.nodes)
+        CHECK(way.dot(corner - (point - way)) < 1e-12);
+    }
+  }
+
   TEST_CASE("the normal from the foot points at the point, from any guess") {
     for (bool const triangles : {false, true}) {
       auto const shell = waves(8, triangles);

@@ -131,6 +131,19 @@ TEST_SUITE("contact") {
         CHECK(steepest_fall(any, {{0, {0, 0}}, 0.1, false}) == 0);
   }
 
+  TEST_CASE(
+      "bonds of unlike areas weaken together as fast as the largest eigenvalue of W times their falls") {
+    auto problem = bonded(rcc_sample(0), 1, 1);
+    problem.points.push_back(problem.points[0]);
+    problem.points[1].area *= 10;
+    double const fall = 1 / problem.W(0, 0);
+    problem.W = (Dense(2, 2) << 1, 0.1, 0.1, 0.05).finished() / fall;
+    problem.free.setZero(2);
+    // of (1, 1; 0.1, 0.5): trace 1.5, determinant 0.4
+    CHECK(doubts_at(problem, Vector::Zero(2), Look::all).softening.together ==
+          doctest::Approx(0.75 + std::sqrt(0.75 * 0.75 - 0.4)).epsilon(1e-9));
+  }
+
   TEST_CASE("only a bond that pulls is told of") {
     auto const problem = bonded(rcc_sample(0), 2, 1);
     auto const opening = scales(problem.adhesions[0]).opening;

@@ -116,6 +116,14 @@ TEST_CASE("the estimate for u is the local error of the scheme and has its order
   }
 }
 
+TEST_CASE("where a swing is on its way back its error is still over how far it went") {
+  double const dt = 1e-3, time = 0.085; // of a period of 115 ms: half of the way is left
+  auto const compared = compare(swinging(theta(0.5)), dt, static_cast<int>(std::lround(time / dt)));
+  double const estimate = compared.estimate.displacement;
+  CHECK(compared.real.displacement > 0);
+  CHECK(estimate / compared.real.displacement == doctest::Approx(1).epsilon(0.15));
+}
+
 TEST_CASE("the estimate for a breaking bond is its local error and of second order") {
   double last = 0;
   for (double const dt : {0.01, 0.005, 0.0025}) {

@@ -1,6 +1,7 @@
 // Free and turning rigid bodies against closed forms: rolling, falling, resting, dragging.
 #include <numbers>
 
+#include "dynamics/poses.hpp"
 #include "dynamics/space.hpp"
 
 using namespace stiction;
@@ -80,6 +81,28 @@ TEST_CASE("a disc starts with the spin that it was given") {
   CHECK(start.v[2 * ball.node + 2] == 3);
   CHECK(start.v[2 * ball.node + 3] == 0);
   CHECK(start.ledger.kinetic == doctest::Approx(0.5 * (1 + 0.5 * 9)));
+}
+
+TEST_CASE("in space a free body's turns follow each other about axes that do not turn with it") {
+  auto table = rolling(roller({0, 0, 0}, 0.4, {0, 0, 0}), bed_in_space(1e5), "bed.top", 0.3);
+  test::at(table, "kinematics") = test::text("three_dimensional");
+  auto const scene = scene::build(table);
+  auto const& model = *scene.model;
+  double const right = std::numbers::pi / 2;
+  dynamics::Stepper stepper(*scene.model);
+  auto old = stepper.initial();
+  Index const turn = 3 * (model.rigids[0].node + 1);
+  auto const about = [&](Vec3 const& axis) {
+    Vector u = old.u;
+    u.segment<3>(turn) += right * axis;
+    Eigen::Matrix3d const whole = dynamics::turn_of_free<3>(model, 0, u, old);
+    old.u = u;
+    old.turned[0] = whole;
+    return whole;
+  };
+  CHECK((about(Vec3::UnitX()) * Vec3::UnitY() - Vec3::UnitZ()).norm() < 1e-14);
+  CHECK((about(Vec3::UnitZ()) * Vec3::UnitY() - Vec3::UnitZ()).norm() < 1e-14); // z stays where it is
+  CHECK((about(Vec3::UnitY()) * Vec3::UnitY() - Vec3::UnitX()).norm() < 1e-14);
 }
 
 TEST_CASE("a disc set sliding rolls at two thirds of its speed") {

@@ -25,6 +25,7 @@ contact::Problem with_all_laws() {
     point.law = static_cast<int>(i);
     point.friction = static_cast<int>(i % (problem.frictions.size() + 1)) - 1;
     point.bond = {{0.7, {1e-3, -2e-3}}, 0.01, i % 2 == 0};
+    point.shift = {1e-5, -2e-5, 3e-5};
   }
   return problem;
 }

@@ -73,6 +73,25 @@ double most_inside(mesh::Mesh const& mesh, Vector const& f) {
 } // namespace
 
 TEST_SUITE("solid") {
+  TEST_CASE("with mean dilatation one cell has one mean stress: the law's at the change of its volume") {
+    material::NeoHookean law;
+    law.young = 1000;
+    law.poisson = 0.4;
+    double const bulk = 1000 / (3 * (1 - 2 * 0.4));
+    Body const body{"b",
+                    grid(mesh::CellKind::quad4, {1, 1, 1}, [](Point const& at) { return at; }),
+                    law,
+                    1,
+                    solid::Interpolation::mean_dilatation,
+                    {}};
+    Cells const cells(body, Kinematics::plane_strain);
+    // the right side becomes 1 + 0.4 high: the square's volume 1.2, at its nodes 1 on the left and 1.4
+    Vector const u = nodal(body.mesh, [&](Point const& X) { return Point(0, 0.4 * X.x() * X.y(), 0); });
+    auto const stress = cells.stress(view(u)).cauchy;
+    for (Eigen::Index node = 0; node < 4; ++node)
+      CHECK(stress.row(node).head(3).sum() / 3 == doctest::Approx(bulk * 0.2).epsilon(1e-10));
+  }
+
   TEST_CASE("patch test: a linear displacement gives the law's stress everywhere and no force inside") {
     each_case_and_law([](Case const& each, material::Material const& law) {
       Body const body = each.body(law, each.dim() == 3 ? 2 : 3);

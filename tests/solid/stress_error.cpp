@@ -96,6 +96,12 @@ TEST_CASE("the error does not depend on the frame: shear counts twice, as in the
   }
 }
 
+TEST_CASE("of a stress that jumps from one sign to the other between two cells half is error") {
+  auto const folded = [](double x, double) { return std::array<double, 2>{1e-3 * std::abs(x - 0.5), 0}; };
+  // recovered: a line through 0, of mean square 1/3, as that of its distance from the jump
+  CHECK(relative(2, folded) == doctest::Approx(std::sqrt(0.5)).epsilon(1e-10));
+}
+
 TEST_CASE("the error that is thought of a bent square comes to the error itself") {
   // eps = {y, 0, 0} in thousandths: the stress goes with y, and the mean of a cell of height 1 / n misses it
   // by 1 / sqrt(12) / n at most, of a root mean square of 1 / sqrt(3)
