@@ -1,6 +1,7 @@
 // One node has a single answer iff W_nn > mu |W_nt|, one bond iff 1 / W_nn exceeds the fall of its force.
 #include "contact/uniqueness.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -11,6 +12,13 @@ namespace {
 
 constexpr double bearing_part = 0.01; // of the strength, above which a bond counts as pulled
 constexpr int rounds = 30;            // of the power iteration
+
+/// A point that friction pushes: unit direction of the push.
+template<int D> struct Pushed {
+  Index point;
+  double mu;
+  Eigen::Matrix<double, D - 1, 1> along;
+};
 
 /// A bond that may snap: its row of W and how steeply its force may fall with the opening, N/m.
 struct Bonded {
@@ -28,9 +36,13 @@ public:
       auto const state = evaluate<D>(problem_, i, p, at, natural_scale(problem_, i));
       if (state.mu > 0 && (look_ == Look::all || state.status != interface::Status::open))
         look_at_friction(i, state.mu);
+      if (state.mu > 0 && !state.dry.template tail<D - 1>().isZero(0))
+        pushed_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
       if (problem_.points[ix(i)].law >= 0)
         look_at_bond(i, (p - state.dry)[0]);
     }
+    if (doubts_.friction.points == 0)
+      look_at_friction_together();
     doubts_.softening.together = together();
     return doubts_;
   }
@@ -47,7 +59,27 @@ private:
     if (worst.worst >= 0 && ratio <= steepest_)
       return;
     steepest_ = ratio;
-    worst = {worst.points, i, mu, W_nn, W_nt};
+    worst = {worst.points, 0, i, mu, W_nn, W_nt};
+  }
+
+  void look_at_friction_together() {
+    auto const n = static_cast<Index>(pushed_.size());
+    if (n < 2)
+      return;
+    Dense matrix(n, n);
+    for (Index a = 0; a < n; ++a)
+      for (Index b = 0; b < n; ++b) {
+        auto const& other = pushed_[ix(b)];
+        auto const row = problem_.W.block<1, D>(D * pushed_[ix(a)].point, D * other.point);
+        matrix(a, b) = row[0] + other.mu * row.template tail<D - 1>().dot(other.along);
+      }
+    Eigen::PartialPivLU<Dense> const factor(matrix);
+    auto const pivots = factor.matrixLU().diagonal().array();
+    if ((pivots == 0).any() || ((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
+      return;
+    auto const& first = pushed_.front();
+    auto const row = problem_.W.block<1, D>(D * first.point, D * first.point);
+    doubts_.friction = {0, n, first.point, first.mu, row[0], row.template tail<D - 1>().norm()};
   }
 
   /// `pull`: the bond's normal force, negative where it pulls, N.
@@ -95,6 +127,7 @@ private:
   Problem const& problem_;
   Look look_;
   Doubts doubts_;
+  std::vector<Pushed<D>> pushed_;
   std::vector<Bonded> bonded_;
   double steepest_ = 0; ///< largest mu |W_nt| / W_nn
 };
@@ -106,6 +139,12 @@ Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Look
 }
 
 std::string words(FrictionDoubt const& doubt) {
+  if (doubt.points == 0)
+    return fmt::format(
+        "it and {} more that friction pushes, all sliding that way, press with a matrix W_nn + "
+        "mu W_nt of negative determinant: together they have with friction more than one answer, or "
+        "none; a symmetric body may lean to either side",
+        doubt.together - 1);
   std::string text = fmt::format("W_nn = {:.3g} m/N <= mu |W_nt| = {:.3g} x {:.3g} m/N: by itself, all "
                                  "other forces held, it has with friction more than one answer, or none",
                                  doubt.W_nn, doubt.mu, doubt.W_nt);

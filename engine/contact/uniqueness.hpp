@@ -6,12 +6,16 @@
 
 namespace stiction::contact {
 
-/// Points with mu |W_nt| >= W_nn: each alone, all other forces held, has several answers or none.
+/// Points with mu |W_nt| >= W_nn: each alone, all other forces held, has several answers or none. Where there
+/// are none, those that press may have several together: W_nn + mu W_nt with each sliding as it is pushed has
+/// a determinant below zero, and with forces that lean to one side there are other answers.
 struct FrictionDoubt {
-  Index points = 0; ///< how many
-  Index worst = -1; ///< the one with the largest mu |W_nt| / W_nn
+  Index points = 0;   ///< how many
+  Index together = 0; ///< how many that only have several together
+  Index worst = -1;   ///< the one with the largest mu |W_nt| / W_nn
   double mu = 0;
   double W_nn = 0, W_nt = 0; ///< of the worst, m/N; W_nt: length of (t1, t2)
+  [[nodiscard]] bool any() const { return points + together > 0; }
 };
 
 /// Bonds that weaken with their opening faster than what they hold follows: they snap.
@@ -28,7 +32,7 @@ struct SofteningDoubt {
 struct Doubts {
   FrictionDoubt friction;
   SofteningDoubt softening;
-  [[nodiscard]] bool any() const { return friction.points > 0 || softening.any(); }
+  [[nodiscard]] bool any() const { return friction.any() || softening.any(); }
 };
 
 /// Which points are looked at: those that press, or pull with 1 % of their law's strength; or all.

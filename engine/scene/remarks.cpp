@@ -45,7 +45,7 @@ void Remarks::look(dynamics::ContactStage const& contact, double t, contact::Loo
       remark.text = fmt::format("at t = {}, {}: {}", human(t, "s"), place_of(*scene_, contact, doubt.worst),
                                 words(doubt));
   };
-  if (found.friction.points > 0)
+  if (found.friction.any())
     note(friction_, found.friction);
   if (found.softening.any())
     note(softening_, found.softening);

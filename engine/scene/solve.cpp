@@ -71,8 +71,9 @@ std::vector<std::string> doubts_of(contact::Problem const& problem,
   at = at == answers.end() ? answers.begin() : at;
   auto const found = contact::doubts(problem, at->force, at->displacement, look);
   std::vector<std::string> lines;
-  if (found.friction.points > 0)
-    lines.push_back(fmt::format("contact {} ({} such): {}", found.friction.worst + 1, found.friction.points,
+  if (found.friction.any())
+    lines.push_back(fmt::format("contact {} ({} such): {}", found.friction.worst + 1,
+                                std::max(found.friction.points, found.friction.together),
                                 words(found.friction)));
   if (found.softening.any())
     lines.push_back(fmt::format("contact {} ({} such alone): {}", found.softening.worst + 1,

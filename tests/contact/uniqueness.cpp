@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+#include "contact/pivoting.hpp"
 #include "contact/solvers.hpp"
 #include "contact/uniqueness.hpp"
 #include "interface/laws.hpp"
@@ -90,6 +91,36 @@ TEST_SUITE("contact") {
       CHECK((judge(problem, Eigen::Vector2d(p, coefficient * p)).relative() < 1e-12) == past);
       CHECK(doubts_at(problem, Vector::Zero(2)).friction.points == 0); // it does not press
       CHECK((doubts_at(problem, Vector::Zero(2), Look::all).friction.points == 1) == past);
+    }
+  }
+
+  TEST_CASE("two points that each have one answer lean together: a symmetric load has three answers") {
+    // the foot of a slender column: shifts of both along the surface are much the softest way
+    for (double const mu : {0.05, 0.3}) {
+      Problem problem;
+      problem.points.assign(2, ProblemPoint{});
+      problem.points[0].mu = problem.points[1].mu = mu;
+      problem.W = (Dense(4, 4) << 1, -0.55, 0.9, -0.45, //
+                   -0.55, 10, 0.45, 9.95,               //
+                   0.9, 0.45, 1, 0.55,                  //
+                   -0.45, 9.95, 0.55, 10)
+                      .finished();
+      problem.free = Eigen::Vector4d(-1, 0, -1, 0);
+      auto const answers = enumerate(problem, Vector::Zero(4));
+      bool several = false, told = false;
+      for (auto const& force : answers) {
+        CHECK(judge(problem, force).relative() < 1e-8);
+        several = several || (force - answers[0]).norm() > 1e-6 * force.norm();
+        auto const found = doubts_at(problem, force).friction;
+        CHECK(found.points == 0);
+        told = told || found.together == 2;
+        if (found.any())
+          CHECK(words(found).find("may lean to either side") != std::string::npos);
+      }
+      CAPTURE(mu);
+      REQUIRE(!answers.empty());
+      CHECK(several == (mu > 0.1));
+      CHECK(told == several);
     }
   }
 
