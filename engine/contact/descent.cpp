@@ -119,12 +119,13 @@ private:
     return H;
   }
 
-  /// The largest part of any bond's opening that a step moves an attracted point.
+  /// The largest part of any bond's opening that a step moves an attracted point, or one that touches, whose
+  /// bond does not pull yet.
   [[nodiscard]] double stride(Vector const& step) const {
     double largest = 0;
     for (Index i = 0; i < problem_.size(); ++i) {
       auto const& data = problem_.points[ix(i)];
-      if (data.law < 0 || bond(i, x_.segment<D>(D * i)).traction.isZero(0))
+      if (data.law < 0 || (x_[D * i] > shift(i) && bond(i, x_.segment<D>(D * i)).traction.isZero(0)))
         continue;
       double const opening = interface::scales(problem_.adhesions[ix(data.law)]).opening;
       largest = std::max(largest, step.segment<D>(D * i).norm() / opening);

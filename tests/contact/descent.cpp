@@ -3,6 +3,7 @@
 
 #include "contact/descent.hpp"
 #include "contact/solvers.hpp"
+#include "interface/laws.hpp"
 
 using namespace stiction;
 using namespace stiction::contact;
@@ -34,9 +35,54 @@ Problem bonded(int dim, int n, double softness, double common) {
   return problem;
 }
 
+/// The first place downhill of the start where a bonded point on its spring stays, found in small steps; m.
+double downhill(Problem const& problem) {
+  double const small = 1e-4 * interface::scales(problem.adhesions[0]).opening;
+  auto const force = [&](double x) {
+    auto const pull =
+        interface::adhere<1>(problem.adhesions[0], problem.points[0].bond, Local<1>(x)).traction;
+    return (problem.free[0] - x) / problem.W(0, 0) + problem.points[0].area * pull[0];
+  };
+  double x = problem.start[0];
+  double const step = force(x) > 0 ? small : -small;
+  while (x + step >= 0 && force(x) * step > 0)
+    x += step;
+  return std::max(x, 0.0);
+}
+
 } // namespace
 
 TEST_SUITE("contact") {
+  TEST_CASE("from anywhere between two answers a bonded point goes to the one that is downhill") {
+    for (auto const& named : adhesions()) {
+      auto const scales = interface::scales(named.law);
+      Problem problem;
+      problem.dim = 1;
+      problem.adhesions = {named.law};
+      problem.points = {{1, 0, 0, {interface::initial_bond(named.law, 0), 0.01, false}}};
+      for (double const softness : {5.0, 10.0, 14.0, 30.0})
+        for (double const start : {0.0, 0.2, 0.63, 0.7, 1.0, 1.5})
+          for (double const load : {0.3, 0.7, 0.95, 1.4}) {
+            CAPTURE(named.name);
+            CAPTURE(softness);
+            CAPTURE(start);
+            CAPTURE(load);
+            problem.W = Dense::Constant(1, 1, softness / scales.softening);
+            problem.start = Vector::Constant(1, start * scales.opening);
+            problem.free = Vector::Constant(1, load * (1 + softness) * scales.opening);
+            auto const found = descend(problem, Vector::Zero(1), 1000);
+            REQUIRE(found.has_value());
+            bool const corners =
+                std::holds_alternative<Bilinear>(named.law) || std::holds_alternative<Dugdale>(named.law);
+            CHECK((found->settled || corners)); // which may stop it
+            if (!found->settled)
+              continue;
+            double const x = displacement(problem, found->force)[0];
+            CHECK(std::abs(x - downhill(problem)) < 1e-3 * scales.opening);
+          }
+    }
+  }
+
   TEST_CASE("a bond on a soft spring holds up to the fold of its branch and no further") {
     for (int const dim : {1, 2, 3})
       for (double const softness :
