@@ -179,6 +179,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("of two points that touch within a step the one that does so first is aimed at") {
+  for (std::size_t const first : {0, 1}) {
+    auto const scene = scene::build(test::foot_on_floor());
+    dynamics::Stepper stepper(*scene.model);
+    History history(stepper.structure(), *scene.model);
+    auto before = stepper.initial();
+    auto old = before, next = before;
+    old.t = 1, next.t = 2;
+    auto const set = [&](std::size_t i, double gap_before, double gap_old) {
+      before.contacts[0][i].gap = gap_before, old.contacts[0][i].gap = gap_old;
+      for (auto* state : {&before, &old})
+        state->contacts[0][i].in_reach = true;
+      next.contacts[0][i].status = interface::Status::stick;
+    };
+    set(first, 1, 0.25);       // falls by 0.75 a second: touches after a third
+    set(1 - first, 1.25, 0.5); // after two thirds
+    history.accept(before, old, 0.01);
+    auto const event = history.unlocated(old, next, 0.01);
+    REQUIRE(event.has_value());
+    CHECK(event->kind == dynamics::EventKind::touch);
+    CHECK(event->point == first);
+    CHECK(event->after == doctest::Approx(1.0 / 3));
+  }
+}
+
 TEST_CASE("statics have no error of u beside that of the bonds") {
   auto const compared = compare(peeled(0.5), 0.02, 5);
   CHECK(compared.estimate.displacement == 0);

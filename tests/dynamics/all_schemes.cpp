@@ -245,3 +245,17 @@ TEST_CASE("every scheme: moving a body rigidly costs force times way and becomes
     CHECK(end.ledger.scheme_loss() == doctest::Approx(work - 0.375).epsilon(1e-9));
   }
 }
+
+TEST_CASE("the stability limit of rubber follows its deformation") {
+  SchemeSample sample;
+  for (auto const& one : test::scheme_samples())
+    if (one.name == "central_difference")
+      sample = one;
+  auto const scene = rubber_bar(sample);
+  scene.model->motions[0].path = {{0, 1, 10}, {0, 0.5, 0.5}}; // pressed to half its length
+  dynamics::Stepper stepper(*scene.model);
+  auto const start = stepper.initial();
+  double const dt = 0.2 * dynamics::critical_step(*scene.model, start.u);
+  auto const end = test::march(stepper, start, dt, static_cast<int>(1 / dt) + 101);
+  CHECK(end.critical_step < 0.9 * dynamics::critical_step(*scene.model, start.u));
+}

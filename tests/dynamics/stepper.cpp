@@ -89,6 +89,28 @@ TEST_CASE("what a workspace did before changes a step by no more than its tolera
   CHECK(test::largest(a.state.reaction - b.state.reaction) < 1e-7);
 }
 
+TEST_CASE("steps in which points land, bond and part are those of a fresh workspace") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot") = test::block({{0, 0.001}, {1, 1}, {2, 2}}, test::linear_elastic(1000, 0));
+  test::at(table, "pairs.sole.adhesion") = test::rcc(0.1, 1e3, 0.5);
+  test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1, 3}, {0, 0, 0}, {0, -0.01, 0.05})});
+  auto const scene = scene::build(table);
+  dynamics::Stepper used(*scene.model);
+  auto state = used.initial();
+  int changes = 0;
+  for (int k = 0; k < 24; ++k) {
+    dynamics::Stepper fresh(*scene.model);
+    static_cast<void>(used.step(state, 0.5)); // thrown away
+    auto const one = used.step(state, 0.125), other = fresh.step(state, 0.125);
+    REQUIRE(one.converged());
+    CHECK(one.iterations == other.iterations);
+    CHECK(same(one.state, other.state));
+    changes += one.state.contacts[0][0].status != state.contacts[0][0].status ? 1 : 0;
+    state = one.state;
+  }
+  CHECK(changes >= 2);
+}
+
 TEST_CASE("linear bodies: the same stepper repeats a step bit by bit") {
   auto table = test::two_blocks();
   test::at(table, "pairs.joint.friction") = test::coulomb(0.3);

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "folder.hpp"
+#include "record/hdf5.hpp"
 #include "record/intercept.hpp"
 
 using namespace stiction;
@@ -125,6 +126,24 @@ TEST_CASE("a series reads back with units and meanings") {
   CHECK(data.columns.at("contact/plate/beta").meaning == "bond intensity");
   CHECK(data.columns.at("contact/plate/beta").width == wide);
   CHECK_FALSE(std::filesystem::exists(folder / "series.h5.part"));
+}
+
+TEST_CASE("of columns that a kill left of unlike length the rows that all have are read") {
+  test::Folder const folder;
+  auto const path = folder / "series.h5";
+  {
+    Series series(path);
+    add_columns(series);
+    append_rows(series, 100);
+  }
+  {
+    record::hdf5::Handle const file(H5Fopen(path.c_str(), H5F_ACC_RDWR, record::hdf5::file_access()),
+                                    H5Fclose);
+    record::hdf5::Handle const column(H5Dopen2(file, "force/y", H5P_DEFAULT), H5Dclose);
+    hsize_t const rows = 60;
+    REQUIRE(H5Dset_extent(column, &rows) >= 0);
+  }
+  CHECK(checked_rows(path) == 60);
 }
 
 TEST_CASE("a series without rows is readable and empty") {

@@ -150,6 +150,7 @@ TEST_CASE("events are met within their time and only where asked") {
                                            {"beta_change", test::value(1)},
                                            {"events", test::value(within, "s")}}));
   CHECK(loose.result.counters.at("cut_event") == 0);
+  CHECK(met.result.steps < loose.result.steps + 8); // only next to an event are steps short
   auto const closed = [](double status) { return status > 0; };
   double const touch = 0.2, bonded = touch + 0.5; // b / w
   auto const at = first_row(met, "line/status", closed);

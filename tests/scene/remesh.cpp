@@ -61,6 +61,22 @@ TEST_CASE("a mesh is made anew until the error of its stress is as small as aske
   CHECK(tight.counters.at("cells_evaluated_in_all_passes") > tight.counters.at("cells_evaluated"));
 }
 
+TEST_CASE("a mesh stays as fine as the first half of a run needs it") {
+  if (mesh::find_mesher().empty()) {
+    MESSAGE("the mesher was not built: nothing tested");
+    return;
+  }
+  auto table = bent(0.15);
+  test::at(table, "motions") = test::list( // sheared, then pressed evenly
+      {test::fix("foot.bottom"), test::drive("foot.top", {0, 1, 2}, {0, 0.01, 0}, {0, 0, -0.01})});
+  test::at(table, "schedule") = test::schedule({{1, 1}, {2, 1}});
+  auto const result = run(table);
+  REQUIRE(result.verdict == "finished");
+  CHECK(result.counters.at("mesh_passes") > 1);
+  CHECK(result.counters.at("mesh_error") <= 0.15);
+  CHECK(result.remarks.empty());
+}
+
 TEST_CASE("a target that no allowed mesh meets is told, with what would help") {
   if (mesh::find_mesher().empty()) {
     MESSAGE("the mesher was not built: nothing tested");
