@@ -28,7 +28,8 @@ using contact::PointKinematics;
 template<int D, int C> class Stage : public ContactStage {
 public:
   Stage(Model const& model, Structure& structure);
-  void begin(State const& old, double t1, double dt) override;
+  void begin(State const& old, double t1, double dt, bool turning) override;
+  [[nodiscard]] bool turned() const override { return turned_; }
   void locate(Vector const& u, bool settle) override;
   void each_point(Visit const& visit) const override {
     for (auto const& point : points_)
@@ -86,8 +87,8 @@ private:
   State const* old_ = nullptr;
   double t1_ = 0;
   bool bonding_changed_ = false;
-  bool turning_ = true; ///< do the problems know that normals turn as points move?
-  Indices unknowns_;    ///< trailing unknowns of one point
+  bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
+  Indices unknowns_;                     ///< trailing unknowns of one point
   Reduced reduced_;
   contact::Problem problem_;
   Indices rows_;  ///< into points_, behind the problem's rows
@@ -154,11 +155,12 @@ template<int D, int C> template<class Act> void Stage<D, C>::each_mortar(Act con
   }
 }
 
-template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, double dt) {
+template<int D, int C> void Stage<D, C>::begin(State const& old, double t1, double dt, bool turning) {
   old_ = &old;
   t1_ = old.t;
   bonding_changed_ = false;
-  turning_ = true;
+  turning_ = turning;
+  turned_ = false;
   place_nodes(old.u);
   place_rigid_bodies(old.u);
   t1_ = t1;
@@ -385,6 +387,11 @@ template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double 
   problem_.dim = C;
   problem_.points.clear();
   reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W, problem_.free);
+  if (turning_ && structure_->shift() == 0 && !reduced_.stable()) { // there might be no answer
+    turning_ = false;
+    return pose_problem(y, weight);
+  }
+  turned_ = turned_ || (turning_ && reduced_.turns());
   Vector guess(C * static_cast<Index>(active_.size()));
   problem_.start.setZero(guess.size());
   for (std::size_t row = 0; row < active_.size(); ++row) {
@@ -406,16 +413,9 @@ template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, V
   problem_.points.clear();
   if (active_.empty() && structure_->shift() == 0)
     return true;
-  auto const solve_posed = [&] {
-    Vector const guess = pose_problem(y, weight);
-    ++cost.contact_problems;
-    return solve_problem(*solver_, problem_, guess, cost);
-  };
-  auto solution = solve_posed();
-  if (!solution.converged && turning_) { // the balance has it all the same: iterations converge, if slower
-    turning_ = false;
-    solution = solve_posed();
-  }
+  Vector const guess = pose_problem(y, weight);
+  ++cost.contact_problems;
+  auto solution = solve_problem(*solver_, problem_, guess, cost);
   rows_ = active_;
   forces_ = std::move(solution.force);
   if (!solution.converged)

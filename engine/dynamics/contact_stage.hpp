@@ -21,8 +21,12 @@ class ContactStage {
 public:
   virtual ~ContactStage() = default;
 
-  /// Starts a step from `old` to time t1 with the forces of `old` as first guess.
-  virtual void begin(State const& old, double t1, double dt) = 0;
+  /// Starts a step from `old` to time t1 with the forces of `old` as first guess. turning: may its problems
+  /// know that normals turn as points move? The balance has that all the same: iterations converge, if
+  /// slower.
+  virtual void begin(State const& old, double t1, double dt, bool turning) = 0;
+  /// Has any problem of the step known it?
+  [[nodiscard]] virtual bool turned() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.
   virtual void locate(Vector const& u, bool settle) = 0;
   /// Calls visit(place, nodes, H) for every point as of the last `locate`; H: rows (n, t1 [, t2]) over the

@@ -1,6 +1,7 @@
 // Elimination of the bulk and of the geometric stiffness onto the components of the contact points.
 #include "dynamics/reduced.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 namespace stiction::dynamics {
@@ -54,6 +55,7 @@ void Reduced::gather(Dense const& V) {
 
 void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free) {
   gather(V);
+  weight_ = weight;
   Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
   right_.setZero(n, m + 1);
   for (auto const& h : H_)
@@ -101,6 +103,24 @@ void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W
   auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
   W.noalias() += (1 / weight) * (HV * pushed_.leftCols(m));
   free.noalias() += (1 / weight) * (HV * pushed_.col(m));
+}
+
+/// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
+bool Reduced::stable() const {
+  if (support_ == 0 ||
+      (small_ - Dense::Identity(support_, support_)).cwiseAbs().rowwise().sum().maxCoeff() < 1)
+    return true;
+  Dense const V = V_.topLeftCorner(support_, support_);
+  Eigen::LLT<Dense> const bulk(0.5 * (V + V.transpose()));
+  if (bulk.info() != Eigen::Success)
+    return true;
+  Dense const L = bulk.matrixL();
+  Dense KL = Dense::Zero(support_, support_);
+  for (auto const& k : K_)
+    KL.row(place_[ix(k.row)]) += (weight_ * k.value) * L.row(place_[ix(k.column)]);
+  Dense const LKL = L.transpose() * KL;
+  return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (LKL + LKL.transpose())).info() ==
+         Eigen::Success;
 }
 
 void Reduced::push(Vector const& force, double weight, Vector& c) const {

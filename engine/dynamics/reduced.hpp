@@ -17,6 +17,11 @@ public:
   /// With V the inverse of the Schur complement, (I - weight V K_geo) du = y + weight V H^T p gives
   /// x = free + W p, where x = H du.
   void eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free);
+  /// Has the problem last eliminated a K_geo?
+  [[nodiscard]] bool turns() const { return support_ > 0; }
+  /// Of the problem last eliminated: would the bulk with K_geo be stable without contact, V^-1 - weight K_geo
+  /// positive definite in its symmetric part?
+  [[nodiscard]] bool stable() const;
   /// c += weight (K_geo du + H^T p) for the forces p of the problem last eliminated.
   void push(Vector const& force, double weight, Vector& c) const;
 
@@ -31,6 +36,7 @@ private:
   void gather(Dense const& V);
 
   Indices used_, place_; ///< unknowns that K and H touch, those of K first; their place there or -1
+  double weight_ = 1;    ///< of the problem last eliminated
   Index support_ = 0;    ///< how many of them K touches
   Dense V_;              ///< between them
   Dense right_;          ///< weight V H^T | y, [used, rows + 1]

@@ -69,7 +69,7 @@ State Stepper::initial() {
   if (model_->dim() == 3)
     state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
   start_rates(state);
-  contact_->begin(state, 0, 1);
+  contact_->begin(state, 0, 1, true);
   contact_->locate(state.u, true);
   State located = state;
   contact_->finish(state, 1, located);
@@ -122,9 +122,9 @@ void Stepper::start_rates(State& state) {
 }
 
 /// First guess: on with the old rates, or at rest.
-void Stepper::predict(State const& old, double dt, bool extrapolate) {
+void Stepper::predict(State const& old, double dt, Start start) {
   double const t1 = old.t + dt;
-  d_ = (extrapolate ? dt : 0.0) * old.v;
+  d_ = (start == Start::onward ? dt : 0.0) * old.v;
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->path.value(t1) - old.u[dof];
@@ -132,7 +132,7 @@ void Stepper::predict(State const& old, double dt, bool extrapolate) {
   gather_external(t1, external_);
   if (weights_.skin)
     structure_.skin_force(old.u, skin_old_);
-  contact_->begin(old, t1, dt);
+  contact_->begin(old, t1, dt, start != Start::unturned);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
 }
 
@@ -283,19 +283,28 @@ bool Stepper::apply_factor() {
 }
 
 /// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
-/// What nothing resists any more must not drift on with them.
+/// What nothing resists any more must not drift on with them. And where the turn of normals makes problems
+/// with several answers, those without it converge.
 Outcome Stepper::step(State const& old, double dt) {
   if (weights_.explicit_forces)
     if (auto refused = too_long(old, dt))
       return *std::move(refused);
   structure_.recall(old.factors, weights_);
-  Outcome outcome = attempt(old, dt, !model_->held_by_bonds);
-  if (outcome.converged() || old.v.isZero(0) || model_->held_by_bonds)
-    return outcome;
-  structure_.recall({}, weights_); // where the first led nowhere its factor is of no use
-  Outcome second = attempt(old, dt, false);
-  second.iterations += outcome.iterations;
-  return second;
+  bool const at_rest = old.v.isZero(0) || model_->held_by_bonds;
+  Outcome outcome = attempt(old, dt, at_rest ? Start::rest : Start::onward);
+  bool turned = contact_->turned();
+  auto const again = [&](Start start) {
+    int const before = outcome.iterations;
+    structure_.recall({}, weights_); // where one led nowhere its factor is of no use
+    outcome = attempt(old, dt, start);
+    outcome.iterations += before;
+    turned = turned || contact_->turned();
+  };
+  if (!outcome.converged() && !at_rest)
+    again(Start::rest);
+  if (!outcome.converged() && turned)
+    again(Start::unturned);
+  return outcome;
 }
 
 /// Of a step much too long a stiff viscosity makes energy, or the mean forces of the scheme, which ring: more
@@ -333,9 +342,9 @@ bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
   return false;
 }
 
-Outcome Stepper::attempt(State const& old, double dt, bool extrapolate) {
+Outcome Stepper::attempt(State const& old, double dt, Start start) {
   Outcome outcome;
-  predict(old, dt, extrapolate);
+  predict(old, dt, start);
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
     if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
       return outcome;

@@ -48,9 +48,12 @@ public:
 
 private:
   [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
-  [[nodiscard]] Outcome attempt(State const& old, double dt, bool extrapolate);
+  /// Where iterations start: from the old rates, from rest, or from rest with problems that do not know the
+  /// turn of normals.
+  enum class Start { onward, rest, unturned };
+  [[nodiscard]] Outcome attempt(State const& old, double dt, Start start);
   void gather_external(double t, Vector& force) const;
-  void predict(State const& old, double dt, bool extrapolate);
+  void predict(State const& old, double dt, Start start);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool internal_forces(Outcome& outcome);
   [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
