@@ -1,5 +1,6 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
 #include <Eigen/LU>
+#include <algorithm>
 #include <limits>
 
 #include "contact/minimum.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
+constexpr int quick = 12;     // iterations, before what is sure takes over
 constexpr int pivotings = 12; // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
@@ -135,8 +137,8 @@ private:
   double merit_ = 0, work_ = 0;
 };
 
-/// What Newton may do where it stagnates.
-enum class Stuck { give_up, sweep };
+/// What Newton may do where it stagnates; hand_over: where it is slow, too.
+enum class Stuck { give_up, hand_over, sweep };
 
 class NewtonSolver : public Solver {
 public:
@@ -160,7 +162,7 @@ private:
     bool const downhill_first = may_snap(problem) && !solved(problem, guess);
     Solution solution;
     if (!downhill_first) {
-      solution = polish(problem, guess, Stuck::give_up);
+      solution = polish(problem, guess, Stuck::hand_over);
       if (solution.converged)
         return solution;
     }
@@ -169,7 +171,7 @@ private:
       if (end)
         solution = landed(problem, guess, *end);
       else if (downhill_first)
-        solution = near(problem, guess);
+        solution = near(problem, guess, Stuck::hand_over);
       if (solution.converged)
         return solution;
     }
@@ -180,7 +182,8 @@ private:
   [[nodiscard]] Solution landed(Problem const& problem, Vector const& guess, Descended const& end) {
     auto const descents = static_cast<double>(end.iterations), n = static_cast<double>(problem.free.size());
     spend(end.iterations, descents * (1 + n / 6)); // a product and a symmetric factorization each
-    Solution solution = end.settled ? polish(problem, end.force, Stuck::give_up) : near(problem, guess);
+    Solution solution =
+        end.settled ? polish(problem, end.force, Stuck::give_up) : near(problem, guess, Stuck::give_up);
     if (!end.settled && !solution.converged) {
       solution.force = end.force;
       solution.verdict = judge(problem, end.force);
@@ -189,8 +192,8 @@ private:
   }
 
   /// Newton's answer if no bond is leaped over: else it went to another branch.
-  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess) {
-    Solution solution = polish(problem, guess, Stuck::give_up);
+  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess, Stuck stuck) {
+    Solution solution = polish(problem, guess, stuck);
     solution.converged = solution.converged && !leaps(problem, guess, solution.force);
     return solution;
   }
@@ -261,11 +264,12 @@ private:
       solution.verdict = newton.verdict();
       return solution.converged = solution.verdict.relative() <= settings_.tolerance;
     };
-    while (!judged() && solution.iterations < settings_.iterations) {
+    int const most = stuck == Stuck::hand_over ? std::min(quick, settings_.iterations) : settings_.iterations;
+    while (!judged() && solution.iterations < most) {
       ++solution.iterations;
       if (newton.step())
         continue;
-      if (++restarts > 5 || stuck == Stuck::give_up) {
+      if (++restarts > 5 || stuck != Stuck::sweep) {
         stagnated = !judged();
         break;
       }
