@@ -43,6 +43,14 @@ template<int D> struct Moment {
       return -normal.dot(arm) - on_surface * area * std::sqrt(area);
     }
   }
+  /// How far the point is behind the panel's plane, m.
+  [[nodiscard]] double distance() const {
+    Vec<D> const arm = point - corner[0], side = corner[1] - corner[0];
+    if constexpr (D == 2)
+      return (side.x() * arm.y() - side.y() * arm.x()) / side.norm();
+    else
+      return -side.cross(corner[2] - corner[0]).normalized().dot(arm);
+  }
   /// Whether the point, on the panel's plane, is between its corners.
   [[nodiscard]] bool over() const {
     Eigen::Matrix<double, D, D - 1> sides;
@@ -71,7 +79,20 @@ template<int D> bool near(Panel<D> const& panel, Index node, StepPath const& pat
          (first.cwiseMax(last).array() >= low.array()).all();
 }
 
-template<int D> bool crosses(Panel<D> const& panel, Index node, StepPath const& path) {
+/// Does it come this far behind the panel, m, after the crossing and before it leaves the panel's side?
+template<int D>
+bool comes_deep(Panel<D> const& panel, Index node, StepPath const& path, double from, double deep) {
+  for (int piece = 0; piece <= pieces; ++piece) {
+    Moment<D> const moment(panel, node, path, from + (1 - from) * piece / pieces);
+    if (!moment.over())
+      return false;
+    if (moment.distance() > deep)
+      return true;
+  }
+  return false;
+}
+
+template<int D> bool crosses(Panel<D> const& panel, Index node, StepPath const& path, double deep) {
   for (int piece = 0; piece < pieces; ++piece) {
     double outer = static_cast<double>(piece) / pieces, inner = static_cast<double>(piece + 1) / pieces;
     if (depth_at<D>(panel, node, path, outer) > 0 || !(depth_at<D>(panel, node, path, inner) > 0))
@@ -80,7 +101,8 @@ template<int D> bool crosses(Panel<D> const& panel, Index node, StepPath const& 
       double const middle = 0.5 * (outer + inner);
       (depth_at<D>(panel, node, path, middle) > 0 ? inner : outer) = middle;
     }
-    if (Moment<D>(panel, node, path, inner).over())
+    if (Moment<D>(panel, node, path, inner).over() &&
+        (deep <= 0 || comes_deep<D>(panel, node, path, inner, deep)))
       return true;
   }
   return false;
@@ -116,16 +138,16 @@ template<int D> std::vector<Panel<D>> panels_of(CellSurface const& surface) {
   return panels;
 }
 
-template<int D> bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path) {
+template<int D> bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path, double deep) {
   return std::ranges::any_of(panels, [&](Panel<D> const& panel) {
     return std::ranges::find(panel, node) == panel.end() && near<D>(panel, node, path) &&
-           crosses<D>(panel, node, path);
+           crosses<D>(panel, node, path, deep);
   });
 }
 
 template std::vector<Panel<2>> panels_of<2>(CellSurface const&);
 template std::vector<Panel<3>> panels_of<3>(CellSurface const&);
-template bool passes<2>(std::vector<Panel<2>> const&, Index, StepPath);
-template bool passes<3>(std::vector<Panel<3>> const&, Index, StepPath);
+template bool passes<2>(std::vector<Panel<2>> const&, Index, StepPath, double);
+template bool passes<3>(std::vector<Panel<3>> const&, Index, StepPath, double);
 
 } // namespace stiction::contact

@@ -25,7 +25,8 @@ struct StepPath {
 };
 
 /// True if the node, all going straight, goes from the outer to the inner side of a panel that is not its
-/// own.
-template<int D> [[nodiscard]] bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path);
+/// own, and, where asked, this far behind it, m.
+template<int D>
+[[nodiscard]] bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path, double deep = 0);
 
 } // namespace stiction::contact

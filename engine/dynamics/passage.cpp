@@ -73,16 +73,18 @@ template<int D> bool Passage::passed(std::size_t pair, State const& old, State c
   auto const count = static_cast<std::size_t>(model_->dofs());
   for (std::size_t i = 0; i < described.secondary.size(); ++i) {
     Index const node = described.secondary[i];
-    // contact sees whatever ends within reach of where it was, but may lose what it held
+    // contact sees whatever ends within reach of where it was, but may lose what it held, and may hold again
+    // on the other side of what lay between
     auto const &before = old.contacts[pair][i], &after = next.contacts[pair][i];
     bool const far = (step.segment<D>(D * node) - drift.mean).norm() + drift.spread > described.reach;
-    if (after.in_reach || !(far || before.in_reach))
+    if (!far && (after.in_reach || !before.in_reach))
       continue;
     if (from.size() == 0) {
       from = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + old.u;
       to = from + step;
     }
-    if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}}))
+    if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}},
+                           after.in_reach ? described.reach : 0))
       return true;
   }
   return false;

@@ -38,6 +38,17 @@ TEST_SUITE("contact") {
     CHECK_FALSE(through_segment({3, -1}, {3, 1}));
     CHECK_FALSE(through_segment({1, 0}, {1.5, 0}));
   }
+  TEST_CASE("where a depth is asked for, the node must come to it before it leaves the panel sideways") {
+    auto const deep = [](Vec2 to, double depth) {
+      return passes<2>(
+          {{0, 1}}, 2,
+          {std::vector<double>{0, 0, 2, 0, 1, -1}, std::vector<double>{0, 0, 2, 0, to.x(), to.y()}}, depth);
+    };
+    CHECK(deep({1.5, 1}, 0.9));
+    CHECK_FALSE(deep({1.5, 1}, 1.1));
+    CHECK(deep({3, 2}, 0.4)); // over the segment's end it is 0.5 behind it
+    CHECK_FALSE(deep({3, 2}, 0.6));
+  }
   TEST_CASE("what counts is how node and segment move to each other") {
     CHECK(through_segment({1, -1}, {1, -1}, {0, -5}));
     CHECK_FALSE(through_segment({1, -1}, {1, 4}, {0, 5}));

@@ -67,6 +67,22 @@ TEST_CASE("a point in reach that cuts through the last corner of a body is notic
   CHECK(passage.passed(old, next).empty());
 }
 
+TEST_CASE("a point that lies on its counterpart again after a way deep through it is noticed") {
+  auto const scene = scene::build(stamp(1, "node_to_segment"));
+  auto const& pair = scene.model->pairs[0];
+  dynamics::Stepper stepper(*scene.model);
+  auto const old = stepper.initial();
+  auto next = old;
+  for (auto& point : next.contacts[0])
+    point.in_reach = true;
+  dynamics::Passage const passage(*scene.model);
+  auto const node = scene.nearest(pair.secondary, {0.5, 0});
+  for (double const depth : {0.5, 2.0}) {
+    next.u.segment<2>(2 * node) = test::Vec2(0.01, -0.1 - depth * pair.reach);
+    CHECK(passage.passed(old, next) == (depth > 1 ? "sole" : ""));
+  }
+}
+
 TEST_CASE("a step that presses or parts bodies is not refused however long it is") {
   for (double const depth : {0.2, -1e6}) {
     auto const scene = scene::build(stamp(depth, "node_to_segment"));

@@ -47,7 +47,7 @@ function outcome.holes(case)
 end
 
 --- Cells whose checks fail by a fault that is known and not yet mended: told beside the count, never as converged.
-outcome.open = { ["crowd-dt-one_step"] = true, ["slide-overlap-step_2"] = true }
+outcome.open = { ["crowd-dt-one_step"] = true }
 
 --- Sets the letter from a cell's checks {count =, failed = {text}} and from the outcome it must have; "any" is to
 --- converge or to stop: only values that are out of range may be refused.
