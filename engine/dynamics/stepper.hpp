@@ -67,6 +67,7 @@ private:
   [[nodiscard]] bool correct(double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
   void account(State const& old, State& next) const;
   void set_momenta(State& state) const;
   void tally(State const& old, State& next) const;

@@ -31,6 +31,14 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
 /// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
+/// What the bodies' viscosity takes at the mean rate of the step, J: never less than nothing. What its forces
+/// do beside that, where d is not dt times the mean rate, is the scheme's.
+double Stepper::viscous_loss(State const& old, State const& next) const {
+  Vector force;
+  structure_.damping_force((1 - weights_.work) * old.u + weights_.work * u_, d_, force);
+  return force.dot(d_) / (next.t - old.t);
+}
+
   double const chi = weights_.contact_work, omega = weights_.work;
   Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
                       (1 - chi) * old.reaction + chi * reaction_;
@@ -54,7 +62,7 @@ void Stepper::account(State const& old, State& next) const {
   auto const& weight = structure_.mass().weight;
   ledger.load_work += ((1 - omega) * (external_old_ - weight) + omega * (external_ - weight)).dot(d_);
   if (structure_.damped())
-    ledger.damping_loss += ((1 - omega) * old.damping + omega * damping_).dot(d_);
+    ledger.damping_loss += viscous_loss(old, next);
   if (weights_.stabilisation > 0)
     ledger.stabilisation_loss +=
         weights_.stabilisation / (next.t - old.t) * structure_.grip().dot(d_.cwiseAbs2());

@@ -123,8 +123,11 @@ void Stepper::audit(State const& old, State& next) const {
   if (weights_.inertia)
     loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_);
   double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_);
-  if (structure_.damped())
-    mean_work -= ((1 - omega) * old.damping + omega * damping_).dot(d_);
+  if (structure_.damped()) {
+    double const viscous = ((1 - omega) * old.damping + omega * damping_).dot(d_);
+    mean_work -= viscous;
+    loss.rates += viscous - (next.ledger.damping_loss - old.ledger.damping_loss);
+  }
   if (weights_.skin)
     mean_work += excess_.dot(d_);
   loss.averages += mean_work - path_work(old);

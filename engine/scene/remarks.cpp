@@ -59,7 +59,7 @@ void Remarks::weigh(dynamics::Ledger const& ledger) {
   if (!dynamics::weights(scene_->model->scheme).inertia)
     return;
   lost_ = ledger.scheme_loss();
-  made_ = std::max({made_, -lost_, -ledger.damping_loss});
+  made_ = std::max(made_, -lost_);
 }
 
 std::vector<std::string> Remarks::texts() const {

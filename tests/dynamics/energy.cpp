@@ -119,15 +119,16 @@ TEST_CASE("a step whose time scheme makes more energy than there was is refused,
     });
 }
 
-TEST_CASE("a step whose viscosity gives back more energy than there was is refused") {
+TEST_CASE("a step with which a viscosity too stiff for the mass makes energy is refused, and its loss is "
+          "none of it") {
   auto const scene = scene::build(light_and_viscous());
   dynamics::Stepper stepper(*scene.model);
   for (double const dt : {1e-4, 1e-3}) {
     INFO("dt = " << dt);
     auto const outcome = stepper.step(stepper.initial(), dt);
     CHECK(outcome.verdict == dynamics::StepVerdict::unstable);
-    CHECK(outcome.reason == "the viscosity of the bodies gave back more energy than there was");
-    CHECK(outcome.state.ledger.damping_loss < 0);
+    CHECK(outcome.reason == "the time scheme made more energy than there was");
+    CHECK(outcome.state.ledger.damping_loss > 0);
   }
   CHECK(stepper.step(stepper.initial(), 1e-6).converged());
 }

@@ -3,11 +3,11 @@ local outcome = {}
 
 -- C, R and S are right ends of a cell; the others are defects of the program.
 local words = {
-  C = "converged", R = "refused", S = "stopped", X = "crashed", H = "hung", N = "not a number", W = "wrong", O = "open faults",
+  C = "converged", R = "refused", S = "stopped", X = "crashed", H = "hung", N = "not a number", W = "wrong",
   U = "unexpected",
 }
-outcome.order = { "C", "R", "S", "O", "X", "H", "N", "W", "U" }
-local good = { C = true, R = true, S = true, O = true }
+outcome.order = { "C", "R", "S", "X", "H", "N", "W", "U" }
+local good = { C = true, R = true, S = true }
 local letter_of = { finished = "C", crashed = "X", failed = "X", ["result failed"] = "X",
   hung = "H", ["bad input"] = "R" }
 
@@ -46,9 +46,6 @@ function outcome.holes(case)
   return holes
 end
 
---- Cells whose checks fail by a fault that is known and not yet mended: told beside the count, never as converged.
-outcome.open = { ["crowd-dt-one_step"] = true }
-
 --- Sets the letter from a cell's checks {count =, failed = {text}} and from the outcome it must have; "any" is to
 --- converge or to stop: only values that are out of range may be refused.
 function outcome.judge(row, checks)
@@ -57,7 +54,7 @@ function outcome.judge(row, checks)
   if own.letter == "C" and checks.count == 0 then
     own.letter, own.reason = "W", "nothing checks it"
   elseif own.letter == "C" and #checks.failed > 0 then
-    own.letter, own.reason = outcome.open[row.case.id] and "O" or "W", table.concat(checks.failed, "; ")
+    own.letter, own.reason = "W", table.concat(checks.failed, "; ")
   elseif good[own.letter] and words[own.letter] ~= want and (want ~= "any" or own.letter == "R") then
     own.letter, own.reason = "U", ("%s, but must be %s: %s"):format(words[own.letter],
       want == "any" and "converged or stopped" or want, own.reason or "")
