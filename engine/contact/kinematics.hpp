@@ -53,7 +53,8 @@ template<int D> struct PointKinematics {
 /// Against a deformable surface; slip is (t1, t2)^T (x2(foot) - x2(start)), both at the present positions.
 /// The rows of H balance forces and moments and are blind to rigid motions; they are the derivatives of gap
 /// and slip up to terms of the order of the angle between the field of normals and the facet. Columns of the
-/// nodes beyond the facet's are zero.
+/// nodes beyond the facet's are zero in the row of the gap; those of the slip hold the couple of a force
+/// across an open gap, which the nodes that make the nodal normals carry.
 [[nodiscard]] PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
 [[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,

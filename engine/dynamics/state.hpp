@@ -78,7 +78,12 @@ struct State {
   Vector internal; ///< F_int(u) + A(u) v, N
   Vector damping;  ///< A(u) v, N; empty without viscosity
   Vector reaction; ///< H^T A r at the end of the step, N
-  Vector drive;    ///< force of the motions over the last step, at driven unknowns, N
+  /// [pairs] each pair's own part of `reaction`, where there are several; else empty.
+  std::vector<Vector> own_reactions;
+  [[nodiscard]] Vector const& reaction_of(std::size_t pair) const {
+    return own_reactions.empty() ? reaction : own_reactions[pair];
+  }
+  Vector drive; ///< force of the motions over the last step, at driven unknowns, N
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D

@@ -57,6 +57,7 @@ State Stepper::initial() {
   state.u.setZero(dofs);
   state.v = Eigen::Map<Vector const>(model_->velocity.data(), dofs);
   state.reaction.setZero(dofs);
+  state.own_reactions.assign(model_->pairs.size() > 1 ? model_->pairs.size() : 0, Vector::Zero(dofs));
   state.drive.setZero(dofs);
   static_cast<void>(structure_.internal_force(state.u, state.internal));
   if (structure_.damped()) {
@@ -385,6 +386,9 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.internal = internal_;
   next.damping = damping_;
   next.reaction = reaction_;
+  next.own_reactions.resize(model_->pairs.size() > 1 ? model_->pairs.size() : 0);
+  for (std::size_t pair = 0; pair < next.own_reactions.size(); ++pair)
+    contact_->reaction(next.own_reactions[pair], static_cast<int>(pair));
   next.contacts = old.contacts;
   next.turned = old.turned;
   next.ledger = old.ledger;

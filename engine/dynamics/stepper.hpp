@@ -75,7 +75,7 @@ private:
   [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
   [[nodiscard]] double path_work(State const& old) const;
   void audit_contact(State const& old, State& next) const;
-  [[nodiscard]] double obstacle_work(Pair const& pair, State const& old, State const& next) const;
+  [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 
   Model const* model_;
   StepWeights weights_;

@@ -4,7 +4,8 @@
 namespace stiction::dynamics {
 
 /// Work of an obstacle that follows a path: what it gives the body it gives where the node is, J.
-double Stepper::obstacle_work(Pair const& pair, State const& old, State const& next) const {
+double Stepper::obstacle_work(std::size_t index, State const& old, State const& next) const {
+  auto const& pair = model_->pairs[index];
   auto const* side = std::get_if<RigidSide>(&pair.primary);
   if (side == nullptr || model_->rigids[side->body].free())
     return 0;
@@ -14,12 +15,14 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
   if (carried.isZero(0) && turned.isZero(0))
     return 0;
   int const dim = model_->dim();
+  double const chi = weights_.contact_work;
+  auto const &now = next.reaction_of(index), &before = old.reaction_of(index);
   double work = 0;
   for (Index const node : pair.nodes()) {
     Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
     for (int c = 0; c < dim; ++c) {
       Index const dof = dim * node + c;
-      force[c] = weights_.contact_work * next.reaction[dof] + (1 - weights_.contact_work) * old.reaction[dof];
+      force[c] = chi * now[dof] + (1 - chi) * before[dof];
       arm[c] = model_->reference(node, c) + next.u[dof];
     }
     arm -= rigid.pivot + rigid.offset(next.t);
@@ -28,9 +31,6 @@ double Stepper::obstacle_work(Pair const& pair, State const& old, State const& n
   return work;
 }
 
-/// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
-void Stepper::account(State const& old, State& next) const {
-  auto& ledger = next.ledger;
 /// What the bodies' viscosity takes at the mean rate of the step, J: never less than nothing. What its forces
 /// do beside that, where d is not dt times the mean rate, is the scheme's.
 double Stepper::viscous_loss(State const& old, State const& next) const {
@@ -39,6 +39,9 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
   return force.dot(d_) / (next.t - old.t);
 }
 
+/// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
+void Stepper::account(State const& old, State& next) const {
+  auto& ledger = next.ledger;
   double const chi = weights_.contact_work, omega = weights_.work;
   Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
                       (1 - chi) * old.reaction + chi * reaction_;
@@ -57,7 +60,7 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
       Vec3 const force = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
       ledger.friction_loss -= force.tail<2>().dot(after.slip);
     }
-    ledger.motion_work += obstacle_work(model_->pairs[p], old, next);
+    ledger.motion_work += obstacle_work(p, old, next);
   }
   auto const& weight = structure_.mass().weight;
   ledger.load_work += ((1 - omega) * (external_old_ - weight) + omega * (external_ - weight)).dot(d_);

@@ -104,7 +104,7 @@ void Stepper::audit_contact(State const& old, State& next) const {
   Vector const mean = (1 - chi) * old.reaction + chi * next.reaction;
   double nodes = mean.dot(d_), points = 0;
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
-    nodes -= obstacle_work(model_->pairs[p], old, next);
+    nodes -= obstacle_work(p, old, next);
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
       auto const point =
           audit_point(model_->pairs[p].law.adhesion, old.contacts[p][i], next.contacts[p][i], {chi, dt});

@@ -176,7 +176,7 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
   context.column("gap_min", "m", "smallest gap; the radius of the search where nothing is near");
   return [p, dim, &pair](State const& state, std::vector<double>& row) {
-    auto const s = summarise(pair, state.contacts[p], state.reaction, dim);
+    auto const s = summarise(pair, state.contacts[p], state.reaction_of(p), dim);
     row.insert(row.end(), s.force.data(), s.force.data() + dim);
     row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max, s.beta_mean, s.pressure_max,
                            s.adhesion_t_max, s.adhesion_n_min, s.gap_min});
