@@ -43,12 +43,12 @@ local function drawn(p, phi, way)
 end
 
 local function scene(p)
-  local phi = math.rad(p.phi)
-  local way = 3 * p.R.si * p.T1.si * math.exp(p.mu * phi) / p.young.si -- thrice what the belt stretches about
+  local phi, young = math.rad(p.phi), p.phi > 120 and p.stiff * p.young or p.young
+  local way = 3 * p.R.si * p.T1.si * math.exp(p.mu * phi) / young.si -- thrice what the belt stretches about
   return stiction.scene {
     bodies = { belt = stiction.body {
       mesh = stiction.mesh.gmsh { size = p.h, kind = "quad8", start = at(p.R.si, 0), edges = outline(p, phi) },
-      material = stiction.material.linear_elastic { young = p.young, poisson = 0 }, density = 1000*kg/m^3 } },
+      material = stiction.material.linear_elastic { young = young, poisson = 0 }, density = 1000*kg/m^3 } },
     obstacles = { drum = stiction.obstacle { shape = stiction.rigid.circle { radius = p.R } } },
     pairs = { wrap = stiction.pair { secondary = "belt.inner", primary = "drum",
       friction = stiction.friction.coulomb { mu = p.mu } } },
@@ -76,10 +76,12 @@ return stiction.study {
   title = "Belt round a drum",
   question = "Does the tension grow as exp(mu phi)?",
   given = { R = { 20*mm, "drum" }, t = { 1*mm, "belt" },
-    T1 = { 1e5*Pa, "over the slack end" }, young = { 1000*MPa, "" } },
+    T1 = { 1e5*Pa, "over the slack end" },
+    stiff = { 10, "times as stiff where longer: drawn further, it must turn little" },
+    young = { 1000*MPa, "up to a third of a turn" } },
   chosen = { h = { 1*mm, "one quad8 cell through the belt" } },
-  sweep = { { "phi", { 30, 90, 120 } }, { "mu", { 0.1, 0.3, 0.6 } } },
-  quick = { sweep = { { "phi", { 90 } }, { "mu", { 0.3, 0.6 } } } },
+  sweep = { { "phi", { 30, 90, 120, 180, 270, 360 } }, { "mu", { 0.1, 0.3, 0.6 } } },
+  quick = { sweep = { { phi = 90, mu = 0.3 }, { phi = 180, mu = 0.6 } } },
   case_id = function(p) return ("phi%d_mu%g"):format(p.phi, p.mu) end,
   scene = scene,
   results = {
