@@ -166,34 +166,32 @@ private:
       if (solution.converged)
         return solution;
     }
-    for (auto const& go : {descend, minimise}) {
-      auto const end = go(problem, guess, 20L * settings_.iterations);
-      if (end)
-        solution = landed(problem, guess, *end);
-      else if (downhill_first)
-        solution = near(problem, guess, Stuck::hand_over);
-      if (solution.converged)
-        return solution;
-    }
-    return downhill_first ? solution : polish(problem, guess, Stuck::sweep);
+    for (auto const& go : {descend, minimise})
+      if (auto const end = go(problem, guess, 20L * settings_.iterations)) {
+        solution = landed(problem, *end);
+        if (solution.converged)
+          return solution;
+      }
+    if (!downhill_first)
+      return polish(problem, guess, Stuck::sweep);
+    auto last = near(problem, guess); // where a descent does not settle, Newton may answer
+    return last.converged || solution.force.size() == 0 ? last : solution;
   }
 
-  /// Where a descent does not settle, Newton from the guess may answer.
-  [[nodiscard]] Solution landed(Problem const& problem, Vector const& guess, Descended const& end) {
+  [[nodiscard]] Solution landed(Problem const& problem, Descended const& end) {
     auto const descents = static_cast<double>(end.iterations), n = static_cast<double>(problem.free.size());
     spend(end.iterations, descents * (1 + n / 6)); // a product and a symmetric factorization each
-    Solution solution =
-        end.settled ? polish(problem, end.force, Stuck::give_up) : near(problem, guess, Stuck::give_up);
-    if (!end.settled && !solution.converged) {
-      solution.force = end.force;
-      solution.verdict = judge(problem, end.force);
-    }
+    if (end.settled)
+      return polish(problem, end.force, Stuck::give_up);
+    Solution solution;
+    solution.force = end.force;
+    solution.verdict = judge(problem, end.force);
     return solution;
   }
 
   /// Newton's answer if no bond is leaped over: else it went to another branch.
-  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess, Stuck stuck) {
-    Solution solution = polish(problem, guess, stuck);
+  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess) {
+    Solution solution = polish(problem, guess, Stuck::give_up);
     solution.converged = solution.converged && !leaps(problem, guess, solution.force);
     return solution;
   }
