@@ -1,12 +1,13 @@
--- A block in a corner of two smooth obstacles, one of which comes in and slides along it: the corner node is in both pairs,
--- and each pair must tell its own force and do its own work alone.
+-- A block in a corner of two smooth obstacles, one of which comes in and slides along it: the corner node is in both
+-- pairs, and each pair must tell its own force and do its own work alone.
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, Pa = units.m, units.s, units.Pa
 
 local function scene(p)
   return stiction.scene {
-    bodies = { block = stiction.body { mesh = stiction.mesh.block { origin = { 0*m, 0*m }, size = { 1*m, 1*m }, cells = { 4, 4 } },
+    bodies = { block = stiction.body {
+      mesh = stiction.mesh.block { origin = { 0*m, 0*m }, size = { 1*m, 1*m }, cells = { 4, 4 } },
       material = stiction.material.linear_elastic { young = 1000*Pa, poisson = 0.3 }, density = 1*units.kg/m^3 } },
     obstacles = {
       floor = stiction.obstacle { shape = stiction.rigid.plane {} },
@@ -17,7 +18,8 @@ local function scene(p)
       side = stiction.pair { secondary = "block.left", primary = "wall", discretisation = p.discretisation } },
     motions = { stiction.motion.fix { set = "block.right", y = false },
       stiction.motion.drive { set = "block.top", times = { 0*s, 1*s, 2*s }, y = { 0*m, -0.01*m, -0.01*m } } },
-    scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 2*s, steps = 4 } } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 2*s, steps = 4 } } },
     output = stiction.output { frames = 0 },
     probes = { sole = stiction.probe.contact { pair = "sole" }, side = stiction.probe.contact { pair = "side" },
       energy = stiction.probe.energy {} },
