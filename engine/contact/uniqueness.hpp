@@ -1,4 +1,4 @@
-// Where theory promises no single answer to a contact problem, and the sentences that say so (PHYSICS 3).
+// Where theory promises no single answer to a contact problem, and the sentences that say so (physics.md 3).
 #pragma once
 #include <string>
 

@@ -39,7 +39,8 @@ template<class T> core::Schema cured(core::Describe<T> description) {
 
 core::Schema const& ThetaXi::schema() {
   static auto const made = cured(
-      core::Describe<ThetaXi>{"theta_xi", "Jean's first-order scheme, plain or cured", "(42)-(52), PHYSICS 5"}
+      core::Describe<ThetaXi>{"theta_xi", "Jean's first-order scheme, plain or cured",
+                              "(42)-(52), physics.md 5"}
           .number("theta", &ThetaXi::theta, "1", {0.5, 1, false, false}, Need::optional,
                   "weight of the end velocity in the displacement")
           .number("xi", &ThetaXi::xi, "1", {0.5, 1, false, false}, Need::optional, "weight of the end forces")
@@ -50,7 +51,7 @@ core::Schema const& ThetaXi::schema() {
 
 core::Schema const& QuasiStatic::schema() {
   static auto const made =
-      core::Describe<QuasiStatic>{"quasi_static", "equilibrium without inertia", "PHYSICS 5"}
+      core::Describe<QuasiStatic>{"quasi_static", "equilibrium without inertia", "physics.md 5"}
           .number("stabilisation", &QuasiStatic::stabilisation, "1", core::unit_interval, Need::optional,
                   "for bodies that nothing but contact holds, say 1e-6: a viscous force of this times "
                   "(E / L^2) T v per volume meets the velocity v (E: Young's modulus at rest, L: diagonal of "
@@ -61,13 +62,12 @@ core::Schema const& QuasiStatic::schema() {
 }
 
 core::Schema const& Newmark::schema() {
-  static auto const made =
-      cured(core::Describe<Newmark>{"newmark", "Newmark's scheme; gamma = 1/2 is of second order",
-                                    "Newmark, J. Eng. Mech. Div. 85, 1959"}
-                .number("beta", &Newmark::beta, "1", {0.25, 1, false, false}, Need::optional,
-                        "weight of the end acceleration in the displacement; at least gamma / 2")
-                .number("gamma", &Newmark::gamma, "1", {0.5, 1, false, false}, Need::optional,
-                        "weight of the end acceleration in the velocity"));
+  static auto const made = cured(
+      core::Describe<Newmark>{"newmark", "Newmark's scheme; gamma = 1/2 is of second order", "Newmark 1959"}
+          .number("beta", &Newmark::beta, "1", {0.25, 1, false, false}, Need::optional,
+                  "weight of the end acceleration in the displacement; at least gamma / 2")
+          .number("gamma", &Newmark::gamma, "1", {0.5, 1, false, false}, Need::optional,
+                  "weight of the end acceleration in the velocity"));
   return made;
 }
 
@@ -82,25 +82,24 @@ core::Complaints Newmark::check() const {
 core::Schema const& GeneralisedAlpha::schema() {
   static auto const made =
       cured(core::Describe<GeneralisedAlpha>{"generalised_alpha", "second order, damps high frequencies",
-                                             "Chung, Hulbert, J. Appl. Mech. 60, 1993"}
+                                             "Chung and Hulbert 1993"}
                 .number("rho_inf", &GeneralisedAlpha::rho_inf, "1", core::unit_interval, Need::optional,
                         "spectral radius at endless frequency: 1 keeps all energy, 0 kills it in a step"));
   return made;
 }
 
 core::Schema const& Hht::schema() {
-  static auto const made =
-      cured(core::Describe<Hht>{"hht", "second order, damps high frequencies",
-                                "Hilber, Hughes, Taylor, Earthq. Eng. Struct. Dyn. 5, 1977"}
-                .number("alpha", &Hht::alpha, "1", {-1.0 / 3, 0, false, false}, Need::optional,
-                        "less than 0: part of the old forces in the balance"));
+  static auto const made = cured(
+      core::Describe<Hht>{"hht", "second order, damps high frequencies", "Hilber, Hughes and Taylor 1977"}
+          .number("alpha", &Hht::alpha, "1", {-1.0 / 3, 0, false, false}, Need::optional,
+                  "less than 0: part of the old forces in the balance"));
   return made;
 }
 
 core::Schema const& MoreauJean::schema() {
   static auto const made =
       core::Describe<MoreauJean>{"moreau_jean", "impulses and velocities at contact, with restitution",
-                                 "Jean, Comp. Meth. Appl. Mech. Engng 177, 1999"}
+                                 "Jean 1999"}
           .number("theta", &MoreauJean::theta, "1", {0.5, 1, false, false}, Need::optional,
                   "weight of the end velocity and of the end forces")
           .number("restitution", &MoreauJean::restitution, "1", core::unit_interval, Need::optional,
@@ -113,7 +112,7 @@ core::Schema const& CentralDifference::schema() {
   static auto const made =
       core::Describe<CentralDifference>{"central_difference",
                                         "explicit, lumped mass, stable below a critical step",
-                                        "Carpenter, Taylor, Katona, Int. J. Numer. Meth. Engng 32, 1991"}
+                                        "Carpenter, Taylor and Katona 1991"}
           .build();
   return made;
 }

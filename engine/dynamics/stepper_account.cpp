@@ -39,7 +39,7 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
   return force.dot(d_) / (next.t - old.t);
 }
 
-/// Adds the step to the ledger (PHYSICS 6); works use the force averages of the scheme.
+/// Adds the step to the ledger (physics.md 6); works use the force averages of the scheme.
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
   double const chi = weights_.contact_work, omega = weights_.work;

@@ -53,7 +53,7 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
 ///   contact nodes that balance at the step's end: F1 + R1 less the means
 ///   Newmark's family: (work - xi) times the change of M a - F - R (zero where each step ends in balance);
 ///   driven and contact nodes have one acceleration per step
-///   central differences: half the last impulse of each of the two steps, PHYSICS 5
+///   central differences: half the last impulse of each of the two steps, physics.md 5
 ///   Jean's scheme: nothing
 Vector Stepper::unmet_balance(State const& old, State const& next) const {
   Index const dofs = model_->dofs();

@@ -12,7 +12,7 @@ enum class ContactInertia { full, implicit, none, cells };
 /// What the unilateral condition and friction bear on: gap and slip of the step, or their rates at its end.
 enum class ContactLevel { position, velocity };
 
-/// Coefficients of one step of size dt from (u0, v0, a0) to u1 = u0 + d (PHYSICS 5). With e = d - dt v0:
+/// Coefficients of one step of size dt from (u0, v0, a0) to u1 = u0 + d (physics.md 5). With e = d - dt v0:
 ///   v1 = v0 + e / (rate dt) + rate_a dt a0
 ///   M (e / (mass dt^2) + mass_a a0) = early F0 + xi F1 + (1 - contact) R0 + contact R1,  F = F_ext - F_int -
 ///   A v
@@ -53,8 +53,8 @@ struct StepWeights {
   return weights;
 }
 
-/// Newmark's beta and gamma with M at 1 - alpha_m and F at 1 - alpha_f of the step (Chung, Hulbert, J. Appl.
-/// Mech. 60, 1993). R stands at the step's end; a contact node that balances by itself has the factor xi on
+/// Newmark's beta and gamma with M at 1 - alpha_m and F at 1 - alpha_f of the step (Chung and
+/// Hulbert 1993). R stands at the step's end; a contact node that balances by itself has the factor xi on
 /// its rows, which keeps the matrix symmetric.
 struct NewmarkFamily {
   double beta = 0.25, gamma = 0.5, alpha_m = 0, alpha_f = 0;

@@ -26,7 +26,7 @@ struct Bilinear {
     using core::Need;
     static auto const made =
         core::Describe<Bilinear>{"bilinear", "bilinear cohesive zone of mixed mode, damage 1 - beta stays",
-                                 "Camanho, Davila 2002; Turon et al. 2006; Benzeggagh, Kenane 1996"}
+                                 "Camanho and Davila 2002; Turon 2006; Benzeggagh and Kenane 1996"}
             .number("K", &Bilinear::K, "N/m^3", core::positive, Need::required, "stiffness without damage")
             .number("sigma_n", &Bilinear::sigma_n, "Pa", core::positive, Need::required, "normal strength")
             .number("sigma_t", &Bilinear::sigma_t, "Pa", core::positive, Need::required, "shear strength")

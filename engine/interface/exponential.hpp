@@ -22,7 +22,7 @@ struct Exponential {
     using core::Need;
     static auto const made =
         core::Describe<Exponential>{"exponential", "exponential cohesive law of mixed mode",
-                                    "Xu, Needleman 1993, J. Mech. Phys. Solids 42 (1994) 1397"}
+                                    "Xu and Needleman 1994"}
             .number("phi_n", &Exponential::phi_n, "J/m^2", core::positive, Need::required,
                     "work of normal separation; delta_n = phi_n / (e sigma_max)")
             .number("sigma_max", &Exponential::sigma_max, "Pa", core::positive, Need::required,

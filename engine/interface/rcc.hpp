@@ -23,7 +23,7 @@ struct Rcc {
     using core::Need;
     static auto const made =
         core::Describe<Rcc>{"rcc", "adhesion of bond intensity beta coupled to friction",
-                            "(9)-(13), PHYSICS 2"}
+                            "(9)-(13), physics.md 2"}
             .number("w", &Rcc::w, "J/m^2", core::non_negative, Need::required, "decohesion energy")
             .number("C_n", &Rcc::C_n, "N/m^3", core::non_negative, Need::required,
                     "normal stiffness at beta = 1")

@@ -25,7 +25,7 @@ struct BlatzKo {
 
   static core::Schema const& schema() {
     static auto const made =
-        core::Describe<BlatzKo>{"blatz_ko", "compressible foam rubber, nu = 1/4", "PHYSICS 4"}
+        core::Describe<BlatzKo>{"blatz_ko", "compressible foam rubber, nu = 1/4", "physics.md 4"}
             .number("shear_modulus", &BlatzKo::shear_modulus, "Pa", core::positive, core::Need::required,
                     "shear modulus G at rest")
             .build();

@@ -24,7 +24,7 @@ struct KelvinVoigt {
     static auto const made =
         core::Describe<KelvinVoigt>{"kelvin_voigt",
                                     "viscous stress 2 eta dev(dE/dt) + zeta tr(dE/dt) I beside the law's",
-                                    "PHYSICS 4"}
+                                    "physics.md 4"}
             .number("shear_viscosity", &KelvinVoigt::shear_viscosity, "Pa s", core::non_negative,
                     Need::required, "eta, resists changes of shape")
             .number("bulk_viscosity", &KelvinVoigt::bulk_viscosity, "Pa s", core::non_negative,

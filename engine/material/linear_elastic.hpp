@@ -19,7 +19,7 @@ struct LinearElastic {
     using core::Need;
     static auto const made =
         core::Describe<LinearElastic>{"linear_elastic", "Hooke's law for small strains and rotations",
-                                      "PHYSICS 4"}
+                                      "physics.md 4"}
             .number("young", &LinearElastic::young, "Pa", core::positive, Need::required, "Young's modulus")
             .number("poisson", &LinearElastic::poisson, "1", {-1, 0.5, true, true}, Need::required,
                     "Poisson's ratio")

@@ -37,7 +37,7 @@ struct MooneyRivlin {
     using Self = MooneyRivlin;
     static auto const made =
         core::Describe<Self>{"mooney_rivlin", "rubber, W = C10 (I1' - 3) + C01 (I2' - 3) + K/2 (J - 1)^2",
-                             "PHYSICS 4"}
+                             "physics.md 4"}
             .number("C10", &Self::c10, "Pa", core::any_number, Need::required, "factor of I1' - 3")
             .number("C01", &Self::c01, "Pa", core::any_number, Need::required,
                     "factor of I2' - 3; the shear modulus at rest is 2 (C10 + C01) > 0")

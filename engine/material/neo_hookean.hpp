@@ -26,7 +26,7 @@ struct NeoHookean {
     using core::Need;
     static auto const made =
         core::Describe<NeoHookean>{"neo_hookean", "rubber, W = G/2 (J^-2/3 I1 - 3) + K/2 (J - 1)^2",
-                                   "PHYSICS 4"}
+                                   "physics.md 4"}
             .number("young", &NeoHookean::young, "Pa", core::positive, Need::required,
                     "Young's modulus at rest")
             .number("poisson", &NeoHookean::poisson, "1", {-1, 0.5, true, true}, Need::required,

@@ -12,7 +12,7 @@ template<int N> using VoigtMatrix = Eigen::Matrix<double, N, N>;
 /// How much of a Response is filled: force passes need no tangent.
 enum class Wanted { stress, tangent };
 
-/// W [J/m^3 of the reference volume], S = dW/dE [Pa], D = dS/dE [Pa] (PHYSICS 4; (35), (39)).
+/// W [J/m^3 of the reference volume], S = dW/dE [Pa], D = dS/dE [Pa] (physics.md 4; (35), (39)).
 template<int N> struct Response {
   double energy = 0;
   Voigt<N> stress;

@@ -27,7 +27,7 @@ struct Yeoh {
     using core::Need;
     static auto const made =
         core::Describe<Yeoh>{"yeoh", "rubber, W = C10 x + C20 x^2 + C30 x^3 + K/2 (J - 1)^2 with x = I1' - 3",
-                             "PHYSICS 4"}
+                             "physics.md 4"}
             .number("C10", &Yeoh::c10, "Pa", core::positive, Need::required,
                     "factor of x, half the shear modulus at rest")
             .number("C20", &Yeoh::c20, "Pa", core::any_number, Need::required, "factor of x^2, often < 0")

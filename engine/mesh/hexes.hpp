@@ -31,8 +31,8 @@ struct Hexes {
 [[nodiscard]] Place<3> straight_middle_3d(Place<3> const& a, Place<3> const& b);
 
 /// Cells of `kind` without sets. Tetrahedra are six a hexahedron: cones from its node of lowest number over
-/// the three faces without it, each face cut through its own lowest node, so that neighbours agree (Dompierre
-/// et al., 8th Int. Meshing Roundtable, 1999).
+/// the three faces without it, each face cut through its own lowest node, so that neighbours agree (after
+/// Dompierre 1999).
 [[nodiscard]] Mesh to_mesh(Hexes const& hexes, CellKind kind, Middle<3> const& middle = straight_middle_3d);
 
 } // namespace stiction::mesh

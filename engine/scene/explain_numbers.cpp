@@ -1,4 +1,4 @@
-// The dimensionless numbers that decide what a model needs (PHYSICS 2; Johnson, Contact Mechanics, 1985).
+// The dimensionless numbers that decide what a model needs (physics.md 2; Johnson 1985).
 #include <fmt/format.h>
 
 #include "scene/facts.hpp"
@@ -64,7 +64,7 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
       rcc ? "E* / C_n, over which a bond fails" : "E* w / sigma0^2, over which a bond fails", "m");
   add(section, "cohesive length / cell", length / facts.size, "below 3 the pull-off depends on the mesh");
   add(section, rcc ? "stiffness / (3 C_n)" : "stiffness / softening", facts.column / scales.softening,
-      "bodies as columns against the softening bond (PHYSICS 3): below 1 a bond without viscosity snaps");
+      "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity snaps");
   if (facts.radius > 0)
     add(section, "Tabor-like",
         std::cbrt(facts.radius * scales.work * scales.work / (facts.modulus * facts.modulus)) *

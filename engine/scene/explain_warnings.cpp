@@ -295,7 +295,7 @@ void critical_steps(Facts const& all, Warnings& warnings) {
 }
 
 /// In lasting contact the plain scheme turns the normal velocity about by -(1 - theta) / theta each step
-/// (PHYSICS 5).
+/// (physics.md 5).
 void ringing(Facts const& all, Warnings& warnings) {
   auto const scheme = dynamics::weights(all.scene->model->scheme);
   if (!all.dynamic() || all.pairs.empty() || scheme.rate > 0.5 || scheme.contact < 1 ||

@@ -62,7 +62,7 @@ template<class Choice> Choice nested_choice(Reader& reader, char const* key, Nee
 
 core::Schema const& BodyPart::schema() {
   static auto const made =
-      Describe<BodyPart>{"body", "a deformable body", "PHYSICS 4"}
+      Describe<BodyPart>{"body", "a deformable body", "physics.md 4"}
           .nested("mesh", "mesh", Need::required, "its mesh")
           .nested("material", "material", Need::required, "its bulk law")
           .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
@@ -96,7 +96,7 @@ core::Schema const& RemeshPart::schema() {
   static auto const made =
       Describe<RemeshPart>{"remesh",
                            "the run is repeated with other cell sizes until the stress is exact enough",
-                           "Zienkiewicz, Zhu, Int. J. Numer. Meth. Engng 24, 1987"}
+                           "Zienkiewicz and Zhu 1987"}
           .number("target", &RemeshPart::target, "1", {0, 1, true, true}, Need::optional,
                   "error of the stress over its size, from the jumps between cells, at every end of a stage")
           .integer("passes", &RemeshPart::passes, {1, 20, false, false}, Need::optional,
@@ -151,7 +151,7 @@ void ObstaclePart::read_nested(Reader& reader) {
 
 core::Schema const& PairPart::schema() {
   static auto const made =
-      Describe<PairPart>{"pair", "two surfaces that may touch, and the law between them", "PHYSICS 1"}
+      Describe<PairPart>{"pair", "two surfaces that may touch, and the law between them", "physics.md 1"}
           .text("secondary", &PairPart::secondary, Need::required,
                 "surface that carries the contact points, \"body.set\"")
           .text("primary", &PairPart::primary, Need::required,

@@ -66,7 +66,7 @@ core::Schema const& RigidProbe::schema() {
 
 core::Schema const& EnergyProbe::schema() {
   static auto const made =
-      Describe<EnergyProbe>{"energy", "the energy ledger of the run", "PHYSICS 6"}
+      Describe<EnergyProbe>{"energy", "the energy ledger of the run", "physics.md 6"}
           .flag("audit", &EnergyProbe::audit,
                 "also predict the scheme's loss by its formulas, and show what the ledger then leaves open")
           .build();

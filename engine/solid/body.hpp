@@ -22,7 +22,7 @@ enum class Kinematics { plane_strain, axisymmetric, three_dimensional };
 }
 
 /// What strain the law sees: that of the displacement, or with its volume change averaged over the cell
-/// (Simo, Taylor & Pister, Comput. Methods Appl. Mech. Engng 51, 1985), which does not lock where the law
+/// (Simo, Taylor and Pister 1985), which does not lock where the law
 /// hardly changes volume.
 enum class Interpolation { plain, mean_dilatation };
 

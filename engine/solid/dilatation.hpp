@@ -9,7 +9,7 @@
 namespace stiction::solid {
 
 /// Fbar = (theta/J)^(1/3) F, so that Ebar = (a C - I)/2 with a = (theta/J)^(2/3) depends on this point's E
-/// and on tau = ln theta (Simo, Taylor & Pister, Comput. Methods Appl. Mech. Engng 51, 1985). With small
+/// and on tau = ln theta (Simo, Taylor and Pister 1985). With small
 /// strains Ebar = dev(E) + tau/3 I, tau the mean of tr(E): the same formulas with C = I and a = J = 1 held.
 template<int N> struct Dilatation {
   using Voigt = material::Voigt<N>;

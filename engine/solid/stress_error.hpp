@@ -5,7 +5,7 @@
 namespace stiction::solid {
 
 /// Per cell, int |s* - s_h|^2 and int |s*|^2 over its reference volume: s_h is the mean Cauchy stress of the
-/// cell, s* the stress recovered at its nodes (Zienkiewicz, Zhu, Int. J. Numer. Meth. Engng 24, 1987), with
+/// cell, s* the stress recovered at its nodes (Zienkiewicz and Zhu 1987), with
 /// the norm of tensors in place of the energy's. Pa^2 m^dim
 struct StressError {
   std::vector<double> error, size; ///< [cells], squared

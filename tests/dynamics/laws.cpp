@@ -142,7 +142,7 @@ TEST_CASE("a reversible law is felt from afar and gives back what it took") {
 
 TEST_CASE("the viscosity of RCC dissipates the work beyond w, to first order in the step") {
   struct Wanted {
-    double rate_number, loss; ///< work/w - 1 of REFERENCES
+    double rate_number, loss; ///< work/w - 1 by quadrature
   };
   for (auto const& wanted : {Wanted{0.1, 0.07261}, Wanted{1, 0.51453}}) {
     CAPTURE(wanted.rate_number);

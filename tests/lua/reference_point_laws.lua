@@ -10,7 +10,7 @@ local function near(got, wanted, tolerance)
   end
 end
 
-test("opening: peak and work at V* = 0.1 and 1 (PHYSICS, REFERENCES)", function()
+test("opening: peak and work at V* = 0.1 and 1", function()
   for _, known in ipairs { { 0.1, 1.01326, 1.0274, 1.07261 }, { 1, 1.10795, 1.2075, 1.51453 } } do
     local c = rcc.opening(known[1], 10, 2000)
     local peak, at = numeric.max(c.traction)

@@ -34,7 +34,7 @@ local function flight_height(t, c, time)
     + bar.flight_series(t.gravity, c, t.length, time)
 end
 
---- The bar that bounces for ever (Doyen, Ern, Piperno, SIAM J. Sci. Comput. 33, 2011, 3.2): dropped undeformed from
+--- The bar that bounces for ever (Doyen, Ern and Piperno 2011, 3.2): dropped undeformed from
 --- `height` under `gravity`. {wave =, flight =, period =, height = function(t), pressure = function(t)}: t_w = L / c,
 --- t_f = sqrt(2 h / g); contact on [t_f, t_f + 2 t_w] under rho c (v0 + g s), free flight of 2 t_f in which the bar
 --- vibrates t_f / t_w times, contact again with the time reversed, and a rise to where it was: period 4 t_f + 4 t_w.

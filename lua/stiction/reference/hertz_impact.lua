@@ -1,5 +1,5 @@
 -- Impact of a mass with a round tip on an elastic half-space, slow beside its waves; SI numbers.
--- Source: K. L. Johnson, Contact Mechanics, 1985, 11.4.
+-- Source: Johnson 1985, 11.4.
 local hertz_impact = {}
 
 --- Force at the approach d, N: 4/3 E* sqrt(R) d^3/2; none when apart.

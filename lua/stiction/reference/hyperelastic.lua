@@ -1,6 +1,6 @@
 -- Isotropic solids in homogeneous states, from their energy in the principal stretches; SI numbers.
 -- A law has energy(l1, l2, l3), J/m^3, and kirchhoff(l1, l2, l3): three numbers l_i dW/dl_i, Pa.
--- Source: R. W. Ogden, Non-Linear Elastic Deformations, 1984, chapters 4 and 7.
+-- Source: Ogden 1984, chapters 4 and 7.
 local hyperelastic = {}
 
 --- G and K of Young's modulus and Poisson's ratio, Pa.

@@ -1,5 +1,5 @@
 -- Contact of cylinders per unit length: Hertz's pressure and the shear of Cattaneo and Mindlin. SI numbers.
--- Source: K. L. Johnson, Contact Mechanics, 1985, chapters 4 and 7.
+-- Source: Johnson 1985, chapters 4 and 7.
 local line_contact = {}
 
 --- E* of two bodies; leave out the second where it is rigid, Pa.

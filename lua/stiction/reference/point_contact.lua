@@ -1,5 +1,5 @@
 -- Frictionless contact of spheres by Hertz. SI numbers.
--- Source: K. L. Johnson, Contact Mechanics, 1985, section 4.2.
+-- Source: Johnson 1985, section 4.2.
 local line_contact = require "stiction.reference.line_contact"
 local point_contact = {}
 

@@ -15,7 +15,7 @@ local gauss = {
 --- and for V = 0 its limit min(1, s^-2). Lists over s with n intervals on 0 .. 1 and as many a unit beyond:
 --- {s =, beta =, traction = s beta^2 (over sigma0), work =, loss =} (over w); the loss is int (1 - s^2 beta)^2/V ds.
 --- An interval should be short beside V/s_end^2.
---- Source: Raous, Cangemi and Cocou 1999; PHYSICS 2.
+--- Source: Raous, Cangemi and Cocu 1999; physics.md 2.
 function rcc.opening(V, s_end, n)
   local c = { s = { 0 }, beta = { 1 }, traction = { 0 }, work = { 0 }, loss = { 0 } }
   local beta, work, loss, h = 1, 0, 0, 1 / n
@@ -102,7 +102,7 @@ function point_laws.bilinear.traction(law, r, d)
   return law.K * start * (finish - d) / (finish - start)
 end
 
---- Normal and tangential traction of the potential of Xu and Needleman 1993, Pa; law = {phi_n, delta_n, delta_t, q, r}.
+--- Normal and tangential traction of the potential of Xu and Needleman 1994, Pa; law = {phi_n, delta_n, delta_t, q, r}.
 function point_laws.exponential.traction(law, x_n, x_t)
   local u, v, r, q = x_n / law.delta_n, (x_t / law.delta_t) ^ 2, law.r, law.q
   local eu, ev = math.exp(-u), math.exp(-v)

@@ -78,7 +78,7 @@ local function sweep_of(names, finer)
   return cases
 end
 
---- A row of one scheme; on all its meshes, or on that of 100 cells, which the references of REFERENCES stand for.
+--- A row of one scheme; on all its meshes, or on that of 100 cells, which the values known beforehand stand for.
 local function row(cases, check, t)
   local runs, values = cases:where { scheme = t.scheme }, {}
   for _, case in ipairs(runs) do

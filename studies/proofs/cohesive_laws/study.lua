@@ -49,7 +49,7 @@ local function xu_test(ray, to, q, r, memory)
   local law = { phi_n = 1, delta_n = delta_n, delta_t = delta_t, q = q, r = r }
   local function at(d) return split(d, ray) end
   local t = { r = ray, to = to, lasts = memory == "irreversible", part = xu(q, r, memory), loss = 0,
-    source = "Xu and Needleman 1993", envelope = function(d) return laws.exponential.traction(law, at(d)) end }
+    source = "Xu and Needleman 1994", envelope = function(d) return laws.exponential.traction(law, at(d)) end }
   t.work = laws.exponential.energy(law, at(to))
   if t.lasts then -- less what unloading to the origin gives back
     local normal, along = t.envelope(to)

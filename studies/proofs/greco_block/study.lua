@@ -95,7 +95,7 @@ return stiction.study {
         values[k] = { case.p.side / case.p.cells, case.results["u_" .. i] }
       end
       check.proof { case = "GRECO block", quantity = ("u_x at %g mm"):format(1e3 * x), unit = "um", kind = "ours",
-        source = "REFERENCES, 128 x 128 Q4 of another program", reference = reference.ours[i], values = values,
+        source = "128 x 128 Q4 of another program", reference = reference.ours[i], values = values,
         resolution = "m cell", tolerance = 0.005, run = fine }
     end
     local edge_values = { {}, {} }
@@ -104,7 +104,7 @@ return stiction.study {
       edge_values[2][k] = { case.p.side / case.p.cells, case.results.slip_to }
     end
     for i, row in ipairs { { "opens up to", 3.3e-3 }, { "slides up to", 29.8e-3 } } do
-      check.proof { case = "GRECO block", quantity = row[1], unit = "mm", kind = "ours", source = "REFERENCES",
+      check.proof { case = "GRECO block", quantity = row[1], unit = "mm", kind = "ours", source = "128 x 128 Q4 of another program",
         reference = row[2], values = edge_values[i], resolution = "m cell", scale = fine.p.side / fine.p.cells,
         tolerance = 1, run = fine, note = "error in cells of the finest mesh" }
     end

@@ -1,4 +1,4 @@
--- A steel cylinder on an aluminium block: NAFEMS contact benchmark CGS-1, half of it by symmetry.
+-- A steel cylinder on an aluminium block: NAFEMS benchmark CGS-1 (Feng and Prinja 2001), half of it by symmetry.
 --
 --      | u_y   quarter of the disc, R = 50 mm, driven down on its flat side until it carries 17.5 kN/mm
 --     (    )

@@ -16,7 +16,7 @@ local jkr = stiction.reference.jkr
 local units = stiction.units
 local mm, um, s, kg, m, J, N, MPa = units.mm, units.um, units.s, units.kg, units.m, units.J, units.N, units.MPa
 
-local full = 1.04e12 -- N/m^3, the least stiffness that REFERENCES takes for JKR
+local full = 1.04e12 -- N/m^3, least for JKR: (5 E*^2/3/(R^1/3 w^1/6))^2
 
 local function modulus(p) return jkr.modulus(p.young.si, p.poisson) end
 

@@ -191,11 +191,11 @@ local function check_curves(cases, check)
   } do
     local runs = cases:where { test = t[1] }
     if t[3] then
-      row(check, runs, { case = t[2], quantity = "peak shear", unit = "kPa", kind = "exact", source = "PHYSICS 2, 3", result = "peak",
+      row(check, runs, { case = t[2], quantity = "peak shear", unit = "kPa", kind = "exact", source = "physics.md 2, 3", result = "peak",
         reference = t[3], tolerance = 1e-10 })
     end
     local at = exact(runs[1].p, 1.5)
-    row(check, runs, { case = t[2], quantity = "shear at 1.5 u0", unit = "kPa", kind = "exact", source = "PHYSICS 2, 3",
+    row(check, runs, { case = t[2], quantity = "shear at 1.5 u0", unit = "kPa", kind = "exact", source = "physics.md 2, 3",
       result = "at_1_5", reference = sigma0 * at, tolerance = 1e-10 })
     for _, c in ipairs(runs) do
       check.within(c.id .. ": the whole curve, over sigma0", c.results.deviation, 0, 1e-10)

@@ -156,7 +156,7 @@ return stiction.study {
       end
     end
     check.proof { case = "saved contact problems", quantity = "worst disagreement of solvers", kind = "exact",
-      source = "uniqueness, PHYSICS 3", reference = 0, scale = 1, values = { { single, differ } },
+      source = "uniqueness, physics.md 3", reference = 0, scale = 1, values = { { single, differ } },
       resolution = "problems of one answer", tolerance = 1e-5, note = "displacements over what the forces have moved" }
     check.proof { case = "saved contact problems", quantity = "answered by newton", kind = "exact",
       source = "all that are known to have an answer", reference = wanted, values = { { #cases, answered } },
