@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/complementarity.hpp"
 
@@ -90,16 +91,12 @@ Root root_of(Dense const& W) {
 
 template<int D> class Minimum {
 public:
-  explicit Minimum(Problem const& problem) : problem_(problem), root_(root_of(problem.W)) {
+  Minimum(Problem const& problem, Root root) : problem_(problem), root_(std::move(root)) {
     for (auto const& law : problem.adhesions)
       opening_ = std::min(opening_, interface::scales(law).opening);
-    normal_.resize(problem.size(), root_.F.cols());
-    for (Index i = 0; i < problem.size(); ++i)
-      normal_.row(i) = root_.F.row(D * i);
+    normal_ = root_.F(Eigen::seqN(0, problem.size(), D), Eigen::all);
     active_.assign(ix(problem.size()), false);
   }
-  [[nodiscard]] bool sound() const { return root_.sound; }
-
   [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
     start_from(guess);
     double before = 0;
@@ -279,10 +276,10 @@ private:
 
 std::optional<Descended> minimise(Problem const& problem, Vector const& guess, long iterations) {
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
-    Minimum<D> minimum(problem);
-    if (!minimum.sound())
+    Root root = root_of(problem.W);
+    if (!root.sound)
       return std::nullopt;
-    return minimum.run(guess, iterations);
+    return Minimum<D>(problem, std::move(root)).run(guess, iterations);
   });
 }
 
