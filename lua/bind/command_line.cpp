@@ -133,6 +133,7 @@ void Commands::add_others() {
   flag(bench, "json", "Print JSON instead of a table");
   auto& help = command("help", "Explain commands, studies, units, and everything a scene can hold");
   value<std::string>(help, "topic", "TOPIC", "E.g. study, units, material, rcc");
+  value<std::string>(help, "--html", "DIR", "Write the whole reference to DIR/index.html, searchable");
 }
 
 void Commands::add_internal() {

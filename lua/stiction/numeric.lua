@@ -42,10 +42,12 @@ function numeric.extreme(values)
   return best("extreme", values, function(a, b) return math.abs(a) > math.abs(b) end)
 end
 
+--- Position of the largest value (the first of equals).
 function numeric.argmax(values)
   return select(2, numeric.max(values))
 end
 
+--- Position of the smallest value.
 function numeric.argmin(values)
   return select(2, numeric.min(values))
 end

@@ -192,12 +192,15 @@ function methods.to(q, text)
   return q.si / factor
 end
 
+--- The quantity without its sign.
 function methods.abs(q)
   return q.si < 0 and -q or q
 end
 
 --- The number and the unit this quantity was written in.
-methods.display = display
+function methods.display(q)
+  return display(q)
+end
 
 calls.methods(methods, "q", is_quantity)
 

@@ -20,6 +20,10 @@ expect 0 "adhesion.rcc|w: |J/m^2" "$stiction" help rcc
 expect 0 "MPa|kg m^-1 s^-2" "$stiction" help units
 expect 0 "given|chosen|sweep|check" "$stiction" help study
 expect 0 "Exit codes" "$stiction" help commands
+expect 0 "page/index.html" "$stiction" help --html page
+grep -q 'id="adhesion.rcc"' page/index.html || complain "the page has no adhesion.rcc"
+: > file
+expect 2 "--html: no folder can be made at 'file/page'" "$stiction" help --html file/page
 expect 2 "no help on 'blatz_k'; did you mean 'blatz_ko'?" "$stiction" help blatz_k
 
 expect 0 "A block on a plane|descent|soft rubber|mu0.4|friction.coulomb" "$stiction" explain "$tiny"

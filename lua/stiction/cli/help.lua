@@ -3,6 +3,7 @@ local columns = require "stiction.cli.columns"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local figure_keys = require "stiction.figure_keys"
+local page = require "stiction.cli.page"
 local pages = require "stiction.cli.pages"
 local report = require "stiction.report"
 
@@ -143,7 +144,20 @@ local function singular(topic)
   return (topic:gsub("ies$", "y"):gsub("s$", ""))
 end
 
+local function write_page(folder)
+  local made, reason = engine.make_folder(folder)
+  if not made then
+    fault.input("--html: no folder can be made at '%s': %s", folder, reason)
+  end
+  engine.write_file(folder .. "/index.html", page())
+  report.line("%s/index.html", folder)
+  return 0
+end
+
 return function(options)
+  if options.html then
+    return write_page(options.html)
+  end
   local catalog, topic = engine.catalog(), options.topic
   topic = topic and (topic:match("^[%w_]+%.([%w_]+)$") or topic)
   if not topic then

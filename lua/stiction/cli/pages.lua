@@ -15,7 +15,7 @@ explain STUDY  what a study asks, models and costs, and what to change, before a
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
 bench [STUDY]  time one case, phase by phase
 extremes       drive small scenes to extremes; a map of how each ends
-help [TOPIC]   this help
+help [TOPIC]   this help; help --html DIR: all of it as one page to search
 test [--all]   build and run the tests
 
 STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.

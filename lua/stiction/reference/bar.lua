@@ -4,6 +4,7 @@
 -- undeformed bar at rest before the fall, less its way.
 local bar = {}
 
+--- Speed of waves along the bar, sqrt(E / rho), m/s.
 function bar.wave_speed(young, density)
   return math.sqrt(young / density)
 end

@@ -3,7 +3,7 @@ local oscillator = {}
 
 -- One step of (u, dt v, dt^2 a), z = (omega dt)^2.
 
---- Jean, Comp. Meth. Appl. Mech. Engng 177 (1999): u at theta, the force at xi of the step.
+--- Jean 1999: u at theta, the force at xi of the step.
 local function jean(theta, xi)
   return function(u, v, z)
     local next_v = (v - z * (u + xi * (1 - theta) * v)) / (1 + z * xi * theta)
@@ -11,8 +11,8 @@ local function jean(theta, xi)
   end
 end
 
---- Newmark's rates (J. Engng Mech. 85, 1959) with M at 1 - alpha_m and F at 1 - alpha_f of the step (Chung, Hulbert, J.
---- Appl. Mech. 60, 1993).
+--- Newmark's rates (Newmark 1959) with M at 1 - alpha_m and F at 1 - alpha_f of the step (Chung and
+--- Hulbert 1993).
 local function family(beta, gamma, alpha_m, alpha_f)
   return function(u, v, z, a)
     local coast = u + v + (0.5 - beta) * a
@@ -28,7 +28,7 @@ local makers = {
     local m, f = (2 * rho - 1) / (rho + 1), rho / (rho + 1)
     return family((1 - m + f) ^ 2 / 4, 0.5 - m + f, m, f)
   end,
-  --- Hilber, Hughes, Taylor, Earthq. Engng Struct. Dyn. 5 (1977).
+  --- Hilber, Hughes and Taylor 1977.
   hht = function(alpha) return family((1 - alpha) ^ 2 / 4, 0.5 - alpha, 0, -alpha) end,
   central_difference = function() -- velocity Verlet
     return function(u, v, z)
