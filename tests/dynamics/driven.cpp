@@ -41,4 +41,6 @@ TEST_CASE("driven nodes pressed into an obstacle have no answer and say so") {
   dynamics::Stepper stepper(*scene.model);
   auto const outcome = stepper.step(stepper.initial(), 1);
   CHECK(outcome.verdict == dynamics::StepVerdict::contact_failed);
+  CHECK(outcome.reason.find("pivoting shows that its problem, linear about the last forces, has no answer") !=
+        std::string::npos);
 }
