@@ -9,8 +9,8 @@
 
 namespace stiction::dynamics {
 
-/// Jean's theta-xi scheme. contact_weight and contact_inertia are the cures of physics.md 5; theta = xi = 1/2,
-/// contact_weight = 1 and contact_inertia = "full" is the paper's plain scheme.
+/// Jean's theta-xi scheme. contact_weight and contact_inertia are the cures of physics.md 5; theta = xi =
+/// 1/2, contact_weight = 1 and contact_inertia = "full" is the paper's plain scheme.
 struct ThetaXi {
   double theta = 0.5;
   double xi = 0.5;

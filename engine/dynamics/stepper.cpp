@@ -303,9 +303,14 @@ Outcome Stepper::step(State const& old, double dt) {
   };
   if (!outcome.converged() && !at_rest)
     again(Start::rest);
-  if (!outcome.converged() && turned)
-    again(Start::unturned);
-  return outcome;
+  if (outcome.verdict != StepVerdict::not_converged || !turned)
+    return outcome;
+  Outcome turning = outcome;
+  again(Start::unturned);
+  if (outcome.converged() || turning.out_of_balance == 0 || turning.out_of_balance > outcome.out_of_balance)
+    return outcome;
+  turning.iterations = outcome.iterations; // what came nearest tells why the step failed
+  return turning;
 }
 
 /// Of a step much too long a stiff viscosity makes energy, or the mean forces of the scheme, which ring: more
