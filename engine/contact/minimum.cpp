@@ -163,7 +163,7 @@ private:
   /// 1 + F^T K F, with a part of what softens.
   [[nodiscard]] Dense hessian(double part) const {
     Eigen::Index const n = root_.F.cols();
-    if (quadratic_)
+    if (quadratic_ || n == 0)
       return Dense::Identity(n, n);
     Dense scaled(root_.F.rows(), n);
     for (Index i = 0; i < problem_.size(); ++i) {

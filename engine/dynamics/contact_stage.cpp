@@ -387,7 +387,8 @@ template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double 
   problem_.dim = C;
   problem_.points.clear();
   reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W, problem_.free);
-  if (turning_ && structure_->shift() == 0 && !reduced_.stable()) { // there might be no answer
+  // there might be no answer; with inertia a shorter step has one
+  if (turning_ && !weights_.inertia && structure_->shift() == 0 && !reduced_.stable()) {
     turning_ = false;
     return pose_problem(y, weight);
   }

@@ -303,7 +303,7 @@ Outcome Stepper::step(State const& old, double dt) {
   };
   if (!outcome.converged() && !at_rest)
     again(Start::rest);
-  if (outcome.verdict != StepVerdict::not_converged || !turned)
+  if (outcome.verdict != StepVerdict::not_converged || !turned || weights_.inertia)
     return outcome;
   Outcome turning = outcome;
   again(Start::unturned);
