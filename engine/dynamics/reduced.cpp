@@ -118,9 +118,9 @@ bool Reduced::stable() const {
   Dense KL = Dense::Zero(support_, support_);
   for (auto const& k : K_)
     KL.row(place_[ix(k.row)]) += (weight_ * k.value) * L.row(place_[ix(k.column)]);
-  Dense const LKL = L.transpose() * KL;
-  return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (LKL + LKL.transpose())).info() ==
-         Eigen::Success;
+  Dense const turned = L.transpose() * KL;
+  return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (turned + turned.transpose()))
+             .info() == Eigen::Success;
 }
 
 void Reduced::push(Vector const& force, double weight, Vector& c) const {

@@ -155,6 +155,14 @@ void Structure::build_maps(Model const& model) {
   });
 }
 
+namespace {
+/// One share a node, to each of its components.
+void add_at(std::span<Index const> nodes, Vector const& shares, int dim, Eigen::Ref<Vector> to) {
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    to.segment(dim * nodes[a], dim).array() += shares[static_cast<Eigen::Index>(a)];
+}
+} // namespace
+
 /// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
 void Structure::gather_grip(Model const& model) {
   grip_.setZero(model.dofs());
@@ -163,13 +171,9 @@ void Structure::gather_grip(Model const& model) {
     double const diagonal =
         (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
     double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
+    Index const first = dim_ * model.first_node[b];
     model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
-      double const lumped = per_mass * m.sum() / m.trace();
-      Eigen::Index row = 0;
-      for (Index const node : nodes) {
-        grip_.segment(dim_ * (model.first_node[b] + node), dim_).array() += lumped * m(row, row);
-        ++row;
-      }
+      add_at(nodes, per_mass * m.sum() / m.trace() * m.diagonal(), dim_, grip_.tail(grip_.size() - first));
     });
   }
   for (Index dof = 0; dof < model.dofs(); ++dof)
