@@ -11,7 +11,7 @@ links() { # PAGE: what it points at
   grep -oE '\]\([^)#][^)]*\)' "$1" | sed 's/^](//; s/)$//; s/#.*//' | grep -v '^http' || true
 }
 
-missing=$(find . -name '*.md' ! -path './build/*' ! -path './.git/*' | sort | while read -r page; do
+missing=$(find . -name '*.md' ! -path './build/*' ! -path './out/*' ! -path './.git/*' | sort | while read -r page; do
   links "$page" | while read -r link; do
     [ -e "$(dirname "$page")/$link" ] || echo "$page: there is no $link"
   done
