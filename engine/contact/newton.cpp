@@ -70,13 +70,6 @@ public:
     merit_ = evaluate_all(p_, x_);
   }
   [[nodiscard]] Vector const& force() const { return p_; }
-  /// Largest residual of a point over its area, nothing excused, Pa.
-  [[nodiscard]] double left() const {
-    double largest = 0;
-    for (Index i = 0; i < problem_.size(); ++i)
-      largest = std::max(largest, states_[ix(i)].residual.norm() / problem_.points[ix(i)].area);
-    return largest;
-  }
   [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
   [[nodiscard]] double work() const { return work_; }
 
@@ -297,25 +290,8 @@ private:
       }
       solution.force = newton.force();
     }
-    sharpen(newton, solution);
     solution.work = newton.work() + judgements;
     return solution;
-  }
-
-  /// What the judge takes for rounding of x may be more than Newton must leave.
-  template<int D> void sharpen(NewtonRun<D>& newton, Solution& solution) const {
-    while (solution.converged && solution.iterations < settings_.iterations &&
-           newton.left() > settings_.tolerance * solution.verdict.scale) {
-      double const left = newton.left();
-      ++solution.iterations;
-      if (!newton.step() || newton.left() > 0.5 * left)
-        return;
-      auto const verdict = newton.verdict();
-      if (!(verdict.relative() <= settings_.tolerance))
-        return;
-      solution.force = newton.force();
-      solution.verdict = verdict;
-    }
   }
 
   struct Spent {

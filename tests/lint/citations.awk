@@ -16,12 +16,11 @@ FILENAME ~ /references\.bib$/ {
   sub(/.*author = \{/, "", who); sub(/\}, [a-z]+ = .*/, "", who)
   gsub(/\{\\.|\}/, "", who)
   count = split(who, authors, / and /)
-  for (i = 1; i <= count; ++i) { sub(/,.*/, "", authors[i]); known[authors[i], when] = 1 }
+  for (i = 1; i <= count; ++i) { sub(/,.*/, "", authors[i]); names[authors[i], when] = key }
   if (key in keys) told("the key " key " stands twice")
   if (key !~ (when "[a-z]?$")) told("the key " key " does not end in its year " when)
   keys[key] = 0
   place[key] = FILENAME ":" FNR
-  for (i = 1; i <= count; ++i) names[authors[i], when] = key
   next
 }
 

@@ -2,6 +2,7 @@
 local test, equal = ...
 local check = require "stiction.check"
 local columns = require "stiction.cli.columns"
+local describe = require "stiction.cli.describe"
 local docs = require "stiction.cli.docs"
 local engine = require "stiction.engine"
 local figure_keys = require "stiction.figure_keys"
@@ -30,8 +31,7 @@ test("every part of a scene with each parameter, and the columns of probes", fun
   for _, category in ipairs(engine.catalog()) do
     local recorded = category.name == "probe" and columns.by_kind(category.kinds) or {}
     for _, kind in ipairs(category.kinds) do
-      local alone = kind.name == category.name and #category.kinds == 1
-      local id = alone and kind.name or category.name .. "." .. kind.name
+      local id = describe.call(category, kind)
       for _, parameter in ipairs(kind.parameters) do
         need_row(id, parameter.name)
       end

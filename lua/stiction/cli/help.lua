@@ -1,5 +1,6 @@
 -- stiction help: everything a scene can hold, from the engine's own descriptions; and how a study is written.
 local columns = require "stiction.cli.columns"
+local describe = require "stiction.cli.describe"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local figure_keys = require "stiction.figure_keys"
@@ -16,28 +17,12 @@ local function find(list, name)
 end
 
 local function show_parameter(parameter)
-  local words = { parameter.name }
-  if parameter.kind == "nested" then
-    words[2] = ("a %s"):format(parameter.unit)
-  elseif parameter.kind == "choice" then
-    words[2] = "one of " .. table.concat(parameter.choices, ", ")
-  elseif parameter.kind == "number" or parameter.kind == "integer" then
-    words[2] = parameter.range .. (parameter.kind == "integer" and ", whole" or "")
-  elseif parameter.kind == "numbers" then
-    words[2] = "list of numbers" .. (parameter.unit ~= "1" and " in " .. parameter.unit or "")
-  elseif parameter.kind == "file" then
-    words[2] = "file, named from the study's folder on"
-  else
-    words[2] = parameter.kind
-  end
-  words[3] = parameter.required and "required" or parameter.default and "default " .. parameter.default or "optional"
-  report.line("    %s: %s; %s", words[1], words[2], words[3])
+  report.line("    %s: %s; %s", parameter.name, describe.range(parameter), describe.need(parameter))
   report.line("%s", report.wrapped(parameter.meaning, "        "))
 end
 
 local function show_kind(category, kind)
-  local call = kind.name == category.name and #category.kinds == 1 and kind.name or category.name .. "." .. kind.name
-  report.line("%s{ ... }", call)
+  report.line("%s{ ... }", describe.call(category, kind))
   report.line("%s", report.wrapped(kind.meaning, "    "))
   if pages.notes[kind.name] then
     report.line("%s", pages.notes[kind.name])
@@ -91,11 +76,8 @@ local function show_category(category)
 end
 
 local function show_units()
-  local rows = { { "unit", "in SI", "" } }
-  for _, word in ipairs(engine.unit_words()) do
-    local factor, metre, kilogram, second = engine.parse_unit(word)
-    rows[#rows + 1] = { word, ("%g"):format(factor), engine.dimension_text(metre, kilogram, second) }
-  end
+  local rows = describe.units()
+  table.insert(rows, 1, { "unit", "in SI", "" })
   report.line("%s", pages.units)
   report.table(rows)
 end

@@ -1,5 +1,6 @@
 -- The whole reference as one page that needs nothing else: `stiction help --html DIR`.
 local columns = require "stiction.cli.columns"
+local describe = require "stiction.cli.describe"
 local docs = require "stiction.cli.docs"
 local engine = require "stiction.engine"
 local figure_keys = require "stiction.figure_keys"
@@ -55,27 +56,16 @@ local function prose(id, title, text)
   return section(id, title, "<pre>" .. plain(text) .. "</pre>")
 end
 
-local function range_of(parameter)
-  if parameter.kind == "nested" then
-    return "a " .. parameter.unit
-  elseif parameter.kind == "choice" then
-    return "one of " .. table.concat(parameter.choices, ", ")
-  end
-  return parameter.range ~= "" and parameter.range or parameter.kind
-end
-
 local function parameters(kind)
   local list = {}
   for i, parameter in ipairs(kind.parameters) do
-    local need = parameter.required and "required" or parameter.default and "default " .. parameter.default or "optional"
-    list[i] = { parameter.name, range_of(parameter), need, parameter.meaning }
+    list[i] = { parameter.name, describe.range(parameter), describe.need(parameter), parameter.meaning }
   end
   return #list > 0 and rows(list, { "parameter", "range", "default", "meaning" }) or ""
 end
 
 local function part(category, kind, recorded)
-  local alone = kind.name == category.name and #category.kinds == 1
-  local call = alone and kind.name or category.name .. "." .. kind.name
+  local call = describe.call(category, kind)
   local body = { ("<p>%s</p>"):format(plain(kind.meaning)) }
   if pages.notes[kind.name] then
     body[#body + 1] = "<pre>" .. plain(pages.notes[kind.name]) .. "</pre>"
@@ -116,13 +106,8 @@ local function add_functions(list)
 end
 
 local function add_units(list)
-  local units = {}
-  for i, word in ipairs(engine.unit_words()) do
-    local factor, metre, kilogram, second = engine.parse_unit(word)
-    units[i] = { word, ("%g"):format(factor), engine.dimension_text(metre, kilogram, second) }
-  end
   list[#list + 1] = "<h2>Units</h2>" .. prose("units", "units", pages.units)
-  list[#list + 1] = section("unit words", "unit words", rows(units, { "unit", "in SI", "of" }))
+  list[#list + 1] = section("unit words", "unit words", rows(describe.units(), { "unit", "in SI", "of" }))
 end
 
 --- The page, HTML.
