@@ -19,14 +19,14 @@ budget=${BUDGET:-1e9}     # s, of the engine's tests, and of all others, on one 
 longest=${LONGEST:-300}   # s, tests that take longer are left out
 
 usage() {
-  echo "Usage: tests/mutants.sh [N] [--only NUMBER]... [--again] [--fresh] [--plant | --as-built]"
+  echo "Usage: tests/mutants.sh [N] [--only NUMBER]... [--again] [--fresh] [--check | --plant | --as-built]"
   echo "Tries N faults taken at random (SEED=$seed), or all. What was noticed once is not tried again without --again."
-  echo "--fresh measures anew which tests reach which fault; --plant ends when all are planted and compiled, --as-built"
-  echo "begins there."
+  echo "--fresh measures anew which tests reach which fault; --check ends when all are planted, --plant when they are"
+  echo "compiled as well, --as-built begins there."
   exit "$1"
 }
 
-count="" only="" again=no fresh=no plant_only=no as_built=no one=""
+count="" only="" again=no fresh=no check=no plant_only=no as_built=no one=""
 while [ $# -gt 0 ]; do
   case $1 in
   --as-built) as_built=yes ;;
@@ -34,6 +34,7 @@ while [ $# -gt 0 ]; do
   --only) only="$only $2" && shift ;;
   --again) again=yes ;;
   --fresh) fresh=yes ;;
+  --check) check=yes ;;
   --plant) plant_only=yes ;;
   --help | -h) usage 0 ;;
   *[!0-9]* | "") usage 2 ;;
@@ -224,6 +225,7 @@ fi
 if [ "$as_built" = no ]; then
   git -C "$root" ls-files --cached --others --exclude-standard | sort >"$work/files.sorted"
   plant
+  [ "$check" = no ] || exit 0
   compile
   [ "$plant_only" = no ] || exit 0
 fi

@@ -32,6 +32,12 @@ expect 1 "mu0.2  started (1 of 1)" "$stiction" run raises --no-figures
 changed text 's/return run:at(1\*s, "sole", "force_y")/return "much"/'
 expect 1 "result force_y must be a number, not a string" "$stiction" run text --no-figures --quick
 
+# components of a vector-valued column are counted from 1
+changed points 's/energy = stiction.probe.energy/points = stiction.probe.contact_line { pair = "sole" }, &/; s/return math.abs(run:at(2\*s, "sole", "force_x"))/local x = {}\
+    for k = 1, 5 do x[k] = ("%g"):format(1e3*run:at(2*s, "points", "X", k)) end\
+    return table.concat(x, " ") == "0 0.25 0.5 0.75 1" and run:at(2*s, "points", "X") == 0 and 1 or 99/'
+expect 0 "2 of 2 checks held" "$stiction" run points --no-figures --quick
+
 # a dot for a colon, and the reverse
 changed dot 's/run:at(1\*s, /run.at(1*s, /'
 expect 2 "study.lua:34: write run:at(...), with a colon, not run.at(...)" "$stiction" run dot --quick --no-figures

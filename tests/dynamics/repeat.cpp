@@ -33,6 +33,17 @@ test::Input cube() {
   return table;
 }
 
+/// A foot that falls onto an adhesive floor within its first steps.
+test::Input landing() {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.mesh.origin") = test::values({0, 0.01}, "m");
+  test::at(table, "bodies.foot.velocity") = test::values({0, -1}, "m/s");
+  test::at(table, "pairs.sole.adhesion") = test::rcc(0.1, 1e4, 0.1);
+  test::at(table, "motions") = test::list({});
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  return table;
+}
+
 std::vector<std::pair<std::string, test::Input>> scenes() {
   std::vector<std::pair<std::string, test::Input>> all;
   all.emplace_back("quasi-static", dragged(test::quasi_static()));
@@ -41,6 +52,7 @@ std::vector<std::pair<std::string, test::Input>> scenes() {
   all.emplace_back("impulses", dragged(test::make("scheme.moreau_jean")));
   all.emplace_back("mortar", dragged(test::quasi_static(), true));
   all.emplace_back("cube", cube());
+  all.emplace_back("landing", landing());
   all.emplace_back("viscous", dragged(test::make("scheme.theta_xi")));
   test::at(all.back().second, "bodies.upper.damping") =
       test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(10, "Pa s")}});
@@ -89,7 +101,7 @@ TEST_CASE("steps are bitwise the same whatever was tried and thrown away before 
         CAPTURE(k);
         auto const next = plain.step(state, dt);
         REQUIRE(next.converged());
-        if (k % 4 != 0) // the same, much longer, from an older state
+        if (k == 0 || k % 4 != 0) // the same, much longer, from an older state
           static_cast<void>(disturbed.step(k % 4 == 3 ? before : state, k % 4 == 2 ? 20 * dt : dt));
         auto const again = disturbed.step(state, dt);
         REQUIRE(again.converged());

@@ -104,7 +104,7 @@ void write(vtkUnstructuredGrid& grid, std::filesystem::path const& file) {
 } // namespace
 
 void write_series(std::filesystem::path const& file, double mu) {
-  std::vector<double> time, beta, traction, broken;
+  std::vector<double> time, beta, traction, pressure, broken;
   for (int i = 0; i < 200; ++i) {
     double const t = i * 2e-5; // s
     double const sliding = std::max(0.0, t - 1e-3) * 1e3;
@@ -113,6 +113,7 @@ void write_series(std::filesystem::path const& file, double mu) {
     beta.push_back((bonded + 0.4 * mu * (1 - std::exp(-2 * sliding))) * std::exp(-0.3 * sliding));
     traction.push_back(-1e6 * t / 1e-3);
     traction.push_back(8e4 * (0.3 + mu) * sliding * std::exp(-sliding));
+    pressure.push_back(t / 1e-3);
     broken.push_back(i == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.0);
   }
   std::filesystem::create_directories(file.parent_path());
@@ -120,6 +121,7 @@ void write_series(std::filesystem::path const& file, double mu) {
   write_dataset(handle, "/time", time, 1, "s");
   write_dataset(handle, "/crown/beta", beta, 1, "1");
   write_dataset(handle, "/crown/traction", traction, 2, "Pa");
+  write_dataset(handle, "/crown/pressure", pressure, 1, "MPa");
   write_dataset(handle, "/crown/broken", broken, 1, "1");
   H5Fclose(handle);
 }

@@ -6,8 +6,8 @@
 
 namespace samples {
 
-/// A history with /time (s), /crown/beta (1), /crown/traction [rows, 2] (Pa) and /crown/broken (a NaN at row
-/// 5); the dataset's growth is set by mu.
+/// A history with /time (s), /crown/beta (1), /crown/traction [rows, 2] (Pa), /crown/pressure (MPa) and
+/// /crown/broken (a NaN at row 5); the dataset's growth is set by mu.
 void write_series(std::filesystem::path const& file, double mu);
 
 /// A block on a half-disc in quads, with point data displacement, von_mises, beta and cell data density.
