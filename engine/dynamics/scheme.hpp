@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/schema.hpp"
+#include "dynamics/owed.hpp"
 #include "dynamics/weights.hpp"
 
 namespace stiction::dynamics {
@@ -32,6 +33,7 @@ struct ThetaXi {
 /// Equilibrium at each step's end; no mass, no damping.
 struct QuasiStatic {
   double stabilisation = 0; ///< 1; of a Model times the duration of the run, s
+  void set_duration(double duration) { stabilisation *= duration; }
   [[nodiscard]] StepWeights weights() const {
     StepWeights weights;
     weights.inertia = false;
@@ -110,8 +112,18 @@ struct CentralDifference {
 
 using Scheme =
     std::variant<ThetaXi, QuasiStatic, Newmark, GeneralisedAlpha, Hht, MoreauJean, CentralDifference>;
+static_assert(core::every<Scheme, owed::OfScheme>);
 [[nodiscard]] inline StepWeights weights(Scheme const& scheme) {
   return std::visit([](auto const& s) { return s.weights(); }, scheme);
+}
+/// Tells a scheme that asks for it how long the run is, s.
+inline void set_duration(Scheme& scheme, double duration) {
+  std::visit(
+      [&](auto& s) {
+        if constexpr (requires { s.set_duration(duration); })
+          s.set_duration(duration);
+      },
+      scheme);
 }
 
 } // namespace stiction::dynamics

@@ -114,8 +114,7 @@ StepError History::error(State const& old, State const& next) const {
 void History::advance_bonds(State const& old, State& next) const {
   each_point(next, [&](std::size_t p, std::size_t i) {
     auto const& adhesion = model_->pairs[p].law.adhesion;
-    auto const* rcc = adhesion ? std::get_if<interface::Rcc>(&*adhesion) : nullptr;
-    if (rcc == nullptr || rcc->b <= 0)
+    if (!adhesion || interface::bond_time(*adhesion) == 0)
       return;
     double const error = bond_error(old, next, p, i), before = old.contacts[p][i].bond.beta;
     double& beta = next.contacts[p][i].bond.beta;

@@ -42,7 +42,7 @@ public:
   History(Structure const& structure, Model const& model);
 
   [[nodiscard]] StepError error(State const& old, State const& next) const;
-  /// Takes the local error of beta out of an accepted step, where RCC integrates it: the pair advances with
+  /// Takes the local error of beta out of an accepted step, where a law integrates it: the pair advances with
   /// its trapezoidal member, damped by (beta_1 / beta_0)^2 so that a fast loss never turns about. Tractions
   /// and energies of the step stay those of implicit Euler; global errors become of second order.
   void advance_bonds(State const& old, State& next) const;

@@ -8,19 +8,17 @@ namespace stiction::dynamics {
 
 namespace {
 
-/// What implicit Euler of (13) loses per area beside the trapezium of the pull: with x the opening and the
-/// stretch, q = x.Cx, work - change of psi = C x1.(b1 x1 - (b0 + b1)/2 x0)(b1 - b0) + (w - q1 b1)(b1 - b0),
-/// of which b beta'^2 dt is the bond's own; the rest of the last term is what the bounds of beta set free.
-/// J/m^2
-double bond_loss(interface::Rcc const& law, ContactState const& before, ContactState const& after,
-                 double dt) {
-  Vec3 const C(law.C_n, law.C_t, law.C_t2);
-  Vec3 const x1(std::max(after.gap, 0.0), after.bond.stretch[0], after.bond.stretch[1]);
-  Vec3 const x0(std::max(before.gap, 0.0), x1[1] - after.slip[0], x1[2] - after.slip[1]);
-  double const b0 = before.bond.beta, b1 = after.bond.beta, growth = b1 - b0;
-  Vec3 const pull = C.cwiseProduct(x1);
-  return (pull.dot(b1 * x1 - 0.5 * (b0 + b1) * x0) + law.w - pull.dot(x1) * b1 - law.b * growth / dt) *
-         growth;
+interface::BondMove move_of(ContactState const& before, ContactState const& after, double dt) {
+  interface::BondMove move {
+    {}, interface::opening_of(after.bond, after.gap)
+  };
+  if (after.bond.beta == 0 && before.bond.beta > 0) // gone, and its stretch with it
+    move.to.tail<2>() = before.bond.stretch + after.slip;
+  move.from = {std::max(before.gap, 0.0), move.to[1] - after.slip[0], move.to[2] - after.slip[1]};
+  move.beta_from = before.bond.beta;
+  move.beta_to = after.bond.beta;
+  move.dt = dt;
+  return move;
 }
 
 /// Step of a contact point: weight of its end forces in their work, and length, s.
@@ -42,8 +40,8 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
   Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
   Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
   double loss = -dry[0] * moved[0] - (chi - 0.5) * (pull_1 - pull_0).dot(moved);
-  if (auto const* rcc = adhesion ? std::get_if<interface::Rcc>(&*adhesion) : nullptr)
-    loss += after.area * bond_loss(*rcc, before, after, step.dt);
+  if (adhesion && interface::evolves(*adhesion))
+    loss += after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
   return {(dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved), loss};
 }
 

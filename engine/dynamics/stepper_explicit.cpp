@@ -1,6 +1,4 @@
 // What the step does for explicit schemes alone: the critical step, and rates once the new forces are known.
-#include <algorithm>
-
 #include "dynamics/critical_step.hpp"
 #include "dynamics/stepper.hpp"
 
@@ -26,10 +24,7 @@ void Stepper::set_explicit_rates(State const& old, double dt, State& next) const
 /// from time to time.
 std::optional<Outcome> Stepper::too_long(State const& old, double dt) {
   critical_step_ = old.critical_age == 0 ? critical_step(*model_, old.u) : old.critical_step;
-  bool const constant = std::all_of(model_->bodies.begin(), model_->bodies.end(), [](auto const& body) {
-    return std::holds_alternative<material::LinearElastic>(body->material);
-  });
-  critical_age_ = constant ? 1 : (old.critical_age + 1) % critical_steps;
+  critical_age_ = structure_.linear_bodies() ? 1 : (old.critical_age + 1) % critical_steps;
   if (dt <= critical_step_ * (1 + critical_margin))
     return {};
   Outcome outcome;

@@ -93,9 +93,8 @@ Structure::Structure(Model const& model, StepWeights const& weights)
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
     gather_grip(model);
-  linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) {
-    return std::holds_alternative<material::LinearElastic>(body->material);
-  });
+  linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(),
+                               [](auto const& body) { return material::linear(body->material); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
   for (auto const& cells : model.cells)

@@ -46,6 +46,7 @@ struct Bilinear {
     return made;
   }
   [[nodiscard]] core::Complaints check() const;
+  static constexpr bool evolves = false;
   [[nodiscard]] static bool tangential() { return true; }
   [[nodiscard]] static double range() { return 0; }
   [[nodiscard]] static bool lasts() { return true; }

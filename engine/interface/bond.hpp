@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "interface/cone.hpp"
 
@@ -44,6 +45,22 @@ struct Scales {
   double opening = 0;   ///< up to which it is reached, m
   double softening = 0; ///< steepest fall of the normal traction, N/m^3
   double along = 0;     ///< slip at the largest tangential traction, m; 0: nothing acts along the surface
+};
+
+/// What a law calls its scales in its own letters, for those who read them.
+struct Wording {
+  std::string_view strength, opening; ///< as formulas; empty: none
+  std::string_view length = "E* w / sigma0^2", softening = "softening", tabor = "sigma0 / w";
+  std::string_view viscosity; ///< parameter that sets the time of a bond that evolves
+  std::string_view time = "in which a bond forms or goes by its own rate";
+  std::string_view speed = "of opening times the bonding time over u0";
+};
+
+/// One step of a bond from its end: the openings (x_n, stretch) in the frame there.
+struct BondMove {
+  Local<3> from = Local<3>::Zero(), to = Local<3>::Zero(); ///< m
+  double beta_from = 0, beta_to = 0;
+  double dt = 0; ///< s; > 0
 };
 
 /// Below this a damaged bond counts as broken, so that its point may leave the contact problem.

@@ -44,6 +44,7 @@ struct Exponential {
     return made;
   }
   [[nodiscard]] double delta_n() const { return phi_n / (std::numbers::e * sigma_max); }
+  static constexpr bool evolves = false;
   [[nodiscard]] bool tangential() const { return q > 0 || friction == BondFriction::damage; }
   /// Where less than 1e-11 of the strength is left.
   [[nodiscard]] double range() const { return lasts() ? 0 : 30 * delta_n(); }

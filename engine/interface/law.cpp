@@ -3,6 +3,22 @@
 
 namespace stiction::interface {
 
+namespace {
+
+/// `answer(law)` of a law that evolves, else `otherwise`.
+template<class Answer, class Value>
+Value if_evolving(AdhesionLaw const& adhesion, Answer const& answer, Value otherwise) {
+  return std::visit(
+      [&]<class Law>(Law const& law) {
+        if constexpr (Law::evolves)
+          return answer(law);
+        else
+          return otherwise;
+      },
+      adhesion);
+}
+} // namespace
+
 template<int D> Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at) {
   return std::visit([&](auto const& law) { return coefficient<D>(law, at); }, friction);
 }
@@ -40,6 +56,32 @@ Scales scales(AdhesionLaw const& adhesion) {
 }
 double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step) {
   return std::visit([&](auto const& law) { return law.steepest_fall(step); }, adhesion);
+}
+bool evolves(AdhesionLaw const& adhesion) {
+  return std::visit([](auto const& law) { return law.evolves; }, adhesion);
+}
+
+double bond_time(AdhesionLaw const& adhesion) {
+  return if_evolving(
+      adhesion, [](auto const& law) { return law.time(); }, 0.0);
+}
+bool grows(AdhesionLaw const& adhesion) {
+  return if_evolving(
+      adhesion, [](auto const& law) { return law.grows(); }, false);
+}
+double integration_loss(AdhesionLaw const& adhesion, BondMove const& move) {
+  return if_evolving(
+      adhesion, [&](auto const& law) { return integration_loss(law, move); }, 0.0);
+}
+Wording wording(AdhesionLaw const& adhesion) {
+  return std::visit(
+      []<class Law>(Law const&) {
+        if constexpr (requires { Law::wording; })
+          return Law::wording;
+        else
+          return Wording{};
+      },
+      adhesion);
 }
 
 } // namespace stiction::interface

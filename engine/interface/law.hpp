@@ -8,6 +8,7 @@
 #include "interface/coulomb.hpp"
 #include "interface/dugdale.hpp"
 #include "interface/exponential.hpp"
+#include "interface/owed.hpp"
 #include "interface/potential.hpp"
 #include "interface/pressure_friction.hpp"
 #include "interface/rcc.hpp"
@@ -19,6 +20,8 @@ namespace stiction::interface {
 
 using FrictionLaw = std::variant<Coulomb, Tresca, PressureFriction, VelocityFriction, StaticKinetic>;
 using AdhesionLaw = std::variant<Rcc, Bilinear, Exponential, Dugdale, Potential>;
+static_assert(core::every<FrictionLaw, owed::OfFriction>);
+static_assert(core::every<AdhesionLaw, owed::OfAdhesion>);
 
 struct Law {
   std::optional<FrictionLaw> friction; ///< none: frictionless
@@ -64,5 +67,14 @@ template<int D>
 [[nodiscard]] Scales scales(AdhesionLaw const& adhesion);
 /// Steepest fall of the normal traction with the opening that a bond without shear has in this step, N/m^3.
 [[nodiscard]] double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step);
+/// Does beta obey a rate in time, which a step integrates by implicit Euler?
+[[nodiscard]] bool evolves(AdhesionLaw const& adhesion);
+/// s in which a bond that evolves forms or goes by its own rate; 0: it follows its opening at once.
+[[nodiscard]] double bond_time(AdhesionLaw const& adhesion);
+/// May the beta of a bond that evolves grow?
+[[nodiscard]] bool grows(AdhesionLaw const& adhesion);
+/// What implicit Euler loses in a step of a bond that evolves beside the trapezium of its pull, J/m^2.
+[[nodiscard]] double integration_loss(AdhesionLaw const& adhesion, BondMove const& move);
+[[nodiscard]] Wording wording(AdhesionLaw const& adhesion);
 
 } // namespace stiction::interface

@@ -22,6 +22,7 @@ struct Potential {
             .build();
     return made;
   }
+  static constexpr bool evolves = false;
   [[nodiscard]] static bool tangential() { return false; }
   /// Where less than 1e-11 of the strength is left.
   [[nodiscard]] double range() const { return 30 * delta; }

@@ -13,6 +13,7 @@ struct ArrudaBoyce {
   double lambda_m = 1;      ///< 1
   double bulk_modulus = 0;  ///< Pa
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   /// Value / mu, and first and second derivative by I1', of the series.
   [[nodiscard]] std::array<double, 3> series(double I1) const {

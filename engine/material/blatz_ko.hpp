@@ -8,6 +8,7 @@ namespace stiction::material {
 struct BlatzKo {
   double shear_modulus = 0; ///< Pa
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   [[nodiscard]] InvariantEnergy of_invariants(double /*I1*/, double I2, double I3) const {
     double const half = shear_modulus / 2, J = std::sqrt(I3);

@@ -9,6 +9,7 @@ struct LinearElastic {
   double young = 0;   ///< Pa
   double poisson = 0; ///< 1
   static constexpr bool small_strain = true;
+  static constexpr bool linear = true;
 
   template<int N, Wanted = Wanted::tangent> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
     return hooke<N>(moduli(), strain);

@@ -8,6 +8,7 @@
 #include "material/mooney_rivlin.hpp"
 #include "material/neo_hookean.hpp"
 #include "material/ogden.hpp"
+#include "material/owed.hpp"
 #include "material/st_venant_kirchhoff.hpp"
 #include "material/yeoh.hpp"
 
@@ -15,9 +16,14 @@ namespace stiction::material {
 
 using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, BlatzKo, MooneyRivlin, Yeoh,
                               ArrudaBoyce, Ogden>;
+static_assert(core::every<Material, owed::OfBulkLaw>);
 
 [[nodiscard]] inline Moduli moduli(Material const& material) {
   return std::visit([](auto const& law) { return law.moduli(); }, material);
+}
+/// Are the law's forces linear in the displacement?
+[[nodiscard]] inline bool linear(Material const& material) {
+  return std::visit([](auto const& law) { return law.linear; }, material);
 }
 
 } // namespace stiction::material

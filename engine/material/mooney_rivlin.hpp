@@ -13,6 +13,7 @@ struct MooneyRivlin {
   double c10 = 0, c01 = 0; ///< Pa
   double bulk_modulus = 0; ///< Pa
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   [[nodiscard]] Distortion distortion(double I1, double I2) const {
     return {c10 * (I1 - 3) + c01 * (I2 - 3), c10, c01, 0};

@@ -10,6 +10,7 @@ struct NeoHookean {
   double young = 0;   ///< Pa
   double poisson = 0; ///< 1
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
     double const half = moduli().shear() / 2;

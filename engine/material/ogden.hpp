@@ -15,6 +15,7 @@ struct Ogden {
   core::Numbers alpha;     ///< 1, as many
   double bulk_modulus = 0; ///< Pa
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
   static constexpr std::size_t most_terms = 6;
 
   /// e: logarithms of the stretches.

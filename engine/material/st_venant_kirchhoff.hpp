@@ -9,6 +9,7 @@ struct StVenantKirchhoff {
   double young = 0;   ///< Pa
   double poisson = 0; ///< 1
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   template<int N, Wanted = Wanted::tangent> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
     return hooke<N>(moduli(), strain);

@@ -11,6 +11,7 @@ struct Yeoh {
   double c10 = 0, c20 = 0, c30 = 0; ///< Pa
   double bulk_modulus = 0;          ///< Pa
   static constexpr bool small_strain = false;
+  static constexpr bool linear = false;
 
   [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
     double const x = I1 - 3;

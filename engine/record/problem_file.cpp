@@ -4,8 +4,10 @@
 #include "record/problem_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "record/file.hpp"
@@ -132,38 +134,41 @@ contact::ProblemPoint point_of(double const* row, ProblemReader const& reader, s
   return point;
 }
 
-interface::Rcc law_of(double const* row, ProblemReader const& reader) {
-  interface::Rcc law;
-  law.w = row[0];
-  law.C_n = row[1];
-  law.C_t = row[2];
-  law.b = row[3];
-  law.beta0 = row[4];
+/// A row of /adhesions, and of /C_t2, as the text of laws has it.
+nlohmann::json law_of(double const* row, double across, ProblemReader const& reader) {
+  static constexpr std::array bondings{"contact", "proximity", "never"};
+  static constexpr std::array frictions{"full", "damage"};
   reader.require(row[5] >= 0 && row[5] <= 2 && row[6] >= 0 && row[6] <= 1, "an adhesion setting is unknown");
-  law.bonding = static_cast<interface::Bonding>(row[5]);
-  law.friction = static_cast<interface::BondFriction>(row[6]);
-  law.damage_power = row[7];
-  law.C_t2 = law.C_t;
-  return law;
+  return {{"kind", "rcc"},
+          {"w", row[0]},
+          {"C_n", row[1]},
+          {"C_t", row[2]},
+          {"C_t2", across},
+          {"b", row[3]},
+          {"beta0", row[4]},
+          {"bonding", bondings.at(static_cast<std::size_t>(row[5]))},
+          {"friction", frictions.at(static_cast<std::size_t>(row[6]))},
+          {"damage_power", row[7]}};
 }
 
-void load_laws(ProblemReader const& reader, contact::Problem& problem) {
-  if (auto const text = reader.attribute("laws"); !text.empty()) {
-    if (auto const why = read_laws(text, problem); !why.empty())
-      reader.refuse(why);
-    return;
-  }
+/// The laws of an older file.
+std::string older_laws(ProblemReader const& reader) {
   auto const adhesions = reader.read("adhesions");
   reader.require(adhesions.size() % adhesion_columns == 0, "size of adhesions");
   auto const across = reader.has("C_t2") ? reader.read("C_t2") : std::vector<double>{};
   reader.require(across.empty() || across.size() == adhesions.size() / adhesion_columns,
                  "sizes of C_t2 and adhesions");
-  for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns) {
-    auto law = law_of(&adhesions[k], reader);
-    if (!across.empty())
-      law.C_t2 = across[k / adhesion_columns];
-    problem.adhesions.emplace_back(law);
-  }
+  auto laws = nlohmann::json::array();
+  for (std::size_t k = 0; k < adhesions.size(); k += adhesion_columns)
+    laws.push_back(
+        law_of(&adhesions[k], across.empty() ? adhesions[k + 2] : across[k / adhesion_columns], reader));
+  return nlohmann::json{{"adhesions", laws}, {"frictions", nlohmann::json::array()}}.dump();
+}
+
+void load_laws(ProblemReader const& reader, contact::Problem& problem) {
+  auto const text = reader.attribute("laws");
+  if (auto const why = read_laws(text.empty() ? older_laws(reader) : text, problem); !why.empty())
+    reader.refuse(why);
 }
 
 void load_frictions(ProblemReader const& reader, contact::Problem& problem) {

@@ -50,8 +50,7 @@ Scene Builder::run() {
   model.kinematics = scene_.part.kinematics;
   model.gravity = vec(scene_.part.gravity);
   model.scheme = scene_.part.scheme;
-  if (auto* quasi_static = std::get_if<dynamics::QuasiStatic>(&model.scheme))
-    quasi_static->stabilisation *= scene_.part.schedule.stages.back().until;
+  dynamics::set_duration(model.scheme, scene_.part.schedule.stages.back().until);
   model.solver = scene_.part.solver;
   model.control = scene_.part.control;
   for (auto const& [name, probe] : scene_.part.probes)

@@ -30,47 +30,50 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
   explanation.sections.push_back(std::move(section));
 }
 
-/// What the viscosity of RCC adds: bonding takes time, and speed raises the peak.
+/// What a bond with a rate of its own adds: bonding takes time, and speed raises the peak.
 void add_viscosity(Facts const& all, PairFacts const& facts, Section& section) {
-  auto const* law = std::get_if<interface::Rcc>(&*facts.pair->law.adhesion);
-  if (law == nullptr || !(law->b > 0))
+  auto const& law = *facts.pair->law.adhesion;
+  double const bonding = interface::bond_time(law);
+  if (bonding == 0)
     return;
-  auto const scales = law->scales();
+  auto const scales = interface::scales(law);
+  auto const wording = interface::wording(law);
   auto const& motion = facts.motion;
-  double const bonding = law->b / law->w;
-  add(section, "bonding time", bonding, "b / w, from no bond to a full one in contact", "s");
+  add(section, "bonding time", bonding, std::string(wording.time), "s");
   if (motion.closed_time > 0)
     add(section, "closed / bonding time", motion.closed_time / bonding,
         fmt::format("{} of contact by the motions; below 1 no bond is full", human(motion.closed_time, "s")));
-  add(section, "V* normal", motion.normal_speed() * bonding / scales.opening,
-      "V b / (w u0): the bond's viscosity raises the peak by 1 % at 0.1, by 11 % at 1");
+  add(section, "V* normal", motion.normal_speed() * bonding / scales.opening, std::string(wording.speed));
   if (scales.along > 0)
     add(section, "V* along", motion.sliding * bonding / scales.along, "the same along the surface");
-  add(section, "bonding per step", all.longest_step * law->w / law->b, "growth of beta in the longest step");
+  add(section, "bonding per step", all.longest_step / bonding, "growth of beta in the longest step");
 }
 
 /// sigma0, u0 and what follows from them.
 void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   auto const scales = interface::scales(*facts.pair->law.adhesion);
-  bool const rcc = std::holds_alternative<interface::Rcc>(*facts.pair->law.adhesion);
+  auto const wording = interface::wording(*facts.pair->law.adhesion);
   auto const& motion = facts.motion;
   double const length = facts.modulus * scales.work / (scales.strength * scales.strength);
-  add(section, "sigma0", scales.strength, rcc ? "peak traction sqrt(w C_n)" : "peak traction", "Pa");
-  add(section, "u0", scales.opening, rcc ? "opening sqrt(w / C_n) at that peak" : "opening at that peak",
-      "m");
+  auto const spaced = [](std::string_view formula) {
+    return formula.empty() ? std::string() : " " + std::string(formula);
+  };
+  add(section, "sigma0", scales.strength, "peak traction" + spaced(wording.strength), "Pa");
+  add(section, "u0", scales.opening, "opening" + spaced(wording.opening) + " at that peak", "m");
   add(section, "sigma0 / E*", scales.strength / facts.modulus,
       "strain that the bonds can put into the bodies");
-  add(section, "cohesive length", length,
-      rcc ? "E* / C_n, over which a bond fails" : "E* w / sigma0^2, over which a bond fails", "m");
+  add(section, "cohesive length", length, fmt::format("{}, over which a bond fails", wording.length), "m");
   add(section, "cohesive length / cell", length / facts.size, "below 3 the pull-off depends on the mesh");
-  add(section, rcc ? "stiffness / (3 C_n)" : "stiffness / softening", facts.column / scales.softening,
+  bool const product = wording.softening.find(' ') != std::string_view::npos;
+  add(section,
+      fmt::format("stiffness / {1}{0}{2}", wording.softening, product ? "(" : "", product ? ")" : ""),
+      facts.column / scales.softening,
       "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity snaps");
   if (facts.radius > 0)
     add(section, "Tabor-like",
         std::cbrt(facts.radius * scales.work * scales.work / (facts.modulus * facts.modulus)) *
             scales.strength / scales.work,
-        rcc ? "(R w^2 / E*^2)^(1/3) / u0: above 5 JKR, below 0.1 DMT"
-            : "(R w^2 / E*^2)^(1/3) sigma0 / w: above 5 JKR, below 0.1 DMT");
+        fmt::format("(R w^2 / E*^2)^(1/3) {}: above 5 JKR, below 0.1 DMT", wording.tabor));
   add_viscosity(all, facts, section);
   add(section, "opening per step / u0", motion.opening_step / scales.opening,
       "above 0.25 the peak is cut off");

@@ -6,6 +6,7 @@
 #include "scene/facts.hpp"
 #include "scene/human.hpp"
 #include "scene/statics.hpp"
+#include "solid/responses.hpp"
 
 namespace stiction::scene {
 
@@ -16,8 +17,9 @@ constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: th
 constexpr double part_of_bond = 0.25;                     // beta in a step
 constexpr double part_of_cell = 0.5;                      // approach in a step
 constexpr double locking = 0.45;                          // Poisson's ratio
-constexpr double small_strain = 0.05, saint_venant_strain = 0.2;
-constexpr double fast = 0.1; // over the shear wave speed
+constexpr double small_strain = 0.05;
+constexpr double soft = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
+constexpr double fast = 0.1;  // over the shear wave speed
 constexpr double small_change = 0.02, many_periods = 25;
 
 using Warnings = std::vector<Warning>;
@@ -60,11 +62,12 @@ void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
 }
 
 void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const* law = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
-  if (law == nullptr || !(law->b > 0) || law->bonding == interface::Bonding::never)
+  auto const& law = *pair.pair->law.adhesion;
+  if (!interface::grows(law))
     return;
-  double const bonding = law->b / law->w, part = all.longest_step / bonding;
-  if (part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time || pair.motion.closed_time == 0)
+  double const bonding = interface::bond_time(law), part = all.longest_step / bonding;
+  if (bonding == 0 || part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time ||
+      pair.motion.closed_time == 0)
     return; // quick bonds are full whatever the step
   warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
                                   pair.pair->name, human(bonding, "s"), 1 / part),
@@ -73,23 +76,25 @@ void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
 
 /// Softens the bond faster than the bodies give way, with no viscosity to slow it?
 bool snaps(PairFacts const& pair) {
-  auto const* rcc = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
-  return (rcc == nullptr || !(rcc->b > 0)) &&
-         pair.column < interface::scales(*pair.pair->law.adhesion).softening;
+  auto const& law = *pair.pair->law.adhesion;
+  return interface::bond_time(law) == 0 && pair.column < interface::scales(law).softening;
 }
 
 /// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
 void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const* rcc = std::get_if<interface::Rcc>(&*pair.pair->law.adhesion);
-  double const softening = interface::scales(*pair.pair->law.adhesion).softening;
+  auto const& law = *pair.pair->law.adhesion;
   if (all.dynamic() || !snaps(pair))
     return;
+  auto const wording = interface::wording(law);
+  bool const viscous = !wording.viscosity.empty(); // if its parameter were more than 0
   warnings.push_back(
       {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
                    "{}): the pull-off snaps, and a quasi-static run may not get past it",
                    pair.pair->name, pair.column,
-                   rcc != nullptr ? "3 C_n) and b = 0" : fmt::format("{:.2g} N/m^3)", softening)),
-       rcc != nullptr ? "a small viscosity b > 0, or scheme.theta_xi{}" : "scheme.theta_xi{}"});
+                   viscous ? fmt::format("{}) and {} = 0", wording.softening, wording.viscosity)
+                           : fmt::format("{:.2g} N/m^3)", interface::scales(law).softening)),
+       viscous ? fmt::format("a small viscosity {} > 0, or scheme.theta_xi{{}}", wording.viscosity)
+               : "scheme.theta_xi{}"});
 }
 
 void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
@@ -110,27 +115,44 @@ void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
          more_steps(all, pair.motion.closing_stage, part / good_part)});
 }
 
+/// Of its stiffness at rest against compression along x by this strain, sides held.
+double kept_stiffness(material::Material const& law, double strain) {
+  double const stretch = std::max(1 - strain, 0.01), squared = stretch * stretch;
+  std::array<material::Voigt<4>, 2> strains{material::Voigt<4>::Zero(), material::Voigt<4>::Zero()};
+  strains[1][0] = (squared - 1) / 2;
+  std::array<material::Response<4>, 2> at;
+  solid::respond<4>(law, material::Wanted::tangent, strains, at);
+  return (at[1].stress[0] + squared * at[1].tangent(0, 0)) / at[0].tangent(0, 0);
+}
+
+/// Where nothing of it is left, in words; "" where that is nowhere.
+std::string spent(material::Material const& law) {
+  double low = 0, high = 1;
+  while (high - low > 1e-4) {
+    double const middle = 0.5 * (low + high);
+    (kept_stiffness(law, middle) > 0 ? low : high) = middle;
+  }
+  return high < 1 ? "; it has none at " + percent(high) : "";
+}
+
 void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   auto const check = [&](BodyFacts const& facts, double strain) {
     auto const& body = *facts.body;
-    bool const linear = std::holds_alternative<material::LinearElastic>(body.material);
-    bool const saint_venant = std::holds_alternative<material::StVenantKirchhoff>(body.material);
+    auto const name = std::visit([](auto const& law) { return law.schema().name; }, body.material);
+    bool const small = solid::small_strain(body.material);
     auto const& moduli = facts.moduli;
     auto const law = fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}",
                                  human(moduli.young, "Pa"), moduli.poisson);
-    if (linear && strain > small_strain)
+    if (small && strain > small_strain)
       warnings.push_back(
-          {fmt::format("body {} will be strained by about {}, and linear_elastic knows small strains and "
-                       "rotations only",
-                       body.name, percent(strain)),
+          {fmt::format("body {} will be strained by about {}, and {} knows small strains and rotations only",
+                       body.name, percent(strain), name),
            law});
-    double const stretch = 1 - strain,
-                 kept = std::max(0.0, (3 * stretch * stretch - 1) / 2); // of (35) along x
-    if (saint_venant && strain > saint_venant_strain)
+    double const kept = small ? 1 : kept_stiffness(body.material, strain);
+    if (kept < soft)
       warnings.push_back(
-          {fmt::format("body {} will be compressed by about {}, where st_venant_kirchhoff keeps {} of its "
-                       "stiffness; it has none at 42 %",
-                       body.name, percent(strain), percent(kept)),
+          {fmt::format("body {} will be compressed by about {}, where {} keeps {} of its stiffness{}",
+                       body.name, percent(strain), name, percent(std::max(0.0, kept)), spent(body.material)),
            law});
   };
   check(all.bodies[pair.secondary], pair.strain[0]);

@@ -154,12 +154,12 @@ void hold_bonds(dynamics::Model const& model, dynamics::ContactStage const& cont
 void Builder::check_supports(dynamics::ContactStage const& contact, dynamics::State const& start) {
   auto& model = *scene_.model;
   auto const weights = dynamics::weights(model.scheme);
-  auto const* quasi_static = std::get_if<dynamics::QuasiStatic>(&scene_.part.scheme);
-  if (quasi_static != nullptr && quasi_static->stabilisation > 0 && quasi_static->stabilisation < least)
+  double const asked = dynamics::weights(scene_.part.scheme).stabilisation;
+  if (asked > 0 && asked < least)
     complain({"scheme", "stabilisation"},
              fmt::format("is {:g}; so little leaves a body that contact holds so compliant that its gaps are "
                          "met loosely; give 1e-6, at least {:g}, or 0",
-                         quasi_static->stabilisation, least));
+                         asked, least));
   if (weights.inertia || weights.stabilisation > 0)
     return;
   RigidMotions motions(model);

@@ -1,5 +1,7 @@
 // Samples of every adhesion and friction law, and what the tests of all of them share.
 #pragma once
+#include <algorithm>
+#include <map>
 #include <numbers>
 #include <random>
 #include <string>
@@ -46,42 +48,67 @@ inline Dugdale dugdale_sample(Memory memory) {
   return law;
 }
 
+/// By the units of its parameters; pure numbers 0.4.
+template<class Law> Law plain_sample() {
+  static std::map<std::string, double> const sizes{{"J/m^2", 3}, {"N/m^3", 5e3},  {"Pa", 60},  {"m", 0.02},
+                                                   {"m/s", 0.2}, {"N s/m", 0.11}, {"s", 0.04}, {"1", 0.4}};
+  Law law;
+  for (auto const& parameter : Law::schema().parameters)
+    if (parameter.kind == core::Parameter::Kind::number && parameter.need == core::Need::required)
+      parameter.set(&law, core::Value{sizes.at(parameter.unit)});
+  return law;
+}
+
+/// Adds a sample of each alternative of which there is none.
+template<class Named, class... Laws>
+std::vector<Named> completed(std::vector<Named> all, std::type_identity<std::variant<Laws...>>) {
+  auto const add = [&]<class Law>(std::type_identity<Law>) {
+    if (std::ranges::none_of(all, [](auto const& named) { return std::holds_alternative<Law>(named.law); }))
+      all.push_back({Law::schema().name, plain_sample<Law>()});
+  };
+  (add(std::type_identity<Laws>{}), ...);
+  return all;
+}
+
 /// Works of separation of 3 J/m^2 and openings of some 0.01 m; each alternative at least once.
 inline std::vector<NamedAdhesion> adhesions() {
   auto bilinear_damage = bilinear_sample();
   bilinear_damage.friction = BondFriction::damage;
   auto exponential_damage = exponential_sample(Memory::irreversible, 0.6);
   exponential_damage.friction = BondFriction::damage;
-  return {{"rcc", rcc_sample(0.11)},
-          {"rcc without viscosity", rcc_sample(0)},
-          {"bilinear", bilinear_sample()},
-          {"bilinear, linear mix", bilinear_sample(ModeMix::linear)},
-          {"bilinear, damaged friction", bilinear_damage},
-          {"exponential", exponential_sample(Memory::irreversible, 1.4)},
-          {"exponential, damaged friction", exponential_damage},
-          {"exponential, reversible", exponential_sample(Memory::reversible, 1)},
-          {"exponential, reversible, coupled", exponential_sample(Memory::reversible, 0.6, 0.3)},
-          {"dugdale", dugdale_sample(Memory::reversible)},
-          {"dugdale, irreversible", dugdale_sample(Memory::irreversible)},
-          {"potential", Potential{3, 0.02}}};
+  std::vector<NamedAdhesion> const known = {
+      {"rcc", rcc_sample(0.11)},
+      {"rcc without viscosity", rcc_sample(0)},
+      {"bilinear", bilinear_sample()},
+      {"bilinear, linear mix", bilinear_sample(ModeMix::linear)},
+      {"bilinear, damaged friction", bilinear_damage},
+      {"exponential", exponential_sample(Memory::irreversible, 1.4)},
+      {"exponential, damaged friction", exponential_damage},
+      {"exponential, reversible", exponential_sample(Memory::reversible, 1)},
+      {"exponential, reversible, coupled", exponential_sample(Memory::reversible, 0.6, 0.3)},
+      {"dugdale", dugdale_sample(Memory::reversible)},
+      {"dugdale, irreversible", dugdale_sample(Memory::irreversible)},
+      {"potential", Potential{3, 0.02}}};
+  return completed(known, std::type_identity<AdhesionLaw>{});
 }
 
 inline std::vector<NamedFriction> frictions() {
   PressureFriction thirion{0.9, 0.1, 40};
   thirion.decay = PressureDecay::thirion;
-  return {{"coulomb", Coulomb{0.5}},
-          {"tresca", Tresca{0.5, 30}},
-          {"pressure", PressureFriction{0.9, 0.2, 80}},
-          {"pressure, rising", PressureFriction{0.3, 0.7, 80}},
-          {"pressure, thirion", thirion},
-          {"velocity", VelocityFriction{0.4, 0.7, 0.2}},
-          {"velocity, falling", VelocityFriction{0.7, 0.5, 0.2}},
-          {"static_kinetic", StaticKinetic{0.6, 0.4}}};
+  std::vector<NamedFriction> const known = {{"coulomb", Coulomb{0.5}},
+                                            {"tresca", Tresca{0.5, 30}},
+                                            {"pressure", PressureFriction{0.9, 0.2, 80}},
+                                            {"pressure, rising", PressureFriction{0.3, 0.7, 80}},
+                                            {"pressure, thirion", thirion},
+                                            {"velocity", VelocityFriction{0.4, 0.7, 0.2}},
+                                            {"velocity, falling", VelocityFriction{0.7, 0.5, 0.2}},
+                                            {"static_kinetic", StaticKinetic{0.6, 0.4}}};
+  return completed(known, std::type_identity<FrictionLaw>{});
 }
 
 /// Is the damage of a law what its beta counts down from?
 inline bool irreversible(AdhesionLaw const& law) {
-  return !std::holds_alternative<Rcc>(law) && std::visit([](auto const& l) { return l.lasts(); }, law);
+  return !evolves(law) && std::visit([](auto const& l) { return l.lasts(); }, law);
 }
 inline bool reversible(AdhesionLaw const& law) {
   return !std::visit([](auto const& l) { return l.lasts(); }, law);
@@ -99,6 +126,7 @@ struct Account {
   double stored = 0;                ///< change of the bond's energy
   double dissipated = 0, least = 0; ///< all, and the least of a step
   double largest = 0;               ///< traction, Pa
+  double predicted = 0;             ///< what work is more than stored and dissipated, by the law
   Bond bond;                        ///< at the end
   Local<3> traction = Local<3>::Zero();
 };
@@ -114,6 +142,10 @@ template<class Place> Account account(Walk<Place> const& walk, int steps) {
     Local<3> const x(place(k)[0], move[1], move[2]);
     Local<3> const pull = -adhere<3>(walk.law, step, x).traction;
     double const taken = dissipation<3>(walk.law, step, x);
+    Local<3> const to = opening<3>(x, result.bond);
+    Local<3> const from(std::max(place(k - 1)[0], 0.0), to[1] - move[1], to[2] - move[2]);
+    result.predicted +=
+        integration_loss(walk.law, {from, to, result.bond.beta, adhere<3>(walk.law, step, x).beta, step.dt});
     result.work += 0.5 * (result.traction + pull).dot(move);
     result.dissipated += taken;
     result.least = std::min(result.least, taken);
