@@ -280,6 +280,16 @@ TEST_CASE("large strains and laws of small ones do not go together") {
   CHECK_FALSE(warns(press(0.04, linear_elastic(1000, 0)), "strained"));
   CHECK(warns(press(0.3, elastic("st_venant_kirchhoff", 1000, 0)),
               "compressed by about 30 %, where st_venant_kirchhoff keeps 23 % of its stiffness"));
+  CHECK(warns(press(0.3, elastic("st_venant_kirchhoff", 1000, 0)), "it has none at 42 %"));
+  auto const yeoh = [](double c20) { // pressed to 0.7: 6.32 C10 + 5.03 C20 + K over the 2.67 C10 + K at rest
+    return make("material.yeoh", {{"C10", value(1000, "Pa")},
+                                  {"C20", value(c20, "Pa")},
+                                  {"C30", value(0, "Pa")},
+                                  {"bulk_modulus", value(1000, "Pa")}});
+  };
+  CHECK(warns(press(0.3, yeoh(-1200)),
+              "compressed by about 30 %, where yeoh keeps 35 % of its stiffness; it has"));
+  CHECK_FALSE(warns(press(0.3, yeoh(-1000)), "compressed"));
   CHECK_FALSE(warns(press(0.15, elastic("st_venant_kirchhoff", 1000, 0)), "compressed"));
   CHECK_FALSE(warns(press(0.3, elastic("neo_hookean", 1000, 0)), "compressed"));
 }
