@@ -325,6 +325,7 @@ template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
     reduced_.add_stiffness({u}, Dense::Constant(1, 1, shift));
 }
 
+/// Bodies that are unstable by themselves, as a long film that is pressed a little along, are held by their bonds.
 template<int D, int C> void Stage<D, C>::gather() {
   reduced_.clear(structure_->symmetric());
   for (Index const k : active_) {
@@ -333,7 +334,7 @@ template<int D, int C> void Stage<D, C>::gather() {
     reduced_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
     if (turning_ && !mortars_[ix(point.pair)] && !means_[ix(point.pair)])
       add_stiffness(model_->pairs[ix(point.pair)], kinematics, full<D>(point.force));
-    if (model_->held_by_bonds)
+    if (model_->held_by_bonds || structure_->shift() > 0)
       reduced_.add_stiffness(
           unknowns_of(kinematics.nodes),
           bond_grip(model_->pairs[ix(point.pair)].law, point.law, {kinematics.gap, kinematics.H}));
