@@ -2,7 +2,7 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local study_module = require "stiction.study"

@@ -3,7 +3,7 @@
 local claim = require "stiction.trade.claim"
 local copy = require "stiction.copy"
 local fault = require "stiction.fault"
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local quantity_module = require "stiction.trade.quantity"

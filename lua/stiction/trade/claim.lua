@@ -1,7 +1,7 @@
 -- What a case may be off by: the same case with each setting a level finer, and how much that changes it.
 local copy = require "stiction.copy"
 local fault = require "stiction.fault"
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local quantity_module = require "stiction.trade.quantity"

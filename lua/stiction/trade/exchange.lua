@@ -1,5 +1,5 @@
 -- What the runs of a trade tell: their errors, the front of work and error, combinations worth a run.
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local quantity_module = require "stiction.trade.quantity"
 
 local exchange = {}

@@ -1,7 +1,7 @@
 -- Figures of a trade: error against work with the front named, along each number error and work, and each choice.
 local engine = require "stiction.engine"
 local figure = require "stiction.figure"
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local reference = require "stiction.trade.reference"
 local report = require "stiction.report"

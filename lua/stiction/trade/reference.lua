@@ -1,6 +1,6 @@
 -- What the runs of a trade are compared with: known exactly, or made of the finest runs with its uncertainty.
 local extrapolation = require "stiction.trade.extrapolation"
-local ladder = require "stiction.trade.ladder"
+local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local quantity_module = require "stiction.trade.quantity"
 
