@@ -7,27 +7,13 @@
 #include <hdf5.h>
 
 #include "core/error.hpp"
+#include "core/handle.hpp"
 
 namespace stiction::postproc {
 
 namespace {
 
-/// Closes an HDF5 identifier when it goes out of scope.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(Handle const&) = delete;
-  Handle& operator=(Handle const&) = delete;
-  ~Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  operator hid_t() const { return id_; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
+using core::Handle;
 
 struct Column {
   std::vector<double> values; ///< SI, or the axis unit when they stood in the spec

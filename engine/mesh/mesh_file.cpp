@@ -3,30 +3,22 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <utility>
 
 #include "core/error.hpp"
+#include "core/handle.hpp"
 
 namespace stiction::mesh {
 
 namespace {
 
-/// An open HDF5 object, closed by `close` when it goes out of scope.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t), std::string const& what) : id_(id), close_(close) {
-    if (id < 0)
-      throw core::RunError(what);
-  }
-  ~Handle() { close_(id_); }
-  Handle(Handle const&) = delete;
-  Handle& operator=(Handle const&) = delete;
-  operator hid_t() const { return id_; }
+using core::Handle;
 
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
+/// An open HDF5 object; throws with these words where it could not be opened.
+Handle held(hid_t id, Handle::Close close, std::string const& what) {
+  if (id < 0)
+    throw core::RunError(what);
+  return {id, close};
+}
 
 /// Keeps HDF5 from printing its error stack; failures are exceptions here.
 void quiet() {
@@ -45,9 +37,11 @@ template<class T> hid_t memory_type() {
 template<class T>
 void write(hid_t parent, char const* name, T const* data, std::vector<hsize_t> const& shape) {
   std::string const what = fmt::format("cannot write \"{}\" of a mesh file (disk full?)", name);
-  Handle const space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
-  Handle const set(H5Dcreate2(parent, name, memory_type<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Dclose, what);
+  Handle const space =
+      held(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+  Handle const set =
+      held(H5Dcreate2(parent, name, memory_type<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+           what);
   if (H5Dwrite(set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     throw core::RunError(what);
 }
@@ -67,8 +61,8 @@ template<class T> struct Array {
 
 template<class T> Array<T> read(hid_t parent, char const* name) {
   std::string const what = fmt::format("the mesh file lacks \"{}\"", name);
-  Handle const set(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, what);
-  Handle const space(H5Dget_space(set), H5Sclose, what);
+  Handle const set = held(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, what);
+  Handle const space = held(H5Dget_space(set), H5Sclose, what);
   Array<T> array;
   array.shape.resize(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
   H5Sget_simple_extent_dims(space, array.shape.data(), nullptr);
@@ -89,13 +83,13 @@ std::string read_text(hid_t parent, char const* name) {
 }
 
 Handle new_group(hid_t parent, std::string const& name) {
-  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-          "cannot write a mesh file (disk full?)"};
+  return held(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+              "cannot write a mesh file (disk full?)");
 }
 
 Handle open_group(hid_t parent, std::string const& name) {
-  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose,
-          fmt::format("the mesh file lacks \"{}\"", name)};
+  return held(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose,
+              fmt::format("the mesh file lacks \"{}\"", name));
 }
 
 hsize_t group_size(hid_t group) {
@@ -154,8 +148,8 @@ void refuse_unless_whole(Mesh const& mesh) {
 
 void write_mesh(std::filesystem::path const& file, Mesh const& mesh, std::string const& request) {
   quiet();
-  Handle const out(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                   fmt::format("cannot create mesh file {}", file.string()));
+  Handle const out = held(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                          fmt::format("cannot create mesh file {}", file.string()));
   write(out, "version", Indices{mesher_version});
   write(out, "request", request);
   write(out, "nodes", mesh.nodes.data(),
@@ -178,8 +172,8 @@ void write_mesh(std::filesystem::path const& file, Mesh const& mesh, std::string
 
 StoredMesh read_mesh(std::filesystem::path const& file) {
   quiet();
-  Handle const in(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                  fmt::format("cannot read mesh file {}", file.string()));
+  Handle const in = held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                         fmt::format("cannot read mesh file {}", file.string()));
   if (read<Index>(in, "version").values != Indices{mesher_version})
     throw core::RunError(fmt::format("mesh file {} is of another version", file.string()));
   StoredMesh result;
