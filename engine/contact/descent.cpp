@@ -19,10 +19,10 @@ constexpr int panels = 4;              // of Simpson's rule for the work of a bo
 /// The unknown is x; the gradient of the potential is p - A rtilde(x) with p = W^-1 (x - free).
 template<int D> class Descent {
 public:
-  explicit Descent(Problem const& problem) : problem_(problem), inner_(problem.W) {
+  explicit Descent(Problem const& problem) : problem_(problem), inner_(problem.W.dense()) {
     if (inner_.info() != Eigen::Success)
       return;
-    stiffness_ = inner_.solve(Dense::Identity(problem.W.rows(), problem.W.cols()));
+    stiffness_ = inner_.solve(Dense::Identity(problem.W.rows(), problem.W.rows()));
     stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
     sound_ = stiffness_.allFinite();
     for (auto const& law : problem.adhesions)
@@ -206,7 +206,7 @@ bool may_snap(Problem const& problem) {
     if (point.law >= 0)
       steepest =
           std::max(steepest, point.area * interface::scales(problem.adhesions[ix(point.law)]).softening);
-  return steepest * problem.W.cwiseAbs().rowwise().sum().maxCoeff() > 1;
+  return steepest > 0 && steepest * problem.W.dense().cwiseAbs().rowwise().sum().maxCoeff() > 1;
 }
 
 std::optional<Descended> descend(Problem const& problem, Vector const& guess, long iterations) {

@@ -12,7 +12,7 @@ namespace {
 template<int D>
 Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free, Local<D> const& p,
                        double rho) {
-  LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
+  LocalMatrix<D> const W = problem.W.block<D>(point);
   Local<D> const x = free + W * p;
   auto const state = evaluate<D>(problem, point, p, x, rho);
   Local<D> const dry = state.dry - state.residual; // Proj(...)
@@ -43,12 +43,12 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
     for (int k = 0; k < sweeps && best.iterations < iterations; ++k, ++best.iterations)
       for (Index i = 0; i < problem.size(); ++i) {
         Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
-        Local<D> const free = here - problem.W.block<D, D>(D * i, D * i) * old;
+        Local<D> const free = here - problem.W.block<D>(i) * old;
         Local<D> const change = update(i, free, old, rho[i]) - old;
         if (change.isZero(0))
           continue;
         p.segment<D>(D * i) += change;
-        x.noalias() += problem.W.middleCols<D>(D * i) * change;
+        problem.W.add_column<D>(i, change, x);
         best.work += column;
       }
     best.work += 2;

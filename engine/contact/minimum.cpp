@@ -276,7 +276,7 @@ private:
 
 std::optional<Descended> minimise(Problem const& problem, Vector const& guess, long iterations) {
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
-    Root root = root_of(problem.W);
+    Root root = root_of(problem.W.dense());
     if (!root.sound)
       return std::nullopt;
     return Minimum<D>(problem, std::move(root)).run(guess, iterations);

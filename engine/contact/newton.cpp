@@ -61,10 +61,10 @@ public:
     for (int k = 0; k < times; ++k)
       for (Index i = 0; i < problem_.size(); ++i) {
         Local<D> const old = p_.segment<D>(D * i);
-        Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D, D>(D * i, D * i) * old;
+        Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D>(i) * old;
         Local<D> const change = solve_point<D>(problem_, i, free, old, rho_[i]) - old;
         p_.segment<D>(D * i) += change;
-        x_.noalias() += problem_.W.middleCols<D>(D * i) * change;
+        problem_.W.add_column<D>(i, change, x_);
       }
     work_ += times;
     merit_ = evaluate_all(p_, x_);
@@ -96,6 +96,7 @@ private:
                         state.residual.isApprox(p_.segment<D>(D * i), 0);
       (idle ? idle_ : active_).push_back(i);
     }
+    Dense const& W = problem_.W.dense();
     auto const n = D * static_cast<Index>(active_.size());
     matrix_.resize(n, n);
     right_.resize(n);
@@ -105,12 +106,11 @@ private:
       LocalMatrix<D> const by_x = state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
       for (std::size_t b = 0; b < active_.size(); ++b)
         matrix_.template block<D, D>(row, D * static_cast<Index>(b)).noalias() =
-            by_x * problem_.W.block<D, D>(D * i, D * active_[b]);
+            by_x * W.block<D, D>(D * i, D * active_[b]);
       matrix_.template block<D, D>(row, row) += state.residual_by_dry;
       right_.template segment<D>(row) = -state.residual;
       for (Index const j : idle_) // their step is known: -p_j
-        right_.template segment<D>(row) +=
-            by_x * (problem_.W.block<D, D>(D * i, D * j) * p_.segment<D>(D * j));
+        right_.template segment<D>(row) += by_x * (W.block<D, D>(D * i, D * j) * p_.segment<D>(D * j));
     }
   }
 

@@ -25,7 +25,7 @@ struct Linear {
 
 template<int D> Linear linear_about(Problem const& problem, Vector const& x, Vector const& force) {
   Index const n = D * problem.size();
-  Linear linear{problem.W, problem.free, Vector::Zero(n), Dense::Zero(n, D), {}};
+  Linear linear{problem.W.dense(), problem.free, Vector::Zero(n), Dense::Zero(n, D), {}};
   bool bonded = false;
   for (Index i = 0; i < problem.size(); ++i) {
     Local<D> at = x.segment<D>(D * i);
@@ -39,13 +39,13 @@ template<int D> Linear linear_about(Problem const& problem, Vector const& x, Vec
   }
   if (!bonded)
     return linear;
+  Dense const W = std::move(linear.W);
   Dense system = Dense::Identity(n, n);
   for (Index i = 0; i < problem.size(); ++i)
-    system.middleCols<D>(D * i).noalias() -=
-        problem.W.middleCols<D>(D * i) * linear.slope.middleRows<D>(D * i);
+    system.middleCols<D>(D * i).noalias() -= W.middleCols<D>(D * i) * linear.slope.middleRows<D>(D * i);
   Eigen::PartialPivLU<Dense> const factor(system);
-  linear.W = factor.solve(problem.W);
-  linear.free = factor.solve(Vector(problem.free + problem.W * linear.bonds));
+  linear.W = factor.solve(W);
+  linear.free = factor.solve(Vector(problem.free + W * linear.bonds));
   return linear;
 }
 
@@ -112,7 +112,7 @@ public:
     for (Index i = 0; i < problem.size(); ++i) {
       auto const state =
           evaluate<D>(problem, i, force.segment<D>(D * i), x.segment<D>(D * i), natural_scale(problem, i));
-      bool const given = problem.W(D * i, D * i) == 0; // nothing moves it
+      bool const given = problem.W.diagonal(D * i) == 0; // nothing moves it
       if (given || (state.status == interface::Status::open && from == From::statuses))
         continue;
       set.push_back(first_[ix(i)]);

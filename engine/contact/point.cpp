@@ -57,7 +57,7 @@ namespace {
 /// Damped semismooth Newton on one point from the force p, which becomes the answer. Returns its residual, N.
 template<int D>
 double improve_point(Problem const& problem, Index point, Local<D> const& free, Local<D>& p, double rho) {
-  LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
+  LocalMatrix<D> const W = problem.W.block<D>(point);
   auto state = evaluate<D>(problem, point, p, free + W * p, rho);
   double norm = state.residual.norm();
   int uphill = 0; // a step or two may leave a kink; more of them lead nowhere
@@ -99,7 +99,7 @@ Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, 
   if (!done())
     start_from(Local<D>::Zero());
   if (!done()) {
-    LocalMatrix<D> const W = problem.W.block<D, D>(D * point, D * point);
+    LocalMatrix<D> const W = problem.W.block<D>(point);
     start_from(-W.fullPivLu().solve(free - problem.points[ix(point)].shift.head<D>()));
   }
   return p;

@@ -22,15 +22,15 @@ double scale_of_law(Problem const& problem, Index point) {
 } // namespace
 
 double natural_scale(Problem const& problem, Index point) {
-  Eigen::Index const d = problem.dim, first = d * point;
-  auto const block = problem.W.block(first, first, d, d);
   double largest = 0;
-  if (d == 1) {
-    largest = block(0, 0);
-  } else if (d == 2) { // closed form of the symmetric part
+  if (problem.dim == 1) {
+    largest = problem.W.diagonal(point);
+  } else if (problem.dim == 2) { // closed form of the symmetric part
+    auto const block = problem.W.block<2>(point);
     double const mean = 0.5 * (block(0, 0) + block(1, 1)), half = 0.5 * (block(0, 0) - block(1, 1));
     largest = mean + std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
   } else {
+    auto const block = problem.W.block<3>(point);
     Eigen::Matrix3d const symmetric = 0.5 * (block + block.transpose());
     largest =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
@@ -40,29 +40,36 @@ double natural_scale(Problem const& problem, Index point) {
 
 Vector displacement(Problem const& problem, Vector const& force) {
   Vector x = problem.free;
-  x.noalias() += problem.W * force;
+  problem.W.add_product(force, x);
   return x;
 }
 
 namespace {
 
-template<int D> void start_open_in(Problem const& problem, Index point, Vector& force) {
+/// x: where the points are with these forces; both change.
+template<int D> void start_open_in(Problem const& problem, Index point, Vector& force, Vector& x) {
   auto const& data = problem.points[ix(point)];
-  Local<D> const x = problem.free.segment<D>(D * point) + problem.W.middleRows<D>(D * point) * force;
-  if (!(x[0] >= data.shift[0])) // one that just touches needs no push either
+  Local<D> const old = force.segment<D>(D * point), at = x.segment<D>(D * point);
+  if (!(at[0] >= data.shift[0])) // one that just touches needs no push either
     return;
-  force.segment<D>(D * point).setZero();
+  Local<D> own = Local<D>::Zero();
   if (data.law >= 0)
-    force.segment<D>(D * point) =
-        data.area * interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x).traction;
+    own = data.area * interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, at).traction;
+  force.segment<D>(D * point) = own;
+  problem.W.add_column<D>(point, own - old, x);
 }
 
 } // namespace
 
 Vector open_where_given(Problem const& problem, Vector force) {
-  for (Index i = 0; i < problem.size(); ++i)
-    if (problem.W(problem.dim * i, problem.dim * i) == 0) // below zero the body softens, and may be closed
-      by_dimension(problem.dim, [&]<int D>() { start_open_in<D>(problem, i, force); });
+  Vector x;
+  for (Index i = 0; i < problem.size(); ++i) {
+    if (problem.W.diagonal(problem.dim * i) != 0) // below zero the body softens, and may be closed
+      continue;
+    if (x.size() == 0)
+      x = displacement(problem, force);
+    by_dimension(problem.dim, [&]<int D>() { start_open_in<D>(problem, i, force, x); });
+  }
   return force;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "contact/delassus.hpp"
 #include "core/types.hpp"
 #include "interface/law.hpp"
 
@@ -24,7 +25,7 @@ struct ProblemPoint {
 /// |y_t|, y_t)), y = x - shift. Components contact by contact, (n [, t1 [, t2]]).
 struct Problem {
   int dim = 2;                      ///< components per contact: 1 (nothing acts along the surface), 2 or 3
-  Dense W;                          ///< Delassus operator, [dim n, dim n], m/N
+  Delassus W;                       ///< [dim n, dim n], m/N
   Vector free;                      ///< gap and slip at zero contact force, [dim n], m
   std::vector<ProblemPoint> points; ///< [n]
   std::vector<interface::AdhesionLaw> adhesions;

@@ -49,7 +49,7 @@ public:
 
 private:
   void look_at_friction(Index i, double mu) {
-    auto const block = problem_.W.block<D, D>(D * i, D * i);
+    auto const block = problem_.W.block<D>(i);
     double const W_nt = block.row(0).template tail<D - 1>().norm(), W_nn = block(0, 0);
     if (W_nn > mu * W_nt || W_nt == 0)
       return;
@@ -67,18 +67,22 @@ private:
     if (n < 2)
       return;
     Dense matrix(n, n);
-    for (Index a = 0; a < n; ++a)
-      for (Index b = 0; b < n; ++b) {
-        auto const& other = pushed_[ix(b)];
-        auto const row = problem_.W.block<1, D>(D * pushed_[ix(a)].point, D * other.point);
-        matrix(a, b) = row[0] + other.mu * row.template tail<D - 1>().dot(other.along);
-      }
+    Vector x(problem_.free.size());
+    for (Index b = 0; b < n; ++b) {
+      auto const& other = pushed_[ix(b)];
+      Local<D> push = Local<D>::Unit(0);
+      push.template tail<D - 1>() = other.mu * other.along;
+      x.setZero();
+      problem_.W.add_column<D>(other.point, push, x);
+      for (Index a = 0; a < n; ++a)
+        matrix(a, b) = x[D * pushed_[ix(a)].point];
+    }
     Eigen::PartialPivLU<Dense> const factor(matrix);
     auto const pivots = factor.matrixLU().diagonal().array();
     if ((pivots == 0).any() || ((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
       return;
     auto const& first = pushed_.front();
-    auto const row = problem_.W.block<1, D>(D * first.point, D * first.point);
+    auto const row = problem_.W.block<D>(first.point).row(0).eval();
     doubts_.friction = {0, n, first.point, first.mu, row[0], row.template tail<D - 1>().norm()};
   }
 
@@ -89,7 +93,7 @@ private:
     if (look_ == Look::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
       return;
     double const fall = point.area * interface::steepest_fall(law, point.bond),
-                 W_nn = problem_.W(D * i, D * i);
+                 W_nn = problem_.W.diagonal(D * i);
     if (!(fall > 0 && W_nn > 0))
       return;
     bonded_.push_back({i, fall});
@@ -108,10 +112,13 @@ private:
     if (n == 0)
       return 0;
     Dense matrix(n, n);
-    for (Index a = 0; a < n; ++a)
-      for (Index b = 0; b < n; ++b)
-        matrix(a, b) = std::sqrt(bonded_[ix(a)].fall * bonded_[ix(b)].fall) *
-                       problem_.W(D * bonded_[ix(a)].point, D * bonded_[ix(b)].point);
+    Vector x(problem_.free.size());
+    for (Index b = 0; b < n; ++b) {
+      x.setZero();
+      problem_.W.add_column<D>(bonded_[ix(b)].point, Local<D>::Unit(0), x);
+      for (Index a = 0; a < n; ++a)
+        matrix(a, b) = std::sqrt(bonded_[ix(a)].fall * bonded_[ix(b)].fall) * x[D * bonded_[ix(a)].point];
+    }
     Vector v = Vector::Ones(n).normalized(), next(n);
     double quotient = matrix.diagonal().maxCoeff(); // a lower bound as well
     for (int k = 0; k < rounds; ++k) {

@@ -387,7 +387,7 @@ template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double 
   take_shift_away(weight);
   problem_.dim = C;
   problem_.points.clear();
-  reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W, problem_.free);
+  reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W.entries(), problem_.free);
   // there might be no answer; with inertia a shorter step has one
   if (turning_ && !weights_.inertia && structure_->shift() == 0 && !reduced_.stable()) {
     turning_ = false;

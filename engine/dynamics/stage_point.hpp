@@ -35,10 +35,11 @@ template<int D, int C> [[nodiscard]] contact::Local<D> full(Eigen::Matrix<double
 [[nodiscard]] inline contact::Solution solve_problem(contact::Solver& solver, contact::Problem const& problem,
                                                      Vector const& guess, Cost& cost) {
   contact::Solution found;
+  auto const rows = static_cast<double>(problem.W.rows());
   for (bool const from_guess : {true, false}) {
     found = solver.solve(problem, from_guess ? guess : Vector::Zero(guess.size()));
     cost.contact_iterations += found.iterations;
-    cost.contact_operations += 2 * static_cast<double>(problem.W.size()) * found.work;
+    cost.contact_operations += 2 * rows * rows * found.work;
     if (found.converged)
       break;
   }

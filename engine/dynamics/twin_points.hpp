@@ -8,8 +8,8 @@ namespace stiction::dynamics {
 /// from `first` on tells them apart and vanishes as the force settles.
 template<int C> void tell_apart(contact::Problem& problem, Index first, contact::Local<C> const& force) {
   for (Index row = first; row < first + C; ++row) {
-    double const compliance = 1e-6 * problem.W(row, row);
-    problem.W(row, row) += compliance;
+    double const compliance = 1e-6 * problem.W.diagonal(row);
+    problem.W.entries()(row, row) += compliance;
     problem.free[row] -= compliance * force[row - first];
   }
 }

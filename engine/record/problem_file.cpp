@@ -192,11 +192,12 @@ contact::Problem load_packed(ProblemReader const& reader) {
   reader.require(n == 3 * mu.size() && n > 0 && packed.size() == n * (n + 1) / 2,
                  "sizes of W_upper_packed, q and mu");
   problem.free = Eigen::Map<Vector const>(q.data(), static_cast<Eigen::Index>(n));
-  problem.W.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  Dense& W = problem.W.entries();
+  W.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   std::size_t k = 0;
-  for (Eigen::Index i = 0; i < problem.W.rows(); ++i)
-    for (Eigen::Index j = i; j < problem.W.rows(); ++j)
-      problem.W(i, j) = problem.W(j, i) = packed[k++];
+  for (Eigen::Index i = 0; i < W.rows(); ++i)
+    for (Eigen::Index j = i; j < W.rows(); ++j)
+      W(i, j) = W(j, i) = packed[k++];
   for (double const coefficient : mu) {
     reader.require(coefficient >= 0, "a friction coefficient is negative");
     problem.points.push_back({1.0, coefficient, -1, {}});
@@ -215,7 +216,8 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
     H5Pset_small_data_block_size(access, 0); // a small file, written once
     hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
     auto const n = static_cast<hsize_t>(problem.free.size());
-    std::vector<double> const W(problem.W.data(), problem.W.data() + problem.W.size()); // column by column
+    auto const& entries = problem.W.dense();
+    std::vector<double> const W(entries.data(), entries.data() + entries.size()); // column by column
     std::vector<double> const free(problem.free.data(), problem.free.data() + problem.free.size());
     auto const shift = shifts(problem.points);
     written = file.valid() && write(file, "W", {n, n}, W) && write(file, "free", {n}, free) &&

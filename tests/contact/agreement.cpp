@@ -65,7 +65,7 @@ template<int D> Judged judged_at(Problem const& problem, Index i, Vector const& 
             .mu;
   mu *= factor;
   y[0] += mu * y.template tail<D - 1>().norm();
-  Dense const block = problem.W.block<D, D>(D * i, D * i);
+  Dense const block = problem.W.block<D>(i);
   double const largest =
       Eigen::SelfAdjointEigenSolver<Dense>(0.5 * (block + block.transpose())).eigenvalues()[D - 1];
   double const rho = largest > 0 ? 1 / largest : 1,
@@ -89,8 +89,8 @@ double residual(Problem const& problem, Vector const& force) {
 
 /// With friction, forces that the bodies cannot feel leave even the displacements open.
 bool deficient(Problem const& problem) {
-  auto const values =
-      Eigen::SelfAdjointEigenSolver<Dense>(0.5 * (problem.W + problem.W.transpose())).eigenvalues();
+  Dense const& W = problem.W.dense();
+  auto const values = Eigen::SelfAdjointEigenSolver<Dense>(0.5 * (W + W.transpose())).eigenvalues();
   return values[0] < 1e-9 * values[values.size() - 1];
 }
 

@@ -57,8 +57,8 @@ void bond(Problem& problem, std::mt19937& random) {
 
 /// One point's place is given and it is apart.
 void hold_first(Problem& problem) {
-  problem.W.topRows(problem.dim).setZero();
-  problem.W.leftCols(problem.dim).setZero();
+  problem.W.entries().topRows(problem.dim).setZero();
+  problem.W.entries().leftCols(problem.dim).setZero();
   problem.free[0] = 1e-5;
 }
 
@@ -98,7 +98,7 @@ TEST_SUITE("contact") {
         for (auto& point : problem.points)
           point.mu = 1.5 * uniform(random);
         if (trial % 3 == 2)
-          problem.W.diagonal().array() -= 2e-7; // may be indefinite
+          problem.W.entries().diagonal().array() -= 2e-7; // may be indefinite
         auto const known = enumerate(problem, Vector::Zero(2 * n));
         auto const answer = solve(BipotentialNewton{}, problem);
         INFO("n " << n << ", trial " << trial << ", known " << known.size() << ", "

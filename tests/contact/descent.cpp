@@ -24,7 +24,7 @@ Problem bonded(int dim, int n, double softness, double common) {
   problem.adhesions = {law};
   double const unit = 1 / (C * 1e-6);
   problem.W = softness * unit * Dense::Identity(dim * n, dim * n);
-  problem.W += common * unit * Dense::Ones(dim * n, dim * n);
+  problem.W.entries() += common * unit * Dense::Ones(dim * n, dim * n);
   problem.free.setZero(dim * n);
   for (int i = 0; i < n; ++i) {
     ProblemPoint point{1e-6, 0, 0, {}};
@@ -41,7 +41,7 @@ double downhill(Problem const& problem) {
   auto const force = [&](double x) {
     auto const pull =
         interface::adhere<1>(problem.adhesions[0], problem.points[0].bond, Local<1>(x)).traction;
-    return (problem.free[0] - x) / problem.W(0, 0) + problem.points[0].area * pull[0];
+    return (problem.free[0] - x) / problem.W.diagonal(0) + problem.points[0].area * pull[0];
   };
   double x = problem.start[0];
   double const step = force(x) > 0 ? small : -small;
@@ -168,7 +168,7 @@ TEST_SUITE("contact") {
   TEST_CASE("without a start an answer leaps from where its guess lies") {
     auto problem = bonded(1, 1, 3, 0);
     problem.free[0] = 2 * u0;
-    Vector const guess = Vector::Constant(1, -2 * u0 / problem.W(0, 0));
+    Vector const guess = Vector::Constant(1, -2 * u0 / problem.W.diagonal(0));
     CHECK(leaps(problem, guess, Vector::Zero(1)));
     CHECK_FALSE(leaps(problem, 0.1 * guess, Vector::Zero(1)));
   }
@@ -177,8 +177,8 @@ TEST_SUITE("contact") {
       "a closed point of a body that softens, W below zero, stays closed from forces that are an answer") {
     for (int const dim : {1, 2, 3}) {
       auto problem = bonded(dim, 1, 1, 0);
-      double const unit = problem.W(0, 0), force = 2;
-      problem.W(0, 0) = -unit;
+      double const unit = problem.W.diagonal(0), force = 2;
+      problem.W.entries()(0, 0) = -unit;
       problem.free[0] = unit * force;
       Vector answer = Vector::Zero(dim);
       answer[0] = force;
@@ -207,7 +207,7 @@ TEST_SUITE("contact") {
 
   TEST_CASE("a singular W has no potential in x") {
     auto problem = bonded(1, 3, 3, 0);
-    problem.W.setOnes();
+    problem.W.entries().setOnes();
     CHECK_FALSE(descend(problem, Vector::Zero(3), 100).has_value());
   }
 }

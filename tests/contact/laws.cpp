@@ -60,7 +60,7 @@ template<int D> void check_solvers(NamedFriction const& named, double pressure, 
 /// d(residual)/dp along x = free + W p.
 template<int D> void check_map(Problem const& problem, Local<D> const& p) {
   double const rho = natural_scale(problem, 0);
-  LocalMatrix<D> const W = problem.W.block<D, D>(0, 0);
+  LocalMatrix<D> const W = problem.W.block<D>(0);
   Local<D> const free = problem.free.head<D>();
   auto const at = [&](Vector const& force) {
     Local<D> const f = force;

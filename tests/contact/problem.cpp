@@ -17,7 +17,7 @@ Dense matrix2(double nn, double nt, double tt) {
 /// d(residual)/dp along x = free + W p: as the solvers combine the parts of evaluate().
 template<int D> void check_map(Problem const& problem, Local<D> const& p) {
   double const rho = natural_scale(problem, 0);
-  LocalMatrix<D> const W = problem.W.block<D, D>(0, 0);
+  LocalMatrix<D> const W = problem.W.block<D>(0);
   Local<D> const free = problem.free.head<D>();
   auto const at = [&](Vector const& force) {
     Local<D> const f = force;
@@ -57,7 +57,7 @@ TEST_SUITE("contact") {
     auto const plane = one_point(matrix2(3e-6, 1e-6, 3e-6), Vector::Zero(2), 0);
     CHECK(natural_scale(plane, 0) == doctest::Approx(1 / 4e-6));
     auto space = random_problem(3, 2, 4, 1);
-    space.W.block<3, 3>(3, 3) = Eigen::Vector3d(1e-6, 5e-6, 2e-6).asDiagonal();
+    space.W.entries().block<3, 3>(3, 3) = Eigen::Vector3d(1e-6, 5e-6, 2e-6).asDiagonal();
     CHECK(natural_scale(space, 1) == doctest::Approx(1 / 5e-6));
   }
 

@@ -126,7 +126,7 @@ TEST_SUITE("contact") {
     Problem problem = one_point(Dense(4, 4), Vector::Zero(4), 0.3);
     problem.points.push_back(problem.points[0]);
     // the wall of tests/dynamics/audit.cpp at the step that ends where it is met
-    problem.W << 12, -32, -4, -32, -32, 176.7, 32, 175.3, -4, 32, 12, 32, -32, 175.3, 32, 176.7;
+    problem.W.entries() << 12, -32, -4, -32, -32, 176.7, 32, 175.3, -4, 32, 12, 32, -32, 175.3, 32, 176.7;
     int seed = 0;
     for (double const touch : {1.3e-18, -1.2e-17, 6.9e-17, -6.1e-17, 0.0, -3.3e-18})
       for (double const other : {-1.2e-17, 5.9e-17, 1.1e-18, 0.0}) {

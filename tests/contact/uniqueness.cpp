@@ -48,7 +48,7 @@ bool folds(Problem const& problem) {
   for (int k = 0; k <= 200000; ++k) {
     Local<1> const x(far * std::pow(k / 200000.0, 3));
     auto const pull = adhere<1>(problem.adhesions[0], problem.points[0].bond, x).traction[0];
-    double const gap = x[0] - problem.W(0, 0) * problem.points[0].area * pull;
+    double const gap = x[0] - problem.W.diagonal(0) * problem.points[0].area * pull;
     if (gap < last - 1e-13)
       return true;
     last = gap;
@@ -126,9 +126,9 @@ TEST_SUITE("contact") {
 
   TEST_CASE("in space the coupling is the length of both tangential entries") {
     auto problem = random_problem(3, 2, 1, 1);
-    problem.W.setIdentity();
-    problem.W(3, 4) = 0.6;
-    problem.W(3, 5) = -0.8;
+    problem.W.entries().setIdentity();
+    problem.W.entries()(3, 4) = 0.6;
+    problem.W.entries()(3, 5) = -0.8;
     problem.points[0].mu = problem.points[1].mu = 0.99;
     CHECK_FALSE(doubts_at(problem, Vector::Zero(6), Look::all).any());
     problem.points[0].mu = problem.points[1].mu = 1.01;
@@ -167,7 +167,7 @@ TEST_SUITE("contact") {
     auto problem = bonded(rcc_sample(0), 1, 1);
     problem.points.push_back(problem.points[0]);
     problem.points[1].area *= 10;
-    double const fall = 1 / problem.W(0, 0);
+    double const fall = 1 / problem.W.diagonal(0);
     problem.W = (Dense(2, 2) << 1, 0.1, 0.1, 0.05).finished() / fall;
     problem.free.setZero(2);
     // of (1, 1; 0.1, 0.5): trace 1.5, determinant 0.4
@@ -192,7 +192,7 @@ TEST_SUITE("contact") {
   TEST_CASE("bonds that are held together snap together where none would alone") {
     for (double const each : {0.2, 0.3}) { // four bonds on one spring
       auto problem = bonded(rcc_sample(0), 1, 1);
-      double const fall = 1 / problem.W(0, 0);
+      double const fall = 1 / problem.W.diagonal(0);
       problem.points.assign(4, problem.points[0]);
       problem.W = Dense::Constant(4, 4, each / fall);
       problem.free = Vector::Zero(4);

@@ -38,7 +38,7 @@ void problem(std::string_view bytes) {
   auto const path = tree_file("problem.h5", bytes);
   try {
     auto const problem = record::load_problem(path);
-    core::expect(problem.W.allFinite() && problem.free.size() == problem.dim * problem.size(), "sizes fit");
+    core::expect(problem.W.dense().allFinite() && problem.free.size() == problem.dim * problem.size(), "sizes fit");
     static_cast<void>(record::text_of_laws(problem));
     if (problem.size() <= 4)
       static_cast<void>(

@@ -1,0 +1,70 @@
+// The Delassus operator of a contact problem: displacements of the points per force on them.
+#pragma once
+#include <functional>
+#include <optional>
+#include <variant>
+
+#include "core/types.hpp"
+#include "interface/cone.hpp"
+
+namespace stiction::contact {
+
+/// W [dim n, dim n], m/N, as a matrix or as a product alone. Solvers that need no more than products,
+/// diagonal blocks and columns never ask for its entries.
+class Delassus {
+public:
+  /// x += columns `first`, `first` + 1, ... of W times these forces.
+  using Product =
+      std::function<void(Index first, Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x)>;
+
+  Delassus() = default;
+  template<class Matrix>
+  Delassus(Eigen::EigenBase<Matrix> const& entries) : kind_(Dense(entries.derived())) {}
+  /// blocks: the diagonal ones, one below the other, [dim n, dim].
+  Delassus(Dense blocks, Product product) : kind_(ByProduct{std::move(blocks), std::move(product), {}}) {}
+
+  [[nodiscard]] Index rows() const;
+  [[nodiscard]] double diagonal(Index row) const;
+  /// The diagonal block of one point.
+  template<int D> [[nodiscard]] interface::LocalMatrix<D> block(Index point) const;
+  /// x += W force.
+  void add_product(Vector const& force, Vector& x) const;
+  [[nodiscard]] Vector operator*(Vector const& force) const {
+    Vector x = Vector::Zero(rows());
+    add_product(force, x);
+    return x;
+  }
+  /// x += W of a force on one point alone.
+  template<int D> void add_column(Index point, interface::Local<D> const& force, Vector& x) const;
+
+  /// All entries, for what factors them or writes them down; those of a product are formed once.
+  [[nodiscard]] Dense const& dense() const;
+  /// Has anyone needed them?
+  [[nodiscard]] bool formed() const;
+  /// To fill or change them; only of a matrix.
+  [[nodiscard]] Dense& entries() { return std::get<Dense>(kind_); }
+
+private:
+  struct ByProduct {
+    Dense blocks;
+    Product product;
+    mutable std::optional<Dense> entries;
+  };
+  std::variant<Dense, ByProduct> kind_;
+};
+
+template<int D> interface::LocalMatrix<D> Delassus::block(Index point) const {
+  if (auto const* matrix = std::get_if<Dense>(&kind_))
+    return matrix->block<D, D>(D * point, D* point);
+  return std::get<ByProduct>(kind_).blocks.middleRows<D>(D * point);
+}
+
+template<int D>
+void Delassus::add_column(Index point, interface::Local<D> const& force, Vector& x) const {
+  if (auto const* matrix = std::get_if<Dense>(&kind_))
+    x.noalias() += matrix->middleCols<D>(D * point) * force;
+  else
+    std::get<ByProduct>(kind_).product(D * point, force, x);
+}
+
+} // namespace stiction::contact
