@@ -27,7 +27,7 @@ using contact::PointKinematics;
 /// Components C of forces in D dimensions: C = D, or 1 where nothing acts along the surface.
 template<int D, int C> class Stage : public ContactStage {
 public:
-  Stage(Model const& model, Structure& structure);
+  Stage(Model const& model, Structure const& structure);
   void begin(State const& old, double t1, double dt, bool turning) override;
   [[nodiscard]] bool turned() const override { return turned_; }
   void locate(Vector const& u, bool settle) override;
@@ -36,7 +36,8 @@ public:
       visit({point.pair, point.index}, point.kinematics.nodes, point.kinematics.H);
   }
   void reaction(Vector& force, int pair) const override;
-  [[nodiscard]] bool solve(Vector const& y, double weight, Vector& c, Cost& cost) override;
+  [[nodiscard]] bool solve(linear::BulkFactor& bulk, Vector const& y, double weight, Vector& c,
+                           Cost& cost) override;
   [[nodiscard]] double residual() const override;
   [[nodiscard]] double force_scale() const override;
   void finish(State const& old, double dt, State& next) const override;
@@ -65,16 +66,15 @@ private:
   void place_rigid_bodies(Vector const& u);
   void choose_active(Point& point) const;
   void limit_rates(Point& point, ContactState const& old, double dt) const;
-  void gather();
-  [[nodiscard]] Vector pose_problem(Vector const& y, double weight);
-  void take_shift_away(double weight);
+  void gather(linear::BulkFactor const& bulk);
+  [[nodiscard]] Vector pose_problem(linear::BulkFactor& bulk, Vector const& y, double weight);
 
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
   }
 
   Model const* model_;
-  Structure* structure_;
+  Structure const* structure_;
   StepWeights weights_;
   std::unique_ptr<contact::Solver> solver_;
   std::vector<Point> points_;
@@ -96,7 +96,7 @@ private:
 };
 
 template<int D, int C>
-Stage<D, C>::Stage(Model const& model, Structure& structure)
+Stage<D, C>::Stage(Model const& model, Structure const& structure)
     : model_(&model), structure_(&structure), weights_(weights(model.scheme)), solver_(sharp_solver(model)),
       poses_(model.rigids.size()) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
@@ -315,26 +315,17 @@ template<int D, int C> double Stage<D, C>::force_scale() const {
   return largest;
 }
 
-/// S du = y becomes (S + shift P) du = y + shift P du: a stiffness on the contact unknowns like K_geo.
-template<int D, int C> void Stage<D, C>::take_shift_away(double weight) {
-  double const shift = structure_->shift() / weight;
-  if (shift == 0)
-    return;
-  Index const count = structure_->unknowns() - structure_->first_contact_unknown();
-  for (Index u = 0; u < count; ++u)
-    reduced_.add_stiffness({u}, Dense::Constant(1, 1, shift));
-}
-
-/// Bodies that are unstable by themselves, as a long film that is pressed a little along, are held by their bonds.
-template<int D, int C> void Stage<D, C>::gather() {
-  reduced_.clear(structure_->symmetric());
+/// Bodies that are unstable by themselves, as a long film that is pressed a little along, are held by their
+/// bonds.
+template<int D, int C> void Stage<D, C>::gather(linear::BulkFactor const& bulk) {
+  reduced_.clear();
   for (Index const k : active_) {
     auto const& point = points_[ix(k)];
     auto const& kinematics = point.kinematics;
     reduced_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
     if (turning_ && !mortars_[ix(point.pair)] && !means_[ix(point.pair)])
       add_stiffness(model_->pairs[ix(point.pair)], kinematics, full<D>(point.force));
-    if (model_->held_by_bonds || structure_->shift() > 0)
+    if (model_->held_by_bonds || bulk.hold() > 0)
       reduced_.add_stiffness(
           unknowns_of(kinematics.nodes),
           bond_grip(model_->pairs[ix(point.pair)].law, point.law, {kinematics.gap, kinematics.H}));
@@ -382,16 +373,16 @@ template<int D, int C> Indices const& Stage<D, C>::unknowns_of(Indices const& no
 }
 
 /// The linear problem of the present kinematics; returns the present forces.
-template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double weight) {
-  gather();
-  take_shift_away(weight);
+template<int D, int C>
+Vector Stage<D, C>::pose_problem(linear::BulkFactor& bulk, Vector const& y, double weight) {
+  gather(bulk);
   problem_.dim = C;
   problem_.points.clear();
-  reduced_.eliminate(structure_->contact_inverse(), y, weight, problem_.W.entries(), problem_.free);
+  reduced_.eliminate(bulk, y, weight, problem_.W.entries(), problem_.free);
   // there might be no answer; with inertia a shorter step has one
-  if (turning_ && !weights_.inertia && structure_->shift() == 0 && !reduced_.stable()) {
+  if (turning_ && !weights_.inertia && !reduced_.stable()) {
     turning_ = false;
-    return pose_problem(y, weight);
+    return pose_problem(bulk, y, weight);
   }
   turned_ = turned_ || (turning_ && reduced_.turns());
   Vector guess(C * static_cast<Index>(active_.size()));
@@ -409,13 +400,15 @@ template<int D, int C> Vector Stage<D, C>::pose_problem(Vector const& y, double 
   return guess;
 }
 
-template<int D, int C> bool Stage<D, C>::solve(Vector const& y, double weight, Vector& c, Cost& cost) {
+template<int D, int C>
+bool Stage<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
-  c.setZero(structure_->unknowns() - structure_->first_contact_unknown());
+  c.setZero(bulk.surface());
   problem_.points.clear();
-  if (active_.empty() && structure_->shift() == 0)
+  if (active_.empty() && bulk.hold() == 0)
     return true;
-  Vector const guess = pose_problem(y, weight);
+  Vector const guess = pose_problem(bulk, y, weight);
+  cost.add(bulk.spent());
   ++cost.contact_problems;
   auto solution = solve_problem(*solver_, problem_, guess, cost);
   rows_ = active_;
@@ -478,13 +471,13 @@ int contact_components(Model const& model) {
   return std::ranges::any_of(model.pairs, along) ? model.dim() : 1;
 }
 
-template<int D> std::unique_ptr<ContactStage> make_in(Model const& model, Structure& structure) {
+template<int D> std::unique_ptr<ContactStage> make_in(Model const& model, Structure const& structure) {
   if (contact_components(model) > 1)
     return std::make_unique<Stage<D, D>>(model, structure);
   return std::make_unique<Stage<D, 1>>(model, structure);
 }
 
-std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure) {
+std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure const& structure) {
   return model.dim() == 2 ? make_in<2>(model, structure) : make_in<3>(model, structure);
 }
 

@@ -36,9 +36,10 @@ public:
   /// H^T p with the current forces and kinematics, of all pairs or of one, [degrees of freedom], N.
   virtual void reaction(Vector& force, int pair = -1) const = 0;
 
-  /// Solves the contact problem linearised at the last `locate`. y: motion of the contact unknowns without
-  /// contact. On return c holds weight (K_geo du + H^T p) on them. False if the solver did not converge.
-  [[nodiscard]] virtual bool solve(Vector const& y, double weight, Vector& c, Cost& cost) = 0;
+  /// Solves the contact problem linearised at the last `locate`. y: motion of the bulk's surface without
+  /// contact. On return c holds weight (K_geo du + H^T p) on it. False if the solver did not converge.
+  [[nodiscard]] virtual bool solve(linear::BulkFactor& bulk, Vector const& y, double weight, Vector& c,
+                                   Cost& cost) = 0;
 
   /// Largest natural-map residual of the present forces at the present kinematics, N; infinite while points
   /// penetrate that no problem has seen yet or the set of bonding points has changed.
@@ -58,6 +59,7 @@ public:
 /// Per point: one where all pairs are frictionless and bond along the normal alone, else as many as the model
 /// has dimensions.
 [[nodiscard]] int contact_components(Model const& model);
-[[nodiscard]] std::unique_ptr<ContactStage> make_contact_stage(Model const& model, Structure& structure);
+[[nodiscard]] std::unique_ptr<ContactStage> make_contact_stage(Model const& model,
+                                                               Structure const& structure);
 
 } // namespace stiction::dynamics

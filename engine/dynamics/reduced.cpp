@@ -6,9 +6,8 @@
 
 namespace stiction::dynamics {
 
-void Reduced::clear(bool symmetric) {
+void Reduced::clear() {
   rows_ = 0;
-  symmetric_ = symmetric;
   H_.clear();
   K_.clear();
 }
@@ -30,8 +29,8 @@ void Reduced::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> con
 }
 
 /// The unknowns that H or K touch, and the block of V between them.
-void Reduced::gather(Dense const& V) {
-  place_.assign(static_cast<std::size_t>(V.rows()), -1);
+void Reduced::gather(linear::BulkFactor& bulk) {
+  place_.assign(ix(bulk.surface()), -1);
   used_.clear();
   auto use = [&](Index u) {
     if (place_[ix(u)] >= 0)
@@ -46,15 +45,15 @@ void Reduced::gather(Dense const& V) {
   support_ = static_cast<Index>(used_.size());
   for (auto const& h : H_)
     use(h.column);
-  auto const n = static_cast<Index>(used_.size());
-  V_.resize(n, n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      V_(i, j) = V(used_[ix(i)], used_[ix(j)]);
+  bulk.compliance(used_, V_);
 }
 
-void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free) {
-  gather(V);
+void Reduced::eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free) {
+  symmetric_ = bulk.symmetric();
+  held_ = bulk.hold() > 0;
+  for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
+    K_.push_back({u, u, bulk.hold() / weight});
+  gather(bulk);
   weight_ = weight;
   Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
   right_.setZero(n, m + 1);
@@ -107,7 +106,7 @@ void Reduced::eliminate(Dense const& V, Vector const& y, double weight, Dense& W
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
 bool Reduced::stable() const {
-  if (support_ == 0 ||
+  if (held_ || support_ == 0 ||
       (small_ - Dense::Identity(support_, support_)).cwiseAbs().rowwise().sum().maxCoeff() < 1)
     return true;
   Dense const V = V_.topLeftCorner(support_, support_);

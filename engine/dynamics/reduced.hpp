@@ -1,26 +1,25 @@
 // The bulk seen from the contact points: rows of H and geometric stiffness reduced to the Delassus operator.
 #pragma once
-#include "core/types.hpp"
+#include "linear/bulk_factor.hpp"
 
 namespace stiction::dynamics {
 
-/// Rows of H and K_geo of the active points over the trailing unknowns, kept point by point as they are
+/// Rows of H and K_geo of the active points over the surface unknowns, kept point by point as they are
 /// sparse. Workspace is kept between calls.
 class Reduced {
 public:
-  /// symmetric: is the V to come?
-  void clear(bool symmetric = true);
-  /// unknowns[columns]: trailing unknown behind each column of H, -1 if driven. H: [components, columns].
+  void clear();
+  /// unknowns[columns]: surface unknown behind each column of H, -1 if driven. H: [components, columns].
   void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
   void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
 
-  /// With V the inverse of the Schur complement, (I - weight V K_geo) du = y + weight V H^T p gives
-  /// x = free + W p, where x = H du.
-  void eliminate(Dense const& V, Vector const& y, double weight, Dense& W, Vector& free);
+  /// With V the bulk's compliance, (I - weight V K_geo) du = y + weight V H^T p gives x = free + W p, where
+  /// x = H du. What holds the bulk's surface is taken away like a K_geo.
+  void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
   /// Has the problem last eliminated a K_geo?
   [[nodiscard]] bool turns() const { return support_ > 0; }
   /// Of the problem last eliminated: would the bulk with K_geo be stable without contact, V^-1 - weight K_geo
-  /// positive definite in its symmetric part?
+  /// positive definite in its symmetric part? Nothing is said of a bulk that has to be held.
   [[nodiscard]] bool stable() const;
   /// c += weight (K_geo du + H^T p) for the forces p of the problem last eliminated.
   void push(Vector const& force, double weight, Vector& c) const;
@@ -31,9 +30,9 @@ private:
     double value;
   };
   Index rows_ = 0;
-  bool symmetric_ = true;
+  bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
   std::vector<Entry> H_, K_;
-  void gather(Dense const& V);
+  void gather(linear::BulkFactor& bulk);
 
   Indices used_, place_; ///< unknowns that K and H touch, those of K first; their place there or -1
   double weight_ = 1;    ///< of the problem last eliminated

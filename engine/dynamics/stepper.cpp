@@ -269,13 +269,13 @@ bool Stepper::apply_factor() {
     Timer const timer(cost_.solve);
     for (Index k = 0; k < structure_.unknowns(); ++k)
       correction_[k] = -dry_[structure_.dof_of(k)];
-    surface_ = structure_.reduce(correction_);
+    surface_ = structure_.factor().condense(correction_);
   }
-  if (!contact_->solve(surface_, weights_.contact, push_, cost_))
+  if (!contact_->solve(structure_.factor(), surface_, weights_.contact, push_, cost_))
     return false;
   {
     Timer const timer(cost_.solve);
-    structure_.recover(push_, correction_);
+    structure_.factor().expand(push_, correction_);
     ++cost_.solves;
   }
   for (Index k = 0; k < structure_.unknowns(); ++k)

@@ -74,6 +74,9 @@ double largest_cell(Model const& model) {
 Structure::Structure(Model const& model, StepWeights const& weights)
     : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces) {
   on_surface_ = contact_nodes(model);
+  for (auto const& cells : model.cells)
+    damped_ = damped_ || (weights.inertia && cells.damped());
+  own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
   number_unknowns(model);
   if (!diagonal_)
     build_maps(model);
@@ -97,9 +100,6 @@ Structure::Structure(Model const& model, StepWeights const& weights)
                                [](auto const& body) { return material::linear(body->material); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
-  for (auto const& cells : model.cells)
-    damped_ = damped_ || (weights.inertia && cells.damped());
-  own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1 && trailing_ > 0;
 }
 
 void Structure::number_unknowns(Model const& model) {
@@ -139,7 +139,8 @@ void Structure::number_unknowns(Model const& model) {
   }
   auto pattern = linear::pattern_of(count, cliques());
   values_.resize(pattern.rows.size());
-  kept_.emplace_back().factor = std::make_unique<linear::Cholesky>(std::move(pattern), trailing_);
+  own_rates_ = own_rates_ && trailing_ > 0;
+  kept_.emplace_back().factor = linear::make_bulk_factor(std::move(pattern), trailing_, own_rates_);
 }
 
 void Structure::build_maps(Model const& model) {
@@ -256,7 +257,6 @@ double mass_factor(StepWeights const& weights, double dt) {
 void Structure::Kept::is_of(FactorSource from, StepWeights const& weights) {
   source = std::move(from);
   made = wanted = false;
-  own.reset();
   xi = weights.xi;
   mass = mass_factor(weights, source.dt);
 }
@@ -295,10 +295,10 @@ void Structure::recall(std::vector<FactorSource> const& wanted, StepWeights cons
 }
 
 /// Memory for a factor, what it holds is of no use.
-std::unique_ptr<linear::Cholesky> Structure::spare() {
+std::unique_ptr<linear::BulkFactor> Structure::spare() {
   if (spare_.empty()) {
     auto const& any = *std::ranges::find_if(kept_, [](Kept const& one) { return one.factor != nullptr; });
-    return std::make_unique<linear::Cholesky>(any.factor->pattern(), trailing_);
+    return any.factor->another();
   }
   auto last = std::move(spare_.back());
   spare_.pop_back();
@@ -365,10 +365,10 @@ void Structure::add_damping(Vector const& u, double factor, std::vector<double>&
 }
 
 /// The columns of contact unknowns in `share` times what A adds.
-std::vector<OwnRates::Entry> Structure::own_columns(double share) const {
+std::vector<linear::ColumnEntry> Structure::own_columns(double share) const {
   auto const& pattern = kept_.front().factor->pattern();
   Index const first_contact = first_contact_unknown();
-  std::vector<OwnRates::Entry> entries;
+  std::vector<linear::ColumnEntry> entries;
   auto const add = [&](Index row, Index column, double value) {
     if (column >= first_contact && value != 0)
       entries.push_back({row, column - first_contact, share * value});
@@ -381,32 +381,6 @@ std::vector<OwnRates::Entry> Structure::own_columns(double share) const {
         add(j, i, viscous_[ix(k)]);
     }
   return entries;
-}
-
-Vector Structure::reduce(Vector& b) {
-  auto& kept = kept_.front();
-  kept.factor->forward(b);
-  if (kept.own)
-    return kept.own->reduce(*kept.factor, b);
-  Vector y = b.tail(trailing_);
-  kept.factor->trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
-  return y;
-}
-
-void Structure::recover(Vector const& push, Vector& z) {
-  auto& kept = kept_.front();
-  if (kept.own) {
-    kept.own->recover(*kept.factor, push, z);
-  } else if (!push.isZero(0)) {
-    Vector const own = kept.factor->trailing_factor().triangularView<Eigen::Lower>().solve(push);
-    z.tail(trailing_) += own;
-  }
-  kept.factor->backward(z);
-}
-
-Dense const& Structure::contact_inverse() {
-  auto& kept = kept_.front();
-  return kept.own ? kept.own->inverse() : kept.factor->trailing_inverse();
 }
 
 bool Structure::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
@@ -433,26 +407,18 @@ bool Structure::make(StepWeights const& weights, Cost& cost) {
   }
   Timer const timer(cost.factorization);
   auto const& columns = now.factor->pattern().columns;
-  now.shift = now.scale = now.bodies = 0;
+  now.scale = now.bodies = 0;
   for (Index j = 0; j < unknowns(); ++j) {
     auto const k = ix(columns[ix(j)]);
     now.scale = std::max(now.scale, values_[k]);
     now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
   }
-  ++cost.factorizations;
-  now.made = !(model_->held_by_bonds && trailing_ > 0) && now.factor->factorize(values_);
-  if (!now.made && trailing_ > 0) {
-    ++cost.factorizations;
-    ++cost.shifted_factorizations;
-    now.shift = 10 * now.scale;
-    for (Index j = first_contact_unknown(); j < unknowns(); ++j)
-      values_[ix(columns[ix(j)])] += now.shift;
-    now.made = now.factor->factorize(values_);
-  }
-  if (now.made && own_rates_) {
-    now.own = std::make_unique<OwnRates>();
-    now.made = now.own->add(*now.factor, own_columns(weights.rate - 1), trailing_);
-  }
+  auto own = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
+  now.made = now.factor->factorize(values_, std::move(own),
+                                   model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
+  bool const held = now.factor->hold() > 0;
+  cost.factorizations += held ? 2 : 1;
+  cost.shifted_factorizations += held ? 1 : 0;
   if (!now.made)
     now.source = {};
   return now.made;

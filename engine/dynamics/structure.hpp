@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "dynamics/mass.hpp"
-#include "dynamics/own_rates.hpp"
 #include "dynamics/skin.hpp"
 #include "dynamics/state.hpp"
+#include "linear/bulk_factor.hpp"
 
 namespace stiction::dynamics {
 
@@ -16,6 +16,12 @@ struct Cost {
   long force_passes = 0, stiffness_passes = 0, factorizations = 0, shifted_factorizations = 0, solves = 0;
   long newton_iterations = 0, contact_iterations = 0, contact_problems = 0;
   double contact_operations = 0; ///< of the contact solver, floating-point, leading terms
+  long compliance_columns = 0;   ///< of the surface, solved for
+  double compliance_operations = 0;
+  void add(linear::Spent const& spent) {
+    compliance_columns += spent.columns;
+    compliance_operations += spent.operations;
+  }
 };
 
 class Structure {
@@ -51,11 +57,9 @@ public:
   /// Builds and factors xi K(u) + xi A(u) / (rate dt) + M / (mass dt^2), (49), with rate = 1 in the columns
   /// of contact nodes that balance by themselves; of explicit schemes the lumped M alone, without any pass
   /// over the cells. The change of A with u is left out. Where that is not positive definite by itself but
-  /// would be with the contact surfaces held, as a law that softens under a punch, `shift` is added on the
-  /// contact unknowns; who solves with the factor takes it away again. False if that does not help.
+  /// would be with the contact surfaces held, as a law that softens under a punch, the factor holds them.
+  /// False if that does not help.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
-  /// What the present factor has beside the effective stiffness on the diagonal of the contact unknowns, N/m.
-  [[nodiscard]] double shift() const { return kept_.front().shift; }
   /// Takes up a factor for these coefficients, of whatever u; false if none is kept. One that `recall` wants
   /// and that has been overwritten is made again.
   [[nodiscard]] bool take_factor(StepWeights const& weights, double dt, Cost& cost);
@@ -71,15 +75,9 @@ public:
   [[nodiscard]] bool linear() const { return linear_; }
   /// True if the internal force is linear in u.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
-  /// b becomes L^-1 b; returns the motion of the contact unknowns that b alone gives.
-  [[nodiscard]] Vector reduce(Vector& b);
-  /// From what `reduce` left the motion of all unknowns with `push` on the contact unknowns beside b.
-  void recover(Vector const& push, Vector& z);
-  /// Inverse of the Schur complement onto the contact unknowns, [trailing, trailing], m/N.
-  [[nodiscard]] Dense const& contact_inverse();
-  /// Is that symmetric?
-  [[nodiscard]] bool symmetric() const { return kept_.front().own == nullptr; }
-  [[nodiscard]] linear::Cholesky& factor() { return *kept_.front().factor; }
+  /// The present one; its surface are the contact unknowns.
+  [[nodiscard]] linear::BulkFactor& factor() { return *kept_.front().factor; }
+  [[nodiscard]] linear::BulkFactor const& factor() const { return *kept_.front().factor; }
   [[nodiscard]] linear::Effort effort() const { return kept_.front().factor->effort(); }
   /// Largest diagonal entry of the present factor's matrix, N/m: sets the floor of rounding.
   [[nodiscard]] double stiffness_scale() const { return kept_.front().scale; }
@@ -91,13 +89,12 @@ public:
 private:
   /// A factor, and what it is the factor of.
   struct Kept {
-    std::unique_ptr<linear::Cholesky> factor;
-    std::unique_ptr<OwnRates> own; ///< where contact nodes have rates of their own and bodies a viscosity
-    FactorSource source;           ///< no u: nothing is kept here
-    bool made = false;             ///< false: to be made from the source when it is asked for
-    bool wanted = false;           ///< by the state that the present step starts from
-    double xi = 0, mass = 0;       ///< coefficients of K and of M, 1 and 1/s^2
-    double scale = 0, bodies = 0, shift = 0; ///< N/m
+    std::unique_ptr<linear::BulkFactor> factor;
+    FactorSource source;          ///< no u: nothing is kept here
+    bool made = false;            ///< false: to be made from the source when it is asked for
+    bool wanted = false;          ///< by the state that the present step starts from
+    double xi = 0, mass = 0;      ///< coefficients of K and of M, 1 and 1/s^2
+    double scale = 0, bodies = 0; ///< N/m
     void is_of(FactorSource from, StepWeights const& weights);
     [[nodiscard]] bool is(double of_xi, double of_mass) const {
       return source.u != nullptr && xi == of_xi && mass == of_mass;
@@ -108,14 +105,14 @@ private:
   };
   [[nodiscard]] bool make(StepWeights const& weights, Cost& cost);
   void place_factor(FactorSource source, StepWeights const& weights);
-  [[nodiscard]] std::unique_ptr<linear::Cholesky> spare();
+  [[nodiscard]] std::unique_ptr<linear::BulkFactor> spare();
   void number_unknowns(Model const& model);
   void place_mass(StepWeights const& weights);
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
   void add_damping(Vector const& u, double factor, std::vector<double>& values) const;
-  [[nodiscard]] std::vector<OwnRates::Entry> own_columns(double share) const;
+  [[nodiscard]] std::vector<linear::ColumnEntry> own_columns(double share) const;
 
   Model const* model_;
   int dim_;
@@ -134,7 +131,7 @@ private:
       viscous_;              ///< viscous_: what A adds, where contact nodes have rates of their own
   std::vector<Kept> kept_;   ///< the present one first, then by when they were used; at least one
   std::vector<Kept> parked_; ///< wanted, but overwritten by the present step; at most one
-  std::vector<std::unique_ptr<linear::Cholesky>> spare_; ///< memory of factors that nobody wants
+  std::vector<std::unique_ptr<linear::BulkFactor>> spare_; ///< memory of factors that nobody wants
   std::size_t kept_at_most_ = 1;
   bool linear_ = false, linear_bodies_ = false, damped_ = false;
   bool own_rates_ = false; ///< of damped bodies' contact nodes

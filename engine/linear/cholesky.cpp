@@ -12,7 +12,6 @@
 extern "C" {
 void openblas_set_num_threads(int threads);
 void omp_set_max_active_levels(int levels);
-void dpotri_(char const* uplo, int const* n, double* a, int const* lda, int* info);
 }
 
 namespace stiction::linear {
@@ -36,8 +35,8 @@ struct Cholesky::Workspace {
   cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
 };
 
-Cholesky::Cholesky(Pattern pattern, Index trailing)
-    : pattern_(std::move(pattern)), trailing_(trailing), work_(std::make_unique<Workspace>()) {
+Cholesky::Cholesky(Pattern pattern, Index trailing, Order order)
+    : pattern_(std::move(pattern)), trailing_(trailing), order_(order), work_(std::make_unique<Workspace>()) {
   recycle_suitesparse_memory();
   // cases are the unit of parallelism; CHOLMOD would start four threads for every larger supernode
   openblas_set_num_threads(1);
@@ -46,9 +45,11 @@ Cholesky::Cholesky(Pattern pattern, Index trailing)
   cholmod_start(&common);
   common.print = 0;
   common.supernodal = CHOLMOD_SUPERNODAL;
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_NATURAL; // the pattern comes ordered
-  common.postorder = 0;                        // and the trailing unknowns stay last
+  if (order == Order::given) {
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NATURAL; // the pattern comes ordered
+    common.postorder = 0;                        // and the trailing unknowns stay last
+  }
   auto& matrix = work_->matrix;
   matrix = view_of(pattern_);
   work_->factor = cholmod_analyze(&matrix, &common);
@@ -60,7 +61,6 @@ Cholesky::Cholesky(Pattern pattern, Index trailing)
   work_->solution = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
   work_->scratch1 = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
   work_->scratch2 = cholmod_allocate_dense(edge, 1, edge, CHOLMOD_REAL, &common);
-  inverse_.resize(trailing_, trailing_);
 }
 
 Cholesky::~Cholesky() {
@@ -79,7 +79,7 @@ bool Cholesky::factorize(std::span<double const> values) {
   core::expect(values.size() == pattern_.rows.size(), "one value per entry of the pattern");
   auto& w = *work_;
   w.matrix.x = const_cast<double*>(values.data()); // CHOLMOD reads only
-  factor_ready_ = inverse_ready_ = false;
+  factor_ready_ = false;
   if (values.empty()) // nothing is unknown: CHOLMOD calls the empty matrix singular
     return true;
   cholmod_factorize(&w.matrix, w.factor, &w.common);
@@ -107,6 +107,9 @@ void Cholesky::solve_system(int system, Eigen::Ref<Dense> B) {
 void Cholesky::solve(Vector& b) {
   solve_system(CHOLMOD_A, b);
 }
+void Cholesky::solve(Dense& B) {
+  solve_system(CHOLMOD_A, B);
+}
 void Cholesky::forward(Vector& b) {
   solve_system(CHOLMOD_L, b);
 }
@@ -120,6 +123,7 @@ void Cholesky::forward(Dense& B) {
 Dense const& Cholesky::trailing_factor() {
   if (factor_ready_)
     return trailing_factor_;
+  core::expect(order_ == Order::given, "the trailing unknowns to be eliminated last");
   cholmod_factor const& L = *work_->factor;
   auto const* super = static_cast<int const*>(L.super);
   auto const* pi = static_cast<int const*>(L.pi);
@@ -139,20 +143,6 @@ Dense const& Cholesky::trailing_factor() {
   }
   factor_ready_ = true;
   return trailing_factor_;
-}
-
-Dense const& Cholesky::trailing_inverse() {
-  if (inverse_ready_ || trailing_ == 0)
-    return inverse_;
-  inverse_ = trailing_factor(); // L_cc L_cc^T = Schur complement
-  int info = 0;
-  dpotri_("L", &trailing_, inverse_.data(), &trailing_, &info);
-  core::expect(info == 0, "the trailing factor to be regular");
-  for (Index j = 0; j < trailing_; ++j)
-    for (Index i = 0; i < j; ++i)
-      inverse_(i, j) = inverse_(j, i);
-  inverse_ready_ = true;
-  return inverse_;
 }
 
 std::string cholmod_version() {

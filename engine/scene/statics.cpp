@@ -28,7 +28,8 @@ Vector lumped_mass(dynamics::Model const& model) {
 
 Statics::Statics(dynamics::Model const& model) : model_(&model), structure_(model, still()) {
   dynamics::Cost cost;
-  regular_ = structure_.factorize(Vector::Zero(model.dofs()), still(), 1, cost) && structure_.shift() == 0;
+  regular_ =
+      structure_.factorize(Vector::Zero(model.dofs()), still(), 1, cost) && structure_.factor().hold() == 0;
 }
 
 Vector Statics::solve(Vector const& force) {

@@ -35,10 +35,9 @@ double operations(dynamics::Model const& model, dynamics::Stepper const& stepper
   auto const& structure = stepper.structure();
   auto const effort = structure.effort();
   auto const pass = pass_operations(model);
-  auto const trailing = static_cast<double>(structure.unknowns() - structure.first_contact_unknown());
   return pass.force * static_cast<double>(cost.force_passes) +
          pass.stiffness * static_cast<double>(cost.stiffness_passes) +
-         (effort.operations + trailing * trailing * trailing) * static_cast<double>(cost.factorizations) +
+         effort.operations * static_cast<double>(cost.factorizations) + cost.compliance_operations +
          4 * effort.entries * static_cast<double>(cost.solves) + cost.contact_operations;
 }
 

@@ -1,36 +1,36 @@
-// Elimination of the columns of contact unknowns with a factor of the symmetric part.
-#include "dynamics/own_rates.hpp"
+// Elimination of the columns of surface unknowns with a factor of the symmetric part.
+#include "linear/skew_columns.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace stiction::dynamics {
+namespace stiction::linear {
 
-bool OwnRates::add(linear::Cholesky& factor, std::vector<Entry> entries, Index trailing) {
+bool SkewColumns::add(Cholesky& factor, std::vector<ColumnEntry> entries, Index surface) {
   constexpr Index most = 64; // columns at a time: enough for matrix products, little memory
   entries_ = std::move(entries);
-  std::ranges::stable_sort(entries_, {}, &Entry::column);
+  std::ranges::stable_sort(entries_, {}, &ColumnEntry::column);
   // L_c L_c^T + B_c - S_ci S_ii^-1 B_i = L_c (L_c^T + last rows of L^-1 B)
   Dense const& L = factor.trailing_factor();
   Dense sum = L.transpose(), B;
   auto entry = entries_.begin();
-  for (Index first = 0; first < trailing; first += most) {
-    Index const count = std::min(most, trailing - first);
+  for (Index first = 0; first < surface; first += most) {
+    Index const count = std::min(most, surface - first);
     B.setZero(factor.pattern().size(), count);
     for (; entry != entries_.end() && entry->column < first + count; ++entry)
       B(entry->row, entry->column - first) += entry->value;
     factor.forward(B);
-    sum.middleCols(first, count) += B.bottomRows(trailing);
+    sum.middleCols(first, count) += B.bottomRows(surface);
   }
   inverse_ = Dense(L.triangularView<Eigen::Lower>() * sum).partialPivLu().inverse();
   return inverse_.allFinite();
 }
 
-Vector OwnRates::reduce(linear::Cholesky& factor, Vector const& z) const {
+Vector SkewColumns::condense(Cholesky& factor, Vector const& z) const {
   return inverse_ * (factor.trailing_factor().triangularView<Eigen::Lower>() * z.tail(inverse_.rows()));
 }
 
-void OwnRates::recover(linear::Cholesky& factor, Vector const& push, Vector& z) {
+void SkewColumns::expand(Cholesky& factor, Vector const& push, Vector& z) {
   Dense const& L = factor.trailing_factor();
   auto const first = z.size() - inverse_.rows();
   Vector const force = L.triangularView<Eigen::Lower>() * z.tail(inverse_.rows());
@@ -44,4 +44,4 @@ void OwnRates::recover(linear::Cholesky& factor, Vector const& push, Vector& z) 
   z.tail(inverse_.rows()) = L.transpose().triangularView<Eigen::Upper>() * motion;
 }
 
-} // namespace stiction::dynamics
+} // namespace stiction::linear

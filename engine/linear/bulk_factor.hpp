@@ -1,0 +1,94 @@
+// A bulk's factored matrix as contact needs it: loads condensed onto the surface, the surface's compliance,
+// corrections expanded. Who holds one knows nothing of how the factor is stored.
+#pragma once
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "linear/pattern.hpp"
+
+namespace stiction::linear {
+
+/// What one factorization takes.
+struct Effort {
+  double entries = 0;    ///< numbers that the factor stores
+  double operations = 0; ///< of floating point
+};
+
+/// What the compliance of surface unknowns has taken.
+struct Spent {
+  long columns = 0;
+  double operations = 0; ///< of floating point
+};
+
+/// A number beside the symmetric matrix: in the column of a surface unknown, counted from the first of them.
+struct ColumnEntry {
+  Index row, column;
+  double value;
+};
+
+/// When the surface is held beside what the matrix itself does.
+enum class Hold { if_needed, always };
+
+/// Of a matrix of fixed pattern; its last unknowns are those of the surface.
+class BulkFactor {
+public:
+  explicit BulkFactor(Index surface) : surface_(surface) {}
+  BulkFactor(BulkFactor const&) = delete;
+  BulkFactor& operator=(BulkFactor const&) = delete;
+  virtual ~BulkFactor() = default;
+  /// One of the same pattern that holds nothing yet.
+  [[nodiscard]] virtual std::unique_ptr<BulkFactor> another() const = 0;
+
+  /// values[entries] of the lower triangle; where they are not positive definite alone but would be with the
+  /// surface held, ten times their largest is added on its diagonal. columns: of surface unknowns, beside
+  /// values, not symmetric. False if that does not help either.
+  [[nodiscard]] bool factorize(std::span<double> values, std::vector<ColumnEntry> columns = {},
+                               Hold hold = Hold::if_needed);
+  /// What the last matrix got on the diagonal of its surface to be held, or 0. Condensed loads, compliance
+  /// and corrections are those of the held matrix: without it, and without the stiffness that contact brings
+  /// along, there may be none. Who adds the one takes away the other.
+  [[nodiscard]] double hold() const { return hold_; }
+  /// Is the compliance?
+  [[nodiscard]] virtual bool symmetric() const { return true; }
+
+  /// b[n] becomes what `expand` wants; returns the motion of the surface that b alone gives.
+  [[nodiscard]] virtual Vector condense(Vector& b) = 0;
+  /// From what `condense` left the motion of all with `push` on the surface beside b.
+  virtual void expand(Vector const& push, Vector& b) = 0;
+  /// C(i, j): motion of surface unknown used[i] per load on used[j]. Only columns that have not been asked
+  /// for since the matrix was factored take work; the numbers do not depend on what was asked for before.
+  virtual void compliance(Indices const& used, Dense& C) = 0;
+  /// A x = b in place.
+  void solve(Vector& b);
+
+  [[nodiscard]] virtual Pattern const& pattern() const = 0;
+  [[nodiscard]] Index surface() const { return surface_; }
+  [[nodiscard]] Index first_of_surface() const { return pattern().size() - surface_; }
+  [[nodiscard]] virtual Effort effort() const = 0;
+  /// Since this was asked for last.
+  [[nodiscard]] Spent spent() { return std::exchange(spent_, {}); }
+  /// Numbers held beside the factor for the sake of the surface.
+  [[nodiscard]] virtual double surface_numbers() const = 0;
+
+protected:
+  [[nodiscard]] virtual bool take(std::span<double const> values) = 0;
+  [[nodiscard]] virtual bool add(std::vector<ColumnEntry> columns) = 0;
+  void spend(long columns, double operations) {
+    spent_.columns += columns;
+    spent_.operations += operations;
+  }
+
+private:
+  Index surface_;
+  double hold_ = 0;
+  Spent spent_;
+};
+
+/// The factor that suits the pattern, which comes in elimination order but for its surface: diagonal where
+/// nothing is coupled; else the surface last, or wherever it fills least if that is expected to cost less.
+/// skew: will there be columns beside the symmetric matrix?
+[[nodiscard]] std::unique_ptr<BulkFactor> make_bulk_factor(Pattern pattern, Index surface, bool skew = false);
+
+} // namespace stiction::linear

@@ -1,0 +1,27 @@
+// Columns of surface unknowns beside a factored symmetric matrix, which make it unsymmetric.
+#pragma once
+#include "linear/bulk_factor.hpp"
+#include "linear/cholesky.hpp"
+
+namespace stiction::linear {
+
+/// The columns B beside S = L L^T, eliminated onto the surface: of S + B the factor of the interior is that
+/// of S.
+class SkewColumns {
+public:
+  /// False if S + B is singular on the surface.
+  [[nodiscard]] bool add(Cholesky& factor, std::vector<ColumnEntry> entries, Index surface);
+  /// Inverse of the Schur complement of S + B onto the surface. [surface, surface]
+  [[nodiscard]] Dense const& inverse() const { return inverse_; }
+  /// From z = L^-1 b the surface unknowns of (S + B)^-1 b.
+  [[nodiscard]] Vector condense(Cholesky& factor, Vector const& z) const;
+  /// From z = L^-1 b what L^-T makes the solution for b + push; push: on the surface.
+  void expand(Cholesky& factor, Vector const& push, Vector& z);
+
+private:
+  std::vector<ColumnEntry> entries_;
+  Dense inverse_;
+  Vector interior_;
+};
+
+} // namespace stiction::linear

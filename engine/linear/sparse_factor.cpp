@@ -1,0 +1,205 @@
+// Half-solves with the surface last, whole ones where it is not.
+#include "linear/sparse_factor.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/memory.hpp"
+#include "linear/cholesky.hpp"
+#include "linear/skew_columns.hpp"
+#include "linear/surface_columns.hpp"
+
+extern "C" {
+void dpotri_(char const* uplo, int const* n, double* a, int const* lda, int* info);
+}
+
+namespace stiction::linear {
+
+namespace {
+
+constexpr Index at_once = 512; // surface unknowns up to which all columns take no longer than some
+
+/// Columns of a group: whole nodes in the plane and in space; fewer where a column costs more.
+Index width(Order order, Index surface) {
+  if (order == Order::free)
+    return 12;
+  return surface <= at_once ? std::max(surface, 1) : 24;
+}
+
+/// The factor and what is common to both orders.
+class SparseFactor : public BulkFactor {
+public:
+  SparseFactor(Index surface, std::unique_ptr<Cholesky> factor)
+      : BulkFactor(surface), factor_(std::move(factor)), columns_(surface, width(factor_->order(), surface)) {
+  }
+  [[nodiscard]] Pattern const& pattern() const override { return factor_->pattern(); }
+  [[nodiscard]] Effort effort() const override { return factor_->effort(); }
+  [[nodiscard]] double surface_numbers() const override { return columns_.numbers(); }
+  void compliance(Indices const& used, Dense& C) override {
+    auto const solve = [this](Index first, Dense& X) { solve_columns(first, X); };
+    spend(columns_.gather(used, solve, C), 0);
+  }
+
+protected:
+  [[nodiscard]] bool take(std::span<double const> values) override {
+    columns_.clear();
+    return factor_->factorize(values);
+  }
+  virtual void solve_columns(Index first, Dense& X) = 0;
+  [[nodiscard]] Cholesky& factor() { return *factor_; }
+  [[nodiscard]] std::unique_ptr<Cholesky> fresh() const {
+    return std::make_unique<Cholesky>(pattern(), surface(), factor_->order());
+  }
+
+private:
+  std::unique_ptr<Cholesky> factor_;
+  SurfaceColumns columns_;
+};
+
+/// The surface last: the trailing block of the factor is that of the Schur complement onto it.
+class SurfaceLast : public SparseFactor {
+public:
+  using SparseFactor::SparseFactor;
+  [[nodiscard]] std::unique_ptr<BulkFactor> another() const override {
+    return std::make_unique<SurfaceLast>(surface(), fresh());
+  }
+  [[nodiscard]] bool symmetric() const override { return !skew_; }
+
+  [[nodiscard]] Vector condense(Vector& b) override {
+    factor().forward(b);
+    if (skew_)
+      return skew_->condense(factor(), b);
+    Vector y = b.tail(surface());
+    factor().trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
+    return y;
+  }
+
+  void expand(Vector const& push, Vector& z) override {
+    if (skew_) {
+      skew_->expand(factor(), push, z);
+    } else if (!push.isZero(0)) {
+      Vector const own = factor().trailing_factor().triangularView<Eigen::Lower>().solve(push);
+      z.tail(surface()) += own;
+    }
+    factor().backward(z);
+  }
+
+  void compliance(Indices const& used, Dense& C) override {
+    if (skew_)
+      C = skew_->inverse()(used, used);
+    else
+      SparseFactor::compliance(used, C);
+  }
+
+  [[nodiscard]] double surface_numbers() const override {
+    auto const n = static_cast<double>(surface());
+    return (skew_ ? 2 : 1) * n * n + SparseFactor::surface_numbers();
+  }
+
+protected:
+  [[nodiscard]] bool take(std::span<double const> values) override {
+    skew_.reset();
+    return SparseFactor::take(values);
+  }
+  [[nodiscard]] bool add(std::vector<ColumnEntry> columns) override {
+    if (columns.empty())
+      return true;
+    auto const n = static_cast<double>(surface());
+    spend(surface(), (2 * effort().entries + 3 * n * n) * n);
+    return skew_.emplace().add(factor(), std::move(columns), surface());
+  }
+  /// Rows above `first` want neither half of the solution.
+  void solve_columns(Index first, Dense& X) override {
+    auto const rows = surface() - first;
+    auto const n = static_cast<double>(rows);
+    if (X.cols() == surface()) {
+      spend(0, n * n * n);
+      return invert(X);
+    }
+    auto const L = factor().trailing_factor().bottomRightCorner(rows, rows);
+    X.setIdentity();
+    L.triangularView<Eigen::Lower>().solveInPlace(X);
+    L.transpose().triangularView<Eigen::Upper>().solveInPlace(X);
+    spend(0, 2 * n * n * static_cast<double>(X.cols()));
+  }
+
+private:
+  /// The lower triangle alone.
+  void invert(Dense& X) {
+    X = factor().trailing_factor(); // L_cc L_cc^T = Schur complement
+    int const n = surface();
+    int info = 0;
+    dpotri_("L", &n, X.data(), &n, &info);
+    core::expect(info == 0, "the trailing factor to be regular");
+  }
+
+  std::optional<SkewColumns> skew_;
+};
+
+/// The surface wherever it fills least: nothing dense between its unknowns, but columns through all of L.
+class SurfaceAnywhere : public SparseFactor {
+public:
+  using SparseFactor::SparseFactor;
+  [[nodiscard]] std::unique_ptr<BulkFactor> another() const override {
+    return std::make_unique<SurfaceAnywhere>(surface(), fresh());
+  }
+  [[nodiscard]] Vector condense(Vector& b) override {
+    factor().solve(b);
+    return b.tail(surface());
+  }
+  void expand(Vector const& push, Vector& b) override {
+    if (push.isZero(0))
+      return;
+    Vector more = Vector::Zero(b.size());
+    more.tail(surface()) = push;
+    factor().solve(more);
+    b += more;
+  }
+
+protected:
+  [[nodiscard]] bool add(std::vector<ColumnEntry> columns) override {
+    core::expect(columns.empty(), "columns beside the matrix only where the surface is last");
+    return true;
+  }
+  void solve_columns(Index first, Dense& X) override {
+    loads_.setZero(pattern().size(), X.cols());
+    loads_.middleRows(first_of_surface() + first, X.cols()).setIdentity();
+    factor().solve(loads_);
+    X = loads_.bottomRows(X.rows());
+    spend(0, 4 * effort().entries * static_cast<double>(X.cols()));
+  }
+
+private:
+  Dense loads_;
+};
+
+constexpr Index small = 1000; // surface unknowns below which nothing but the surface last is looked at
+constexpr double near = 0.25; // part of the surface that is expected to be near contact
+
+/// Operations of a factorization with the columns that it is expected to be asked for.
+double expected(Cholesky const& factor, Index surface) {
+  auto const n = static_cast<double>(surface);
+  auto const effort = factor.effort();
+  double const column = factor.order() == Order::given ? n * n : 4 * effort.entries;
+  return effort.operations + near * n * column;
+}
+
+} // namespace
+
+std::unique_ptr<BulkFactor> make_sparse_factor(Pattern const& pattern, Index surface, bool skew) {
+  std::unique_ptr<Cholesky> last, free;
+  if (!skew && surface >= small)
+    free = std::make_unique<Cholesky>(pattern, surface, Order::free);
+  try {
+    last = std::make_unique<Cholesky>(pattern, surface);
+  } catch (core::OutOfMemory const&) { // more numbers than CHOLMOD can count
+    if (!free)
+      throw;
+  }
+  if (!free || (last && expected(*last, surface) <= expected(*free, surface)))
+    return std::make_unique<SurfaceLast>(surface, std::move(last));
+  return std::make_unique<SurfaceAnywhere>(surface, std::move(free));
+}
+
+} // namespace stiction::linear

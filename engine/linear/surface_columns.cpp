@@ -1,0 +1,58 @@
+// Groups of columns, made when they are asked for.
+#include "linear/surface_columns.hpp"
+
+#include <algorithm>
+
+namespace stiction::linear {
+
+namespace {
+constexpr double hoard = 2; // of what the present question needs: more is dropped
+}
+
+void SurfaceColumns::clear() {
+  for (auto& group : groups_)
+    group.resize(0, 0);
+  numbers_ = 0;
+}
+
+/// A contact that wanders leaves columns behind that nobody asks for any more.
+void SurfaceColumns::drop(std::vector<bool> const& wanted) {
+  double needed = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    needed += wanted[g] ? static_cast<double>(groups_[g].size()) : 0.0;
+  if (numbers_ <= hoard * needed)
+    return;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    if (!wanted[g])
+      groups_[g].resize(0, 0);
+  numbers_ = needed;
+}
+
+Index SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) {
+  std::vector<bool> wanted(groups_.size(), false);
+  for (Index const u : used)
+    wanted[ix(u / width_)] = true;
+  Index columns = 0;
+  for (Index g = 0; g < static_cast<Index>(groups_.size()); ++g) {
+    if (!wanted[ix(g)] || groups_[ix(g)].size() > 0)
+      continue;
+    Index const first = g * width_, count = std::min(width_, surface_ - first);
+    groups_[ix(g)].resize(surface_ - first, count);
+    solve(first, groups_[ix(g)]);
+    columns += count;
+    numbers_ += static_cast<double>(groups_[ix(g)].size());
+  }
+  if (columns > 0)
+    drop(wanted);
+  auto const n = static_cast<Index>(used.size());
+  C.resize(n, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) { // one number for (i, j) and (j, i)
+      Index const low = std::min(used[ix(i)], used[ix(j)]), high = std::max(used[ix(i)], used[ix(j)]);
+      Index const first = low / width_ * width_;
+      C(i, j) = groups_[ix(low / width_)](high - first, low - first);
+    }
+  return columns;
+}
+
+} // namespace stiction::linear

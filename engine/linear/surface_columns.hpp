@@ -1,0 +1,34 @@
+// Columns of a symmetric compliance between surface unknowns, kept as long as the factor they come from.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace stiction::linear {
+
+/// Columns are solved for in groups of neighbours, the same ones whatever is asked for, so that the numbers
+/// do not depend on the order of questions. Of a group only the rows from its own first on are kept,
+/// of its own block the lower triangle.
+class SurfaceColumns {
+public:
+  /// width: columns of a group.
+  SurfaceColumns(Index surface, Index width)
+      : surface_(surface), width_(width), groups_(ix((surface + width - 1) / width)) {}
+
+  /// Rows first, first + 1, ... of as many columns from `first` on as X has; X: [surface - first, any].
+  using Solve = std::function<void(Index first, Dense& X)>;
+  /// C(i, j): compliance between used[i] and used[j]; returns how many columns that took.
+  Index gather(Indices const& used, Solve const& solve, Dense& C);
+  void clear();
+  [[nodiscard]] double numbers() const { return numbers_; }
+
+private:
+  void drop(std::vector<bool> const& wanted);
+
+  Index surface_, width_;
+  std::vector<Dense> groups_; ///< [groups], empty if not known
+  double numbers_ = 0;        ///< in all groups
+};
+
+} // namespace stiction::linear
