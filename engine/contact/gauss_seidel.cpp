@@ -2,7 +2,7 @@
 // update.
 #include <Eigen/LU>
 
-#include "contact/solver.hpp"
+#include "contact/rounding.hpp"
 
 namespace stiction::contact {
 
@@ -58,6 +58,8 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
     if (best.converged || verdict.residual < best.verdict.residual) {
       best.force = p;
       best.verdict = verdict;
+    } else if (within_rounding(problem, best)) {
+      best.converged = best.rounded = true;
     } else if (!(verdict.residual <= 1e12 * best.verdict.residual)) {
       break; // diverges
     }
@@ -87,7 +89,7 @@ private:
 
 template<class Choice> core::Schema sweep_schema(core::Describe<Choice> start) {
   return start
-      .number("tolerance", &Choice::tolerance, "1", {1e-15, 1, false, true}, core::Need::optional,
+      .number("tolerance", &Choice::tolerance, "1", {1e-16, 1, false, true}, core::Need::optional,
               "natural-map residual over the largest traction")
       .integer("iterations", &Choice::iterations, {1, 1e7, false, false}, core::Need::optional,
                "sweeps at most")

@@ -5,6 +5,7 @@
 
 #include "contact/minimum.hpp"
 #include "contact/pivoting.hpp"
+#include "contact/rounding.hpp"
 #include "contact/solver.hpp"
 
 namespace stiction::contact {
@@ -255,17 +256,25 @@ private:
       solution.verdict = newton.verdict();
       return solution.converged = solution.verdict.relative() <= settings_.tolerance;
     };
+    auto rounding_ends = [&] {
+      solution.force = newton.force();
+      return solution.converged = solution.rounded = within_rounding(problem, solution);
+    };
     int const most = stuck == Stuck::hand_over ? std::min(quick, settings_.iterations) : settings_.iterations;
     while (!judged() && solution.iterations < most) {
       ++solution.iterations;
       if (newton.step())
         continue;
+      if (rounding_ends())
+        break;
       if (++restarts > 5 || stuck != Stuck::sweep) {
         stagnated = !judged();
         break;
       }
       newton.sweep(10 * restarts);
     }
+    if (!solution.converged && solution.iterations >= most)
+      rounding_ends();
     // Sweeps are slow where Newton is quick, but they do not cycle. Where the residual no longer falls there
     // may be nothing to sweep to.
     double before = std::numeric_limits<double>::infinity();
@@ -308,7 +317,7 @@ core::Schema const& BipotentialNewton::schema() {
   static auto const made =
       core::Describe<BipotentialNewton>{"newton", "bi-potential Newton (semismooth), all points at once",
                                         "(27)-(29)"}
-          .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-15, 1, false, true},
+          .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-16, 1, false, true},
                   core::Need::optional, "natural-map residual over the largest traction")
           .integer("iterations", &BipotentialNewton::iterations, {1, 1e6, false, false}, core::Need::optional,
                    "Newton iterations at most")

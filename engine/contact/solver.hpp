@@ -14,7 +14,8 @@ struct Solution {
   long iterations = 0; ///< Newton iterations or sweeps
   double work = 0;     ///< multiply-adds with W and in factorizations, over those of one product W p
   Verdict verdict;
-  bool converged = false; ///< verdict.relative() <= the tolerance asked for
+  bool converged = false; ///< verdict.relative() <= the tolerance asked for, or rounded
+  bool rounded = false;   ///< only as far as rounding allows
 };
 
 class Solver {

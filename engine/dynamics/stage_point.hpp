@@ -39,6 +39,8 @@ template<int D, int C> [[nodiscard]] contact::Local<D> full(Eigen::Matrix<double
   for (bool const from_guess : {true, false}) {
     found = solver.solve(problem, from_guess ? guess : Vector::Zero(guess.size()));
     cost.contact_iterations += found.iterations;
+    if (found.rounded)
+      cost.contact_rounded = std::max(cost.contact_rounded, found.verdict.relative());
     cost.contact_operations += 2 * rows * rows * found.work;
     if (found.converged)
       break;

@@ -33,7 +33,7 @@ core::Schema const& StepControl::schema() {
   using core::Need;
   static auto const made =
       core::Describe<StepControl>{"control", "when a step counts as converged", ""}
-          .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-14, 1e-2, false, false},
+          .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-16, 1e-2, false, false},
                   Need::optional, "out-of-balance force and contact residual over the largest nodal force")
           .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
                    "Newton iterations at most")
@@ -47,6 +47,8 @@ Stepper::Stepper(Model const& model)
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
+  for (auto const coordinate : model.reference.reshaped())
+    extent_ = std::max(extent_, std::abs(coordinate));
   if (weights_.explicit_forces)
     inverse_mass_ = structure_.mass().diagonal().unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
 }
@@ -135,6 +137,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
     structure_.skin_force(old.u, skin_old_);
   contact_->begin(old, t1, dt, start != Start::unturned);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
+  previous_worst_ = previous_imbalance_;
 }
 
 /// F_int(u1) and its energy; false if a cell has turned inside out.
@@ -230,7 +233,9 @@ double Stepper::imbalance() const {
   return largest;
 }
 
-bool Stepper::converged(Outcome& outcome) const {
+/// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
+/// places, once it no longer falls.
+bool Stepper::converged(Outcome& outcome) {
   double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
   double const beside_one = structure_.linear_bodies() ? 0 : 1e-15 * structure_.cell_size(); // F = 1 + grad u
   double const rounded =
@@ -238,7 +243,11 @@ bool Stepper::converged(Outcome& outcome) const {
   double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
   double const worst = std::max(imbalance(), contact_->residual());
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
-  return worst <= tolerance;
+  outcome.force_scale = force_scale_;
+  double const places = 1e-15 * extent_ * structure_.stiffness_scale();
+  bool const stalls =
+      worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
+  return worst <= tolerance || (stalls && worst <= tolerance + places);
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh

@@ -28,7 +28,8 @@ struct Outcome {
   StepVerdict verdict = StepVerdict::not_converged;
   std::string reason; ///< empty when converged
   int iterations = 0;
-  double out_of_balance = 0; ///< relative, at the last iteration
+  double out_of_balance = 0; ///< of force_scale, at the last iteration
+  double force_scale = 0;    ///< largest nodal force, N
   [[nodiscard]] bool converged() const { return verdict == StepVerdict::converged; }
 };
 
@@ -63,7 +64,7 @@ private:
   [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);
   [[nodiscard]] bool apart(Index dof) const;
   [[nodiscard]] double imbalance() const;
-  [[nodiscard]] bool converged(Outcome& outcome) const;
+  [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
@@ -95,6 +96,8 @@ private:
   int critical_age_ = 0; ///< as State::critical_age, after the step
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
+  double previous_worst_ = 0;                       ///< imbalance or contact's residual, N
+  double extent_ = 0;                               ///< largest coordinate of a node, m
 };
 
 } // namespace stiction::dynamics

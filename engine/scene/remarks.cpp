@@ -62,11 +62,35 @@ void Remarks::weigh(dynamics::Ledger const& ledger) {
   made_ = std::max(made_, -lost_);
 }
 
+/// Where hardly anything acts, as in free flight, an imbalance is small beside the forces of the run.
+void Remarks::balance(dynamics::Outcome const& outcome) {
+  force_ = std::max(force_, outcome.force_scale);
+  if (outcome.out_of_balance > scene_->model->control.force_tolerance)
+    unmet_ = std::max(unmet_, outcome.out_of_balance * outcome.force_scale);
+}
+
+/// Tolerances that rounding did not let the run meet.
+void Remarks::add_rounded(std::vector<std::string>& all) const {
+  double const asked = scene_->model->control.force_tolerance;
+  double const sharp = std::visit([](auto const& solver) { return solver.tolerance; }, scene_->model->solver);
+  auto const add = [&](char const* what, double tolerance, double reached, char const* of) {
+    all.push_back(fmt::format(
+        "{} = {:g} is less than rounding allows and was met as far as that goes, to {:.1e} of the "
+        "largest {}",
+        what, tolerance, reached, of));
+  };
+  if (unmet_ > asked * force_)
+    add("control.force_tolerance", asked, unmet_ / force_, "force");
+  if (contact_ > sharp)
+    add("solver.tolerance", sharp, contact_, "traction");
+}
+
 std::vector<std::string> Remarks::texts() const {
   std::vector<std::string> all;
   for (auto const* remark : {&friction_, &softening_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
+  add_rounded(all);
   if (made_ > worth_telling_made * turned_over_)
     all.push_back(
         fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",

@@ -142,6 +142,7 @@ public:
   RunResult finish() {
     auto const& cost = stepper_.cost();
     result_.seconds = seconds_since(began_);
+    remarks_.rounded(cost.contact_rounded);
     result_.remarks = remarks_.texts();
     if (pace_ && !pace_->judges())
       result_.remarks.emplace_back(
@@ -348,6 +349,7 @@ private:
       blocks_ = linear::blocks_from_system();
     remarks_.look(stepper_.contact(), state_.t, contact::Look::bearing);
     remarks_.weigh(state_.ledger);
+    remarks_.balance(outcome);
     Timed const timed(*this);
     recorder_.step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;

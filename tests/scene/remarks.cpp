@@ -120,3 +120,26 @@ TEST_CASE(
   CHECK(remarks(1) == "");
   CHECK(remarks(-1).find("lost energy") != std::string::npos);
 }
+
+TEST_CASE("tolerances below what rounding allows are met as far as it goes and the run says so") {
+  test::Folder const folder;
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.mesh.origin") = test::values({7, 0}, "m");
+  test::at(table, "bodies.foot.material") =
+      test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
+  test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
+  CHECK(all(run(table, folder).remarks) == "");
+  test::at(table, "control") = test::make("control", {{"force_tolerance", test::value(1e-16)}});
+  for (char const* kind : {"newton", "uzawa", "gauss_seidel"}) {
+    CAPTURE(std::string(kind));
+    test::at(table, "solver") =
+        test::make(std::string("solver.") + kind, {{"tolerance", test::value(1e-16)}});
+    auto const result = run(table, folder);
+    CHECK(result.verdict == "finished");
+    CHECK(result.cuts == 0);
+    auto const said = all(result.remarks);
+    CAPTURE(said);
+    CHECK(said.find("control.force_tolerance = 1e-16 is less than rounding allows") != std::string::npos);
+    CHECK(said.find("solver.tolerance = 1e-16 is less than rounding allows") != std::string::npos);
+  }
+}
