@@ -310,7 +310,7 @@ Outcome Stepper::step(State const& old, double dt) {
     outcome.iterations += before;
     turned = turned || contact_->turned();
   };
-  if (!outcome.converged() && !at_rest)
+  if (!outcome.converged() && outcome.verdict != StepVerdict::interrupted && !at_rest)
     again(Start::rest);
   if (outcome.verdict != StepVerdict::not_converged || !turned || weights_.inertia)
     return outcome;
@@ -373,6 +373,13 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
       outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
                                    outcome.out_of_balance, outcome.iterations);
+      return outcome;
+    }
+    if (enough_ && enough_()) {
+      outcome.verdict = StepVerdict::interrupted;
+      outcome.reason =
+          fmt::format("left off after {} iterations, out of balance by {:.1e} of the largest force",
+                      outcome.iterations, outcome.out_of_balance);
       return outcome;
     }
     if (!correct(dt, outcome))

@@ -1,6 +1,7 @@
 // One step from a state to the next: Newton on the bulk, the contact problem solved exactly inside each
 // iteration.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "dynamics/contact_stage.hpp"
@@ -11,7 +12,7 @@
 namespace stiction::dynamics {
 
 /// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing, or a step
-/// made more energy than there was.
+/// made more energy than there was. interrupted: not brought to its end.
 enum class StepVerdict {
   converged,
   not_converged,
@@ -19,7 +20,8 @@ enum class StepVerdict {
   contact_failed,
   indefinite,
   unstable,
-  passed
+  passed,
+  interrupted
 };
 
 /// A step's answer: the state it reached if converged, and how it went.
@@ -40,6 +42,8 @@ public:
 
   /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
   [[nodiscard]] State initial();
+  /// Is asked in every iteration whether to leave off.
+  void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
   [[nodiscard]] Outcome step(State const& old, double dt);
 
   [[nodiscard]] Cost const& cost() const { return cost_; }
@@ -78,7 +82,11 @@ private:
   void audit_contact(State const& old, State& next) const;
   [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 
+  [[nodiscard]] std::string unanswered() const;
+  [[nodiscard]] std::string held_and_pressed() const;
+
   Model const* model_;
+  std::function<bool()> enough_;
   StepWeights weights_;
   Structure structure_;
   std::unique_ptr<ContactStage> contact_;

@@ -23,13 +23,16 @@ void Patience::look() {
   before_ = operations();
 }
 
+/// Operations that may be lost on one step.
+double Patience::most() const {
+  return std::max(1e9 * limits_->work, factorizations * stepper_->structure().effort().operations);
+}
+
 std::string Patience::lost() {
   lost_ += operations() - before_;
   if (++cuts_ > limits_->cuts)
     return fmt::format("{} attempts from t = {:g} s on failed, more than schedule.cuts", cuts_, since_);
-  double const most =
-      std::max(1e9 * limits_->work, factorizations * stepper_->structure().effort().operations);
-  if (lost_ > most)
+  if (lost_ > most())
     return fmt::format(
         "{} failed attempts from t = {:g} s on took {:.3g} operations, more than schedule.work", cuts_,
         since_, lost_);

@@ -18,6 +18,8 @@ public:
   void look();
   /// The attempt failed. Why the run must end, or nothing.
   [[nodiscard]] std::string lost();
+  /// The attempt has taken more than may be lost.
+  [[nodiscard]] bool spent() const { return lost_ + operations() - before_ > most(); }
   /// The attempt was accepted and led to t.
   void reached(double t);
   /// Why a run of so many seconds must end, or nothing.
@@ -25,6 +27,7 @@ public:
 
 private:
   [[nodiscard]] double operations() const;
+  [[nodiscard]] double most() const;
 
   SchedulePart const* limits_;
   dynamics::Model const* model_;

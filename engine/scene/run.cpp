@@ -111,6 +111,7 @@ public:
       : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
         patience_(scene.part.schedule, *scene.model, stepper_), state_(stepper_.initial()), remarks_(scene),
         judge_(scene, state_) {
+    stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.structure().keep_factors(static_cast<std::size_t>(accuracy->factors));
       pace_.emplace(*accuracy, stepper_.structure(), *scene.model);
@@ -244,6 +245,8 @@ private:
       double const left = to - state_.t, dt = pace_->next(state_, left);
       auto outcome = attempt(dt);
       bool const converged = outcome.converged();
+      if (!converged && stopped())
+        return false;
       auto const judgement = pace_->judge(state_, outcome, dt);
       note(judgement, dt);
       auto const enough = converged ? "" : patience_.lost();
@@ -285,7 +288,7 @@ private:
       double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
       auto outcome = attempt(dt);
       if (!outcome.converged()) {
-        if (!halve(outcome, dt, floor))
+        if (stopped() || !halve(outcome, dt, floor))
           return false;
         continue;
       }
@@ -309,13 +312,19 @@ private:
     return stepper_.step(state_, dt);
   }
 
+  /// Empty while there is none.
+  [[nodiscard]] std::string stop_reason() const {
+    if (options_->stop != nullptr && options_->stop->load())
+      return "on request";
+    return patience_.late(seconds_since(began_));
+  }
+
   bool stopped() {
-    bool const asked = options_->stop != nullptr && options_->stop->load();
-    auto const late = patience_.late(seconds_since(began_));
-    if (!asked && late.empty())
+    auto const reason = stop_reason();
+    if (reason.empty())
       return false;
     result_.verdict = "stopped";
-    result_.reason = fmt::format("stopped {} at t = {:g} s", asked ? "on request" : late, state_.t);
+    result_.reason = fmt::format("stopped {} at t = {:g} s", reason, state_.t);
     return true;
   }
 

@@ -37,6 +37,23 @@ test::Input crushed() {
   return table;
 }
 
+/// A soft block pressed on another and, in one step, far over its edge: iterations go on for ever.
+test::Input overhung() {
+  auto table = test::two_blocks();
+  test::at(table, "bodies.upper") = test::block({{0.1, 0}, {1, 1}, {5, 4}}, test::linear_elastic(1000, 0));
+  for (char const* body : {"lower", "upper"})
+    test::at(table, std::string("bodies.") + body + ".material") = test::make(
+        "material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
+  test::at(table, "pairs.joint.friction") = test::coulomb(0.9);
+  test::at(table, "motions") = test::list(
+      {test::fix("lower.bottom"), test::drive("upper.top", {0, 1, 2}, {0, 0, 0.61}, {0, -0.2, -0.2})});
+  test::at(table, "schedule") = test::schedule({{1, 4}, {2, 1}});
+  test::at(table, "schedule.halvings") = test::value(0);
+  test::at(table, "schedule.work") = test::value(1e-9);
+  test::at(table, "control") = test::make("control", {{"iterations", test::value(1000)}});
+  return table;
+}
+
 scene::RunResult run(test::Input const& table) {
   test::Folder const folder;
   scene::RunOptions options;
@@ -75,6 +92,17 @@ TEST_CASE("a case ends when the attempts at one step have lost so many operation
   auto const result = run(crushed());
   CHECK(result.verdict == "not converged");
   CHECK(says(result.reason, "more than schedule.work"));
+}
+
+TEST_CASE("a single attempt that loses too many operations is left off before its iterations end") {
+  auto const result = run(overhung());
+  CAPTURE(result.reason);
+  CHECK(result.verdict == "not converged");
+  CHECK(result.steps == 4);
+  CHECK(result.cuts == 1);
+  CHECK(says(result.reason, "left off after"));
+  CHECK(says(result.reason, "more than schedule.work"));
+  CHECK(result.iterations < 1000);
 }
 
 TEST_CASE("a case that is given seconds is stopped after them") {
