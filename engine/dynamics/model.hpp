@@ -23,7 +23,8 @@ using contact::Vec3;
 struct Motion {
   Indices nodes; ///< model numbers
   int component = 0;
-  Path path; ///< m; rad for the turn of a rigid body
+  Path path;            ///< m; rad for the turn of a rigid body
+  std::string set = {}; ///< for messages: what it moves
 };
 
 /// Dead nodal forces that follow a path.

@@ -221,7 +221,7 @@ void Builder::add_motion(std::size_t k) {
     auto& motions = scene_.model->motions;
     origins_.resize(motions.size());
     origins_.emplace_back(k + 1, part.set);
-    motions.push_back({*nodes, component, std::move(motion)});
+    motions.push_back({*nodes, component, std::move(motion), part.set});
   };
   std::visit([&](auto const& part) { check_size({where[0], "near"}, part.near); }, scene_.part.motions[k]);
   if (auto const* fix = std::get_if<FixPart>(&scene_.part.motions[k])) {

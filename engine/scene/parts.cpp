@@ -1,6 +1,8 @@
 // Schemas of the script's tables and the reading of those that hold other tables.
 #include "scene/parts.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace stiction::scene {
@@ -210,11 +212,19 @@ core::Schema const& FixPart::schema() {
       Describe<FixPart>{"fix", "a set held where it is", ""}
           .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
           .numbers("near", &FixPart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
-          .flag("x", &FixPart::x, "hold x")
+          .flag("x", &FixPart::x, "hold x; where one of x, y, z is named true, those not named are free")
           .flag("y", &FixPart::y, "hold y")
           .flag("z", &FixPart::z, "hold z (3D)")
           .build();
   return made;
+}
+
+void FixPart::read_nested(Reader& reader) {
+  std::array const flags{std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}};
+  bool const picked =
+      std::ranges::any_of(flags, [&](auto const& flag) { return reader.has(flag.first) && *flag.second; });
+  for (auto const& [name, held] : flags)
+    *held = *held && (!picked || reader.has(name));
 }
 
 core::Schema const& TractionPart::schema() {

@@ -77,6 +77,7 @@ struct FixPart {
   std::string set;
   Numbers near; ///< m; empty: all nodes of the set
   bool x = true, y = true, z = true;
+  void read_nested(core::Reader& reader); ///< where any is named true, those not named are free
   static core::Schema const& schema();
 };
 using MotionPart = std::variant<DrivePart, FixPart>;

@@ -55,4 +55,26 @@ TEST_CASE("a node between two cells bears the traction on half of each") {
   }
 }
 
+TEST_CASE("a set fixed in named components is free in the others, and held in all where none is named true") {
+  auto const held = [](std::vector<std::pair<std::string, bool>> const& named) {
+    auto table = test::foot_on_floor();
+    auto motion = test::make("motion.fix", {{"set", test::text("foot.top")}});
+    for (auto const& [name, value] : named)
+      test::at(motion, name) = test::flag(value);
+    test::at(table, "motions") = test::list({motion, test::fix("foot.left")});
+    std::string components;
+    auto const scene = scene::build(table);
+    for (auto const& other : scene.model->motions)
+      if (other.set == "foot.top")
+        components += "xyz"[other.component];
+    return components;
+  };
+  CHECK(held({}) == "xy");
+  CHECK(held({{"x", true}}) == "x");
+  CHECK(held({{"y", true}}) == "y");
+  CHECK(held({{"x", true}, {"y", true}}) == "xy");
+  CHECK(held({{"x", false}}) == "y");
+  CHECK(held({{"x", false}, {"y", true}}) == "y");
+}
+
 TEST_SUITE_END();
