@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
-#include "contact/pivoting.hpp"
 #include "dynamics/timer.hpp"
 
 namespace stiction::dynamics {
@@ -16,17 +16,6 @@ namespace {
 constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
 constexpr double unreached = 1e100;    // gap of a point without counterpart, m
-
-/// In space pivoting knows Coulomb's cone by facets within it and can show nothing.
-std::string unanswered(contact::Problem const& problem, Vector const& forces) {
-  std::string const failed = "the contact solver did not reach its tolerance";
-  if (problem.dim > 2 || problem.points.empty() || !forces.allFinite())
-    return failed;
-  auto const found = contact::pivot(problem, forces, contact::From::nothing);
-  return found && found->none ? failed + ": pivoting shows that its problem, linear about the last forces, "
-                                         "has no answer"
-                              : failed;
-}
 } // namespace
 
 core::Schema const& StepControl::schema() {
@@ -267,7 +256,7 @@ bool Stepper::correct(double dt, Outcome& outcome) {
       return true;
   }
   outcome.verdict = StepVerdict::contact_failed;
-  outcome.reason = unanswered(contact_->problem(), contact_->forces());
+  outcome.reason = unanswered();
   return false;
 }
 

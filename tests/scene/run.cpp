@@ -238,6 +238,22 @@ TEST_CASE("a contact problem that no solver step can solve is kept for `solve`")
   CHECK(report.converged);
 }
 
+TEST_CASE("a contact node that is held in all directions and pressed is named with what holds it") {
+  test::Folder const folder;
+  auto table = test::foot_on_floor();
+  test::at(table, "motions") = test::list({test::drive("foot.left", {0, 2}, {0, 0}, {0, -0.01}),
+                                           test::drive("foot.top", {0, 2}, {}, {0, -0.01})});
+  test::at(table, "schedule.halvings") = test::value(1);
+  auto const result = run(table, folder / "case");
+  CAPTURE(result.reason);
+  CHECK(result.verdict == "not converged");
+  CHECK(result.reason.find(
+            "the node at (0, 0) m is held or driven in all its directions, by foot.left, and pressed") !=
+        std::string::npos);
+  CHECK(result.reason.find("into floor of pair sole") != std::string::npos);
+  CHECK(result.reason.find("set = \"foot.left\", x = true") != std::string::npos);
+}
+
 TEST_CASE("a saved contact problem is solved by every solver, unknown names are refused") {
   test::Folder const folder;
   static_cast<void>(run(probed(), folder / "case"));
