@@ -146,6 +146,8 @@ TEST_SUITE("contact") {
           CAPTURE(name);
           CAPTURE(beta);
           auto const problem = bonded(law, softness, beta);
+          if (!problem.W.allFinite()) // viscosity lets nothing fall
+            continue;
           CHECK(folds(problem) == (softness > 1));
           CHECK(doubts_at(problem, Vector::Zero(1), Look::all).softening.any() == (softness > 1));
           CHECK(doubts_at(problem, Vector::Zero(1), Look::all).softening.points == (softness > 1 ? 1 : 0));
