@@ -6,11 +6,11 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "axis.hpp"
-#include "field.hpp"
-#include "lines.hpp"
-#include "map.hpp"
-#include "window.hpp"
+#include "charts/axis.hpp"
+#include "charts/lines.hpp"
+#include "charts/map.hpp"
+#include "fields/field.hpp"
+#include "page/window.hpp"
 
 namespace stiction::postproc {
 

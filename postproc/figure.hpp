@@ -1,7 +1,7 @@
 // From one figure of a spec to its picture.
 #pragma once
-#include "picture.hpp"
-#include "spec.hpp"
+#include "page/picture.hpp"
+#include "spec/spec.hpp"
 
 namespace stiction::postproc {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/types.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/topology/mesh.hpp"
 
 namespace stiction::record {
 

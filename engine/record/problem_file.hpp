@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-#include "contact/problem.hpp"
+#include "contact/problem/problem.hpp"
 
 namespace stiction::record {
 

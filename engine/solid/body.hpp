@@ -5,7 +5,7 @@
 
 #include "material/kelvin_voigt.hpp"
 #include "material/material.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/topology/mesh.hpp"
 
 namespace stiction::solid {
 

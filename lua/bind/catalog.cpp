@@ -3,7 +3,7 @@
 
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
-#include "scene/catalog.hpp"
+#include "scene/description/catalog.hpp"
 
 namespace stiction::bind {
 

@@ -8,9 +8,9 @@
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
-#include "scene/preview.hpp"
-#include "scene/probes.hpp"
-#include "scene/run.hpp"
+#include "scene/explain/preview.hpp"
+#include "scene/probes/probes.hpp"
+#include "scene/run/run.hpp"
 
 namespace stiction::bind {
 

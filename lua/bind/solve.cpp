@@ -1,5 +1,5 @@
 // A saved contact problem solved again, for `stiction solve` and for studies of such problems.
-#include "scene/solve.hpp"
+#include "scene/run/solve.hpp"
 #include "bind/engine.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "contact/kinematics.hpp"
+#include "contact/node_to_segment/kinematics.hpp"
 
 namespace stiction::test {
 

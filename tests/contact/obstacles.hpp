@@ -2,7 +2,7 @@
 #pragma once
 #include <doctest/doctest.h>
 
-#include "contact/kinematics.hpp"
+#include "contact/node_to_segment/kinematics.hpp"
 #include "differences.hpp"
 
 namespace stiction::test {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/solver.hpp"
+#include "contact/solvers/solver.hpp"
 
 namespace stiction::test {
 

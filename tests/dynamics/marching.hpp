@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <functional>
 
-#include "dynamics/stepper.hpp"
+#include "dynamics/step/stepper.hpp"
 #include "scene/scenes.hpp"
 
 namespace stiction::test {

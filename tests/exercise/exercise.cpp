@@ -5,7 +5,7 @@
 
 #include "core/reader.hpp"
 #include "core/unit.hpp"
-#include "scene/catalog.hpp"
+#include "scene/description/catalog.hpp"
 
 namespace {
 

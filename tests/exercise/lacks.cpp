@@ -1,5 +1,5 @@
 // Laws and schemes that each lack one thing: compiling them must fail with a complaint about every one.
-#include "dynamics/scheme.hpp"
+#include "dynamics/scheme/scheme.hpp"
 #include "interface/law.hpp"
 #include "material/material.hpp"
 

@@ -28,7 +28,7 @@ named() {
         line = substr(line, RSTART + RLENGTH)
         if (word in law && !((FILENAME, word) in own)) print FILENAME ":" FNR ": names " word
       }
-    }' engine/material/material.hpp engine/interface/law.hpp engine/dynamics/scheme.hpp "$@"
+    }' engine/material/material.hpp engine/interface/law.hpp engine/dynamics/scheme/scheme.hpp "$@"
 }
 
 planted=$(mktemp)
@@ -38,5 +38,5 @@ echo 'bool plain = std::holds_alternative<material::Yeoh>(law); // not Ogden' > 
 
 # shellcheck disable=SC2046 # no name holds a space
 found=$(named $(find engine lua postproc -name '*.[ch]pp' ! -path engine/material/material.hpp \
-  ! -path engine/interface/law.hpp ! -path 'engine/dynamics/scheme.[ch]pp' | sort))
+  ! -path engine/interface/law.hpp ! -path 'engine/dynamics/scheme/scheme.[ch]pp' | sort))
 [ -z "$found" ] || { echo "$found"; exit 1; }

@@ -1,7 +1,7 @@
 // Reads the parts first: they are cheap, and tell the number of cells.
 #include "fuzz/small_scene.hpp"
 
-#include "scene/build.hpp"
+#include "scene/build/build.hpp"
 
 namespace stiction::fuzz {
 

@@ -2,7 +2,7 @@
 #include "core/error.hpp"
 #include "fuzz/scratch.hpp"
 #include "fuzz/targets.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/files/surface_file.hpp"
 
 namespace stiction::fuzz {
 

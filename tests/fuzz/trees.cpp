@@ -1,10 +1,10 @@
 // HDF5 files: meshes from the mesher, histories and saved contact problems, as texts of tree.hpp.
-#include "contact/solver.hpp"
+#include "contact/solvers/solver.hpp"
 #include "core/error.hpp"
 #include "fuzz/targets.hpp"
 #include "fuzz/tree.hpp"
-#include "mesh/mesh_file.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/files/mesh_file.hpp"
+#include "mesh/topology/quality.hpp"
 #include "record/law_text.hpp"
 #include "record/problem_file.hpp"
 #include "record/series.hpp"
@@ -38,7 +38,8 @@ void problem(std::string_view bytes) {
   auto const path = tree_file("problem.h5", bytes);
   try {
     auto const problem = record::load_problem(path);
-    core::expect(problem.W.dense().allFinite() && problem.free.size() == problem.dim * problem.size(), "sizes fit");
+    core::expect(problem.W.dense().allFinite() && problem.free.size() == problem.dim * problem.size(),
+                 "sizes fit");
     static_cast<void>(record::text_of_laws(problem));
     if (problem.size() <= 4)
       static_cast<void>(

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/topology/mesh.hpp"
+#include "mesh/topology/surface.hpp"
 
 namespace stiction::mesh::test {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "helpers.hpp"
-#include "mesh/mesher_process.hpp"
+#include "mesh/gmsh/mesher_process.hpp"
 
 namespace stiction::mesh::test {
 

@@ -15,6 +15,11 @@ BEGIN {
   count = split(layers, names, " ")
   for (i = 1; i <= count; ++i)
     rank[names[i]] = i
+  room_count = split(rooms, names, " ")
+  for (i = 1; i <= room_count; ++i) {
+    room_rank[names[i]] = i
+    divided[substr(names[i], 1, index(names[i], "/") - 1)] = 1
+  }
   study_count = split(studies, study, " ")
 }
 FNR == 1 {
@@ -28,6 +33,9 @@ FNR == 1 {
   layer = top == "engine" ? part[2] : ""
   if (layer != "" && !(layer in rank))
     breach("lies in no layer of engine/CMakeLists.txt")
+  room = layer in divided ? layer "/" part[3] : ""
+  if (room != "" && !(room in room_rank))
+    breach("lies in no room of its layer in engine/CMakeLists.txt")
 }
 { lines = FNR }
 in_opening && !(FNR == 1 && /^#!/) {
@@ -45,6 +53,12 @@ in_opening && !(FNR == 1 && /^#!/) {
   own = name ~ /\// && target in rank
   if (layer != "" && own && rank[target] > rank[layer])
     breach("includes \"" name "\", but " target " stands after " layer)
+  wanted = name
+  sub(/\/[^\/]*$/, "", wanted)
+  if (layer != "" && own && target in divided && !(wanted in room_rank))
+    breach("includes \"" name "\", which is not of the form \"layer/room/file.hpp\"")
+  if (room in room_rank && target == layer && room_rank[wanted] > room_rank[room])
+    breach("includes \"" name "\", but " wanted " stands after " room)
   if (layer != "" && (target == "lua" || target == "postproc" || target == "bind" || name ~ /^lua|^lauxlib|^lualib/))
     breach("includes \"" name "\": the engine knows nothing above it")
   if (layer != "" && !own && /"/)

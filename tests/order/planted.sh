@@ -7,9 +7,10 @@ trap 'rm -rf "$tree"' EXIT
 
 clean_tree() {
   rm -rf "$tree"
-  mkdir -p "$tree/engine/core" "$tree/engine/mesh" "$tree/engine/solid" "$tree/lua/bind" "$tree/postproc" \
+  mkdir -p "$tree/engine/core" "$tree/engine/mesh" "$tree/engine/contact/surface" "$tree/engine/contact/mortar" "$tree/engine/solid" "$tree/lua/bind" "$tree/postproc" \
     "$tree/studies/paper/pull_off" "$tree/tests"
-  echo 'set(STICTION_LAYERS core mesh solid)' > "$tree/engine/CMakeLists.txt"
+  printf 'set(STICTION_LAYERS core mesh solid contact)\nset(STICTION_ROOMS_contact surface mortar)\n' > "$tree/engine/CMakeLists.txt"
+  printf '// A.\n#include "contact/surface/a.hpp"\n#include "mesh/a.hpp"\n' > "$tree/engine/contact/mortar/a.cpp"
   echo '-- A study.' > "$tree/studies/paper/pull_off/study.lua"
   printf '// One thing.\n#include <vector>\n#include "core/a.hpp"\n' > "$tree/engine/mesh/a.hpp"
   printf '// Two lines that are\n// one sentence.\n#include "mesh/a.hpp"\n' > "$tree/engine/solid/a.cpp"
@@ -41,6 +42,9 @@ refuses 'the engine knows nothing above it' engine/solid/b.cpp '// B.\n#include 
 refuses 'the engine knows nothing above it' engine/solid/b.cpp '// B.\n#include "postproc/a.hpp"\n'
 refuses 'not of the form' engine/solid/b.cpp '// B.\n#include "a.hpp"\n'
 refuses 'names the study pull_off' engine/solid/b.cpp '// B.\nint pull_off();\n'
+refuses 'contact/mortar stands after contact/surface' engine/contact/surface/b.cpp '// B.\n#include "contact/mortar/a.hpp"\n'
+refuses 'layer/room/file.hpp' engine/contact/surface/b.cpp '// B.\n#include "contact/a.hpp"\n'
+refuses 'lies in no room' engine/contact/b.cpp '// B.\n'
 refuses 'lies in no layer' engine/b.cpp '// B.\n'
 refuses 'figures come from files' postproc/b.cpp '// B.\n#include "solid/a.hpp"\n'
 refuses 'does not open with a comment' engine/core/b.cpp '#pragma once\n// Late.\n'

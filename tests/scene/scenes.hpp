@@ -1,6 +1,6 @@
 // Small scenes that several tests start from.
 #pragma once
-#include "scene/build.hpp"
+#include "scene/build/build.hpp"
 #include "scene/tables.hpp"
 
 namespace stiction::test {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <map>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/generators.hpp"
 
 namespace stiction::test {
 

@@ -4,7 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <numbers>
 
-#include "mesh/surface.hpp"
+#include "mesh/topology/surface.hpp"
 #include "solid/helpers.hpp"
 
 namespace stiction::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/generators.hpp"
 
 using namespace stiction;
 

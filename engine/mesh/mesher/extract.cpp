@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "mesh/generators/quads.hpp"
 #include "mesh/mesher/tasks.hpp"
-#include "mesh/quads.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/topology/surface.hpp"
 
 namespace stiction::mesher {
 

@@ -10,7 +10,7 @@
 #include <sys/prctl.h>
 
 #include "core/error.hpp"
-#include "mesh/mesh_file.hpp"
+#include "mesh/files/mesh_file.hpp"
 #include "mesh/mesher/tasks.hpp"
 
 namespace {

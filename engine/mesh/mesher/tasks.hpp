@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mesh/mesh.hpp"
+#include "mesh/topology/mesh.hpp"
 
 namespace stiction::mesher {
 

@@ -1,0 +1,256 @@
+// The pairing of a sample and how its forces turn and slide, by hand: inputs are few.
+#include "contact/mortar/mortar_sample.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace stiction::contact {
+
+namespace {
+
+/// How far a sample may slide beyond the primary's border during a step, in parts of a facet.
+constexpr double slide = 0.5;
+
+template<int D> using Tangents = Eigen::Matrix<double, D, D - 1>;
+
+/// What a sample's forces depend on, in this order: its place, the sum of its normals, its counterpart's
+/// place and tangents at fixed local coordinates, and the first tangent's direction (3D).
+template<int D> inline constexpr int inputs = D == 2 ? 8 : 18;
+template<int D> using By = Eigen::Matrix<double, D, inputs<D>>;
+template<int D> using ByLess = Eigen::Matrix<double, D - 1, inputs<D>>;
+enum Input { own_place = 0, normal_sum = 1, other_place = 2, other_tangents = 3, carried = 5 };
+
+/// The unit derivative of one vector input.
+template<int D> By<D> unit_input(int number) {
+  By<D> E = By<D>::Zero();
+  E.template middleCols<D>(D * number).setIdentity();
+  return E;
+}
+
+template<int D> Vec<D> normal_sum_of(Faced<D> const& faced, Sample const& sample) {
+  auto const& facet = faced.secondary.facet(sample.facet);
+  Vec<D> sum = Vec<D>::Zero();
+  for (int k = 0; k < facet.corners(); ++k)
+    sum += sample.hats[k] * faced.normals.unit[ix(facet.fan[ix(k)])];
+  return sum;
+}
+
+template<int D> Vec<D> place_at(CellSurface const& surface, Foot foot, Positions x) {
+  return surface.positions<D>(foot.segment, x) *
+         facet_shape(surface.facet(foot.segment).kind, {foot.xi, foot.eta}).N;
+}
+
+template<int D> Vec<D> carried_direction(Faced<D> const& faced, Sample const& sample) {
+  return faced.secondary.template positions<D>(sample.facet, faced.x) * sample.material;
+}
+
+template<int D> Mat<D> frame_of(Vec<D> const& n, Vec<D> const& direction) {
+  Mat<D> frame;
+  if constexpr (D == 2) {
+    static_cast<void>(direction);
+    frame << n, Vec2(n.y(), -n.x());
+  } else {
+    Vec3 const t1 = (direction - n * n.dot(direction)).normalized();
+    frame << n, t1, n.cross(t1);
+  }
+  return frame;
+}
+
+Matrix3 cross_matrix(Vec3 const& a) {
+  Matrix3 A;
+  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return A;
+}
+
+/// The primary facet at the foot, and the forces along n that balance a tangential force: at node k, sum_b
+/// c_b N_k,b n with (t_a . x2_b) c_b = gap f_a.
+template<int D> struct Opposite {
+  CellFacet const& facet;
+  FacetNodes<D> nodes;
+  FacetShape shape;
+  Tangents<D> tangents;
+  Mat<D - 1> lever; ///< (t_a . x2_b)^-1
+
+  Opposite(Faced<D> const& faced, SamplePairing<D> const& pairing)
+      : facet(faced.primary.facet(pairing.foot.segment)),
+        nodes(faced.primary.template positions<D>(pairing.foot.segment, faced.x)),
+        shape(facet_shape(facet.kind, {pairing.foot.xi, pairing.foot.eta})),
+        tangents(tangents_of<D>(nodes, shape)),
+        lever((pairing.frame.template rightCols<D - 1>().transpose() * tangents).inverse()) {}
+};
+
+/// Derivatives by the inputs.
+template<int D> struct Turning {
+  By<D> force = By<D>::Zero(), normal = By<D>::Zero();
+  ByLess<D> place, levered; ///< of the foot's local coordinates and of c
+};
+
+template<int D>
+std::array<By<D>, D> turning_frame(Mat<D> const& frame, By<D> const& dn, Vec<D> const& direction) {
+  if constexpr (D == 2) {
+    static_cast<void>(frame), static_cast<void>(direction);
+    Mat<2> right;
+    right << 0, 1, -1, 0;
+    return {dn, By<2>(right * dn)};
+  } else {
+    Vec3 const n = frame.col(0), t1 = frame.col(1);
+    By<3> const dc = unit_input<3>(carried);
+    double const along = n.dot(direction);
+    By<3> const dq = dc - along * dn - n * (direction.transpose() * dn + n.transpose() * dc);
+    double const length = (direction - along * n).norm();
+    By<3> const dt1 = (Matrix3::Identity() - t1 * t1.transpose()) * dq / length;
+    return {dn, dt1, By<3>(cross_matrix(n) * dt1 - cross_matrix(t1) * dn)};
+  }
+}
+
+template<int D>
+Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing,
+                   Local<D> const& f) {
+  Opposite<D> const other(faced, pairing);
+  Mat<D> const& frame = pairing.frame;
+  Vec<D> const n = frame.col(0);
+  Turning<D> by;
+  Mat<D> const across_n = Mat<D>::Identity() - n * n.transpose();
+  by.normal = -across_n / normal_sum_of(faced, sample).norm() * unit_input<D>(normal_sum);
+  Mat<D> J;
+  J << other.tangents, n;
+  By<D> const foot_and_gap =
+      J.inverse() * (unit_input<D>(own_place) - unit_input<D>(other_place) - pairing.gap * by.normal);
+  by.place = foot_and_gap.template topRows<D - 1>();
+  auto const turned = turning_frame<D>(frame, by.normal, carried_direction(faced, sample));
+  for (int c = 0; c < D; ++c)
+    by.force += f[c] * turned[ix(c)];
+  Local<D - 1> const along = f.template tail<D - 1>(), levered = pairing.gap * other.lever * along;
+  ByLess<D> right = along * foot_and_gap.row(D - 1);
+  for (int b = 0; b < D - 1; ++b) {
+    By<D> tangent = unit_input<D>(other_tangents + b);
+    for (int a = 0; a < D - 1; ++a)
+      tangent += other.nodes * other.shape.second(a, b) * by.place.row(a);
+    for (int a = 0; a < D - 1; ++a)
+      right.row(a) -= levered[b] * (other.tangents.col(b).transpose() * turned[ix(a + 1)] +
+                                    frame.col(a + 1).transpose() * tangent);
+  }
+  by.levered = other.lever * right;
+  return by;
+}
+
+} // namespace
+
+Sample make_sample(CellSurface const& surface, int facet, Vec2 const& at, double domain_weight, bool around) {
+  auto const& f = surface.facet(facet);
+  Sample sample;
+  sample.facet = facet;
+  sample.weight = domain_weight * surface.measure(facet, at, around);
+  sample.shape = facet_shape(f.kind, at);
+  sample.hats = facet_shape(linear_kind(f.kind), at).N;
+  if (surface.dim() == 2)
+    return sample;
+  // contravariant components of the direction in the reference
+  auto const tangents = tangents_of<3>(f.reference, sample.shape);
+  Vec2 const parts = (tangents.transpose() * tangents).inverse() * (tangents.transpose() * f.direction);
+  sample.material = parts[0] * sample.shape.by[0] + parts[1] * sample.shape.by[1];
+  return sample;
+}
+
+template<int D> Ray<D> ray_of(Faced<D> const& faced, Sample const& sample) {
+  return {faced.secondary.template positions<D>(sample.facet, faced.x) * sample.shape.N,
+          -normal_sum_of(faced, sample).normalized()};
+}
+
+template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sample, Foot guess) {
+  auto const ray = ray_of(faced, sample);
+  SamplePairing<D> result;
+  result.foot = meet(faced.primary, ray, guess, slide, faced.x);
+  if (!result.found())
+    return result;
+  Vec<D> const place = place_at<D>(faced.primary, result.foot, faced.x);
+  result.gap = ray.along.dot(ray.from - place);
+  result.frame = frame_of<D>(ray.along, carried_direction(faced, sample));
+  if (sample.start.found())
+    result.slip = result.frame.template rightCols<D - 1>().transpose() *
+                  (place - place_at<D>(faced.primary, sample.start, faced.x));
+  return result;
+}
+
+template<int D>
+SampleRows<D> sample_rows(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing) {
+  Opposite<D> const other(faced, pairing);
+  int const own = faced.secondary.facet(sample.facet).count(), all = own + other.facet.count();
+  Mat<D> const turned = pairing.frame.transpose();
+  SampleRows<D> H(D, D * all);
+  for (int k = 0; k < own; ++k)
+    H.template middleCols<D>(D * k) = sample.shape.N[k] * turned;
+  for (int k = 0; k < all - own; ++k) {
+    auto block = H.template middleCols<D>(D * (own + k));
+    block = -other.shape.N[k] * turned;
+    for (int a = 0; a < D - 1; ++a)
+      for (int b = 0; b < D - 1; ++b)
+        block.row(a + 1) += pairing.gap * other.lever(b, a) * other.shape.by[ix(b)][k] * turned.row(0);
+  }
+  return H;
+}
+
+/// What acts on the opposite facet: the force, the normal, and the lever of the tangential force.
+template<int D> struct Loading {
+  Vec<D> F, n;
+  Local<D - 1> levered;
+};
+
+/// How the force on node j of the opposite facet turns with the inputs.
+template<int D>
+By<D> opposite_row(Opposite<D> const& other, Turning<D> const& by, Loading<D> const& load, int j) {
+  By<D> row = -other.shape.N[j] * by.force;
+  for (int b = 0; b < D - 1; ++b) {
+    double const slope = other.shape.by[ix(b)][j];
+    row += -slope * load.F * by.place.row(b) + slope * load.n * by.levered.row(b) +
+           load.levered[b] * slope * by.normal;
+    for (int a = 0; a < D - 1; ++a)
+      row += load.levered[b] * other.shape.second(a, b)[j] * load.n * by.place.row(a);
+  }
+  return row;
+}
+
+template<int D>
+SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
+                                    SamplePairing<D> const& pairing, Local<D> const& force) {
+  auto const by = turning(faced, sample, pairing, force);
+  Opposite<D> const other(faced, pairing);
+  auto const& facet = faced.secondary.facet(sample.facet);
+  int const own = facet.count(), all = own + other.facet.count();
+  Loading<D> const load{pairing.frame * force, pairing.frame.col(0),
+                        pairing.gap * other.lever * force.template tail<D - 1>()};
+  SampleStiffness<D> K{Dense(D * all, D * all), Dense(D * all, D * facet.corners())};
+  for (int k = 0; k < all; ++k) {
+    By<D> const row =
+        k < own ? By<D>(sample.shape.N[k] * by.force) : opposite_row<D>(other, by, load, k - own);
+    for (int i = 0; i < own; ++i) {
+      auto block = K.by_nodes.template block<D, D>(D * k, D * i);
+      block = sample.shape.N[i] * row.template middleCols<D>(D * own_place);
+      if constexpr (D == 3)
+        block += sample.material[i] * row.template middleCols<D>(D * carried);
+    }
+    for (int j = 0; j < all - own; ++j) {
+      auto block = K.by_nodes.template block<D, D>(D * k, D * (own + j));
+      block = other.shape.N[j] * row.template middleCols<D>(D * other_place);
+      for (int b = 0; b < D - 1; ++b)
+        block += other.shape.by[ix(b)][j] * row.template middleCols<D>(D * (other_tangents + b));
+    }
+    for (int c = 0; c < facet.corners(); ++c)
+      K.by_normals.template block<D, D>(D * k, D * c) =
+          sample.hats[c] * row.template middleCols<D>(D * normal_sum);
+  }
+  return K;
+}
+
+template Ray<2> ray_of(Faced<2> const&, Sample const&);
+template Ray<3> ray_of(Faced<3> const&, Sample const&);
+template SamplePairing<2> pairing(Faced<2> const&, Sample const&, Foot);
+template SamplePairing<3> pairing(Faced<3> const&, Sample const&, Foot);
+template SampleRows<2> sample_rows(Faced<2> const&, Sample const&, SamplePairing<2> const&);
+template SampleRows<3> sample_rows(Faced<3> const&, Sample const&, SamplePairing<3> const&);
+template SampleStiffness<2> sample_stiffness(Faced<2> const&, Sample const&, SamplePairing<2> const&,
+                                             Local<2> const&);
+template SampleStiffness<3> sample_stiffness(Faced<3> const&, Sample const&, SamplePairing<3> const&,
+                                             Local<3> const&);
+
+} // namespace stiction::contact

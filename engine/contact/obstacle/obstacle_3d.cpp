@@ -1,0 +1,149 @@
+// Obstacles in space: planes and round shapes in closed form, the tangents, and the view of any shape.
+#include <Eigen/Geometry>
+
+#include "contact/obstacle/obstacle.hpp"
+#include "contact/obstacle/obstacle_view.hpp"
+#include "core/error.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+View3d look_3d(RigidPlane const& plane, Vec3 const& x, Foot /*guess*/) {
+  Vec3 const n = unit_or_last_axis<3>(plane.normal);
+  return {0, n.dot(x - place_or_origin<3>(plane.point)), n};
+}
+
+/// Distance from the skeleton of a round shape (centre, axis or middle circle), with two derivatives.
+struct Away {
+  double distance = 0; ///< m; 0 also where the nearest place of the skeleton is not unique
+  Vec3 direction = Vec3::Zero();
+  Mat<3> by_xx = Mat<3>::Zero(); ///< 1/m
+};
+
+Away away_from(RigidSphere const& sphere, Vec3 const& x) {
+  Vec3 const d = x - place_or_origin<3>(sphere.centre);
+  double const distance = d.norm();
+  if (distance == 0)
+    return {};
+  Vec3 const e = d / distance;
+  return {distance, e, (Mat<3>::Identity() - e * e.transpose()) / distance};
+}
+
+Away away_from(RigidCylinder const& cylinder, Vec3 const& x) {
+  Vec3 const a = unit_or_last_axis<3>(cylinder.axis), d = x - place_or_origin<3>(cylinder.centre);
+  Vec3 const across = d - a * a.dot(d);
+  double const distance = across.norm();
+  if (distance == 0)
+    return {};
+  Vec3 const e = across / distance, around = a.cross(e);
+  return {distance, e, around * around.transpose() / distance};
+}
+
+Away away_from(RigidTorus const& torus, Vec3 const& x) {
+  Vec3 const a = unit_or_last_axis<3>(torus.axis), d = x - place_or_origin<3>(torus.centre);
+  double const height = a.dot(d), rho = (d - a * height).norm(), out = rho - torus.major_radius;
+  double const distance = std::hypot(out, height);
+  if (rho == 0 || distance == 0)
+    return {};
+  Vec3 const e = (d - a * height) / rho, around = a.cross(e);
+  Vec3 const direction = (out * e + height * a) / distance, along = around.cross(direction);
+  return {distance, direction,
+          (along * along.transpose() + out / rho * around * around.transpose()) / distance};
+}
+
+double thickness(RigidTorus const& torus) {
+  return torus.minor_radius;
+}
+double thickness(auto const& shape) {
+  return shape.radius;
+}
+
+template<class Shape>
+concept RoundBody = requires(Shape const& shape, Vec3 const& x) {
+  away_from(shape, x);
+};
+
+View3d look_3d(RoundBody auto const& shape, Vec3 const& x, Foot /*guess*/) {
+  auto const away = away_from(shape, x);
+  double const sign = sign_of(shape.side);
+  return {away.distance > 0 ? 0 : -1, sign * (away.distance - thickness(shape)), sign * away.direction,
+          sign * away.by_xx};
+}
+
+/// The axis whose part along the surface is t1: `direction`, or if n is parallel to it the axis after that
+/// which it is nearest to.
+Vec3 leading(Vec3 const& direction, Vec3 const& n) {
+  Vec3 const a = direction.normalized();
+  if ((a - n * n.dot(a)).norm() > 1e-3)
+    return a;
+  Eigen::Index largest = 0;
+  a.cwiseAbs().maxCoeff(&largest);
+  return Vec3::Unit((largest + 1) % 3);
+}
+
+/// Columns n, t1, t2.
+Mat<3> frame_of(Vec3 const& n, Vec3 const& direction) {
+  Vec3 const a = leading(direction, n);
+  Vec3 const t1 = (a - n * n.dot(a)).normalized();
+  Mat<3> frame;
+  frame << n, t1, n.cross(t1);
+  return frame;
+}
+
+/// Derivative of frame_of(n) force by the point's place, given that of n.
+Mat<3> turn_of_frame(Mat<3> const& frame, Mat<3> const& dn, Vec3 const& direction, Local<3> const& force) {
+  Vec3 const n = frame.col(0), t1 = frame.col(1), a = leading(direction, n);
+  double const length = t1.dot(a); // of the part of a along the surface
+  Mat<3> const along = n.dot(a) * dn + n * (a.transpose() * dn);
+  Mat<3> const dt1 = -(along - t1 * (t1.transpose() * along)) / length;
+  Mat<3> const dt2 = dn.colwise().cross(t1) - dt1.colwise().cross(n);
+  return force[0] * dn + force[1] * dt1 + force[2] * dt2;
+}
+
+ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Foot start, Foot guess, Vec3 const& direction) {
+  if constexpr (requires { look_3d(shape, point, guess); }) {
+    auto const seen = look_3d(shape, point, guess);
+    ObstacleView<3> result;
+    result.found = seen.segment >= 0;
+    if (!result.found)
+      return result;
+    result.foot = {seen.segment, point.x(), point.y(), point.z()};
+    result.gap = seen.gap;
+    result.frame = frame_of(seen.normal, direction);
+    result.by_x = result.frame.transpose();
+    if (start.found())
+      result.slip = result.by_x.bottomRows<2>() * (point - Vec3(start.xi, start.eta, start.zeta));
+    return result;
+  } else {
+    core::fail_expectation("the obstacle has a form in space", std::source_location::current());
+  }
+}
+
+Mat<3> stiffness_of(auto const& shape, Foot foot, Vec3 const& point, Local<3> const& force,
+                    Vec3 const& direction) {
+  if constexpr (requires { look_3d(shape, point, foot); }) {
+    auto const seen = look_3d(shape, point, foot);
+    return turn_of_frame(frame_of(seen.normal, direction), seen.normal_by_x, direction, force);
+  } else {
+    core::fail_expectation("the obstacle has a form in space", std::source_location::current());
+  }
+}
+
+} // namespace
+
+template<>
+ObstacleView<3> view(Obstacle const& obstacle, Vec3 const& point, Foot start, Foot guess,
+                     Vec3 const& direction) {
+  return std::visit([&](auto const& shape) { return view_of(shape, point, start, guess, direction); },
+                    obstacle);
+}
+
+template<>
+Mat<3> curvature_stiffness(Obstacle const& obstacle, Foot foot, Vec3 const& point, Local<3> const& force,
+                           Vec3 const& direction) {
+  return std::visit([&](auto const& shape) { return stiffness_of(shape, foot, point, force, direction); },
+                    obstacle);
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,36 @@
+// A rigid profile of the plane through given points.
+#pragma once
+#include <memory>
+
+#include "contact/obstacle/obstacle_view.hpp"
+#include "contact/surface/curve.hpp"
+
+namespace stiction::contact {
+
+/// A curve that does not move, with the positions of its nodes.
+struct FixedCurve {
+  std::vector<double> x; ///< [2 nodes], m
+  Curve curve;
+};
+
+/// Profile through points, the solid to the left when walking. Corners of more than 40 degrees stay corners.
+/// A point in the wedge outside a convex corner has its foot in the corner, and normal and tangent of one of
+/// the segments that meet there; in a concave corner it meets one of the two.
+struct RigidPolyline {
+  core::Numbers points; ///< {x1, y1, x2, y2, ...}, m
+  bool closed = false;  ///< the last point is followed by the first
+  Smoothing smoothing = Smoothing::spline;
+  std::shared_ptr<FixedCurve const> prepared; ///< by prepare(), from the above
+  [[nodiscard]] static core::Schema const& schema();
+};
+
+[[nodiscard]] std::string unfit(RigidPolyline const& line, int dim, bool axisymmetric);
+void prepare(RigidPolyline& line);
+
+/// Not found past an open end.
+[[nodiscard]] Foot foot_2d(RigidPolyline const& line, Vec2 const& x, Foot guess);
+/// Along the curve, on closed ones the short way round.
+[[nodiscard]] double slip_2d(RigidPolyline const& line, Foot from, Foot to);
+[[nodiscard]] View2d look_2d(RigidPolyline const& line, Vec2 const& x, Foot foot);
+
+} // namespace stiction::contact

@@ -1,0 +1,48 @@
+// The parts of delassus.hpp that need no component count.
+#include "contact/problem/delassus.hpp"
+
+namespace stiction::contact {
+
+Index Delassus::rows() const {
+  return static_cast<Index>(std::visit(
+      [](auto const& kind) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, Dense>)
+          return kind.rows();
+        else
+          return kind.blocks.rows();
+      },
+      kind_));
+}
+
+double Delassus::diagonal(Index row) const {
+  if (auto const* matrix = std::get_if<Dense>(&kind_))
+    return (*matrix)(row, row);
+  auto const& blocks = std::get<ByProduct>(kind_).blocks;
+  return blocks(row, row % blocks.cols());
+}
+
+void Delassus::add_product(Vector const& force, Vector& x) const {
+  if (auto const* matrix = std::get_if<Dense>(&kind_))
+    x.noalias() += *matrix * force;
+  else
+    std::get<ByProduct>(kind_).product(0, force, x);
+}
+
+Dense const& Delassus::dense() const {
+  if (auto const* matrix = std::get_if<Dense>(&kind_))
+    return *matrix;
+  auto const& [blocks, product, entries] = std::get<ByProduct>(kind_);
+  if (entries)
+    return *entries;
+  entries = Dense::Zero(blocks.rows(), blocks.rows());
+  for (Index j = 0; j < rows(); ++j)
+    product(j, Vector::Ones(1), entries->col(j));
+  return *entries;
+}
+
+bool Delassus::formed() const {
+  auto const* by_product = std::get_if<ByProduct>(&kind_);
+  return by_product == nullptr || by_product->entries.has_value();
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,115 @@
+// The judge: the natural-map residual of a contact problem, independent of every solver.
+#include "contact/problem/problem.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace stiction::contact {
+
+namespace {
+
+/// Of a point that nothing can move: the stiffness of its bond, so that no unit is preferred, N/m.
+double scale_of_law(Problem const& problem, Index point) {
+  auto const& own = problem.points[ix(point)];
+  if (own.law < 0)
+    return 1;
+  auto const scales = interface::scales(problem.adhesions[ix(own.law)]);
+  double const stiffness = own.area * scales.strength / scales.opening;
+  return stiffness > 0 && std::isfinite(stiffness) ? stiffness : 1;
+}
+
+} // namespace
+
+double natural_scale(Problem const& problem, Index point) {
+  double largest = 0;
+  if (problem.dim == 1) {
+    largest = problem.W.diagonal(point);
+  } else if (problem.dim == 2) { // closed form of the symmetric part
+    auto const block = problem.W.block<2>(point);
+    double const mean = 0.5 * (block(0, 0) + block(1, 1)), half = 0.5 * (block(0, 0) - block(1, 1));
+    largest = mean + std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
+  } else {
+    auto const block = problem.W.block<3>(point);
+    Eigen::Matrix3d const symmetric = 0.5 * (block + block.transpose());
+    largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  }
+  return largest > 0 ? 1 / largest : scale_of_law(problem, point);
+}
+
+Vector displacement(Problem const& problem, Vector const& force) {
+  Vector x = problem.free;
+  problem.W.add_product(force, x);
+  return x;
+}
+
+namespace {
+
+/// x: where the points are with these forces; both change.
+template<int D> void start_open_in(Problem const& problem, Index point, Vector& force, Vector& x) {
+  auto const& data = problem.points[ix(point)];
+  Local<D> const old = force.segment<D>(D * point), at = x.segment<D>(D * point);
+  if (!(at[0] >= data.shift[0])) // one that just touches needs no push either
+    return;
+  Local<D> own = Local<D>::Zero();
+  if (data.law >= 0)
+    own = data.area * interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, at).traction;
+  force.segment<D>(D * point) = own;
+  problem.W.add_column<D>(point, own - old, x);
+}
+
+} // namespace
+
+Vector open_where_given(Problem const& problem, Vector force) {
+  Vector x;
+  for (Index i = 0; i < problem.size(); ++i) {
+    if (problem.W.diagonal(problem.dim * i) != 0) // below zero the body softens, and may be closed
+      continue;
+    if (x.size() == 0)
+      x = displacement(problem, force);
+    by_dimension(problem.dim, [&]<int D>() { start_open_in<D>(problem, i, force, x); });
+  }
+  return force;
+}
+
+double Verdict::relative() const {
+  if (!std::isfinite(residual) || !std::isfinite(scale))
+    return std::numeric_limits<double>::infinity();
+  return scale > 0 ? residual / scale : residual;
+}
+
+namespace {
+
+template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
+  Verdict verdict;
+  Vector const x = displacement(problem, force);
+  if (!x.allFinite() || !force.allFinite())
+    return {std::numeric_limits<double>::infinity(), 0};
+  for (Index i = 0; i < problem.size(); ++i) {
+    double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
+    Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
+    auto const state = evaluate<D>(problem, i, p, at, rho);
+    double const residual = state.residual.norm();
+    // the cone takes rho |x_t| off the pressure and gives it back: what that rounds to, a point that just
+    // touches while it slides cannot do without
+    double const rounding =
+        state.status == interface::Status::open
+            ? 0.0
+            : 4 * std::numeric_limits<double>::epsilon() * rho * at.template tail<D - 1>().norm();
+    if (!(residual <= rounding))
+      verdict.residual = std::max(verdict.residual, residual / area);
+    // a separated point far away must not set the yardstick: only pushing free gaps count
+    double const pressed = std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i]) * rho / area;
+    verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
+  }
+  return verdict;
+}
+
+} // namespace
+
+Verdict judge(Problem const& problem, Vector const& force) {
+  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force); });
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,179 @@
+// One node has a single answer iff W_nn > mu |W_nt|, one bond iff 1 / W_nn exceeds the fall of its force.
+#include "contact/problem/uniqueness.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace stiction::contact {
+
+namespace {
+
+constexpr double bearing_part = 0.01; // of the strength, above which a bond counts as pulled
+constexpr int rounds = 30;            // of the power iteration
+
+/// A point that friction pushes: unit direction of the push.
+template<int D> struct Pushed {
+  Index point;
+  double mu;
+  Eigen::Matrix<double, D - 1, 1> along;
+};
+
+/// A bond that may snap: its row of W and how steeply its force may fall with the opening, N/m.
+struct Bonded {
+  Index point;
+  double fall;
+};
+
+template<int D> class Check {
+public:
+  Check(Problem const& problem, Checked which) : problem_(problem), which_(which) {}
+
+  Doubts operator()(Vector const& force, Vector const& x) {
+    for (Index i = 0; i < problem_.size(); ++i) {
+      Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
+      auto const state = evaluate<D>(problem_, i, p, at, natural_scale(problem_, i));
+      if (state.mu > 0 && (which_ == Checked::all || state.status != interface::Status::open))
+        look_at_friction(i, state.mu);
+      if (state.mu > 0 && !state.dry.template tail<D - 1>().isZero(0))
+        pushed_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
+      if (problem_.points[ix(i)].law >= 0)
+        look_at_bond(i, (p - state.dry)[0]);
+    }
+    if (doubts_.friction.points == 0)
+      look_at_friction_together();
+    doubts_.softening.together = together();
+    return doubts_;
+  }
+
+private:
+  void look_at_friction(Index i, double mu) {
+    auto const block = problem_.W.block<D>(i);
+    double const W_nt = block.row(0).template tail<D - 1>().norm(), W_nn = block(0, 0);
+    if (W_nn > mu * W_nt || W_nt == 0)
+      return;
+    auto& worst = doubts_.friction;
+    ++worst.points;
+    double const ratio = W_nn > 0 ? mu * W_nt / W_nn : std::numeric_limits<double>::infinity();
+    if (worst.worst >= 0 && ratio <= steepest_)
+      return;
+    steepest_ = ratio;
+    worst = {worst.points, 0, i, mu, W_nn, W_nt};
+  }
+
+  void look_at_friction_together() {
+    auto const n = static_cast<Index>(pushed_.size());
+    if (n < 2)
+      return;
+    Dense matrix(n, n);
+    Vector x(problem_.free.size());
+    for (Index b = 0; b < n; ++b) {
+      auto const& other = pushed_[ix(b)];
+      Local<D> push = Local<D>::Unit(0);
+      push.template tail<D - 1>() = other.mu * other.along;
+      x.setZero();
+      problem_.W.add_column<D>(other.point, push, x);
+      for (Index a = 0; a < n; ++a)
+        matrix(a, b) = x[D * pushed_[ix(a)].point];
+    }
+    Eigen::PartialPivLU<Dense> const factor(matrix);
+    auto const pivots = factor.matrixLU().diagonal().array();
+    if ((pivots == 0).any() || ((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
+      return;
+    auto const& first = pushed_.front();
+    auto const row = problem_.W.block<D>(first.point).row(0).eval();
+    doubts_.friction = {0, n, first.point, first.mu, row[0], row.template tail<D - 1>().norm()};
+  }
+
+  /// `pull`: the bond's normal force, negative where it pulls, N.
+  void look_at_bond(Index i, double pull) {
+    auto const& point = problem_.points[ix(i)];
+    auto const& law = problem_.adhesions[ix(point.law)];
+    if (which_ == Checked::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
+      return;
+    double const fall = point.area * interface::steepest_fall(law, point.bond),
+                 W_nn = problem_.W.diagonal(D * i);
+    if (!(fall > 0 && W_nn > 0))
+      return;
+    bonded_.push_back({i, fall});
+    auto& worst = doubts_.softening;
+    worst.points += W_nn * fall >= 1 ? 1 : 0;
+    if (worst.worst < 0 || W_nn * fall * worst.stiffness > worst.fall) {
+      worst.worst = i;
+      worst.stiffness = 1 / W_nn;
+      worst.fall = fall;
+    }
+  }
+
+  /// Rayleigh quotients of sqrt(fall) W_nn sqrt(fall): they rise to the largest eigenvalue.
+  [[nodiscard]] double together() const {
+    auto const n = static_cast<Index>(bonded_.size());
+    if (n == 0)
+      return 0;
+    Dense matrix(n, n);
+    Vector x(problem_.free.size());
+    for (Index b = 0; b < n; ++b) {
+      x.setZero();
+      problem_.W.add_column<D>(bonded_[ix(b)].point, Local<D>::Unit(0), x);
+      for (Index a = 0; a < n; ++a)
+        matrix(a, b) = std::sqrt(bonded_[ix(a)].fall * bonded_[ix(b)].fall) * x[D * bonded_[ix(a)].point];
+    }
+    Vector v = Vector::Ones(n).normalized(), next(n);
+    double quotient = matrix.diagonal().maxCoeff(); // a lower bound as well
+    for (int k = 0; k < rounds; ++k) {
+      next.noalias() = matrix * v;
+      quotient = std::max(quotient, v.dot(next));
+      if (!(next.norm() > 0))
+        break;
+      v = next.normalized();
+    }
+    return quotient;
+  }
+
+  Problem const& problem_;
+  Checked which_;
+  Doubts doubts_;
+  std::vector<Pushed<D>> pushed_;
+  std::vector<Bonded> bonded_;
+  double steepest_ = 0; ///< largest mu |W_nt| / W_nn
+};
+
+} // namespace
+
+Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Checked which) {
+  return by_dimension(problem.dim, [&]<int D>() { return Check<D>(problem, which)(force, x); });
+}
+
+std::string words(FrictionDoubt const& doubt) {
+  if (doubt.points == 0)
+    return fmt::format(
+        "it and {} more that friction pushes, all sliding that way, press with a matrix W_nn + "
+        "mu W_nt of negative determinant: together they have with friction more than one answer, or "
+        "none; a symmetric body may lean to either side",
+        doubt.together - 1);
+  std::string text = fmt::format("W_nn = {:.3g} m/N <= mu |W_nt| = {:.3g} x {:.3g} m/N: by itself, all "
+                                 "other forces held, it has with friction more than one answer, or none",
+                                 doubt.W_nn, doubt.mu, doubt.W_nt);
+  if (doubt.W_nn > 0)
+    text += fmt::format(
+        "; mu below {:.3g} makes it single, for deformable bodies with inertia also a smaller step",
+        doubt.W_nn / doubt.W_nt);
+  return text;
+}
+
+std::string words(SofteningDoubt const& doubt) {
+  std::string const remedy = "a less stiff law, a smaller area per point or stiffer bodies make it single, "
+                             "with inertia also a smaller step";
+  if (doubt.points > 0)
+    return fmt::format(
+        "1/W_nn = {:.3g} N/m <= {:.3g} N/m by which the bond's force may fall per opening: at some loads "
+        "there is more than one answer, and the bond snaps from one to another; {}",
+        doubt.stiffness, doubt.fall, remedy);
+  return fmt::format(
+      "the bonds together may weaken {:.3g} times as fast as what they hold follows: at some loads there "
+      "may be more than one answer, and bonds snap from one to another; {}",
+      doubt.together, remedy);
+}
+
+} // namespace stiction::contact

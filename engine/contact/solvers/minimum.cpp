@@ -1,0 +1,286 @@
+// Newton's method on the potential in the coordinates z, where that of the bodies is |z|^2 / 2.
+#include "contact/solvers/minimum.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/solvers/complementarity.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+constexpr double enough_step = 1e-11, rounded_step = 1e-9; // over z; where it shrinks no more
+constexpr double downhill_part = 1e-4;                     // of the descent that the gradient foretells
+constexpr double longest_stride = 0.5;                     // of a law's opening
+constexpr double harmless_stride = 1e-5;
+constexpr double touching = 1e-10;
+constexpr int work_panels = 4; // of Simpson's rule for the work of a bond in one step
+
+/// F of W = F F^T, by Cholesky, with pivots where W is singular; W scaled to a diagonal of one. Rows of W
+/// that are zero, of points whose place is given, are zero in F.
+struct Root {
+  Dense F;        ///< [dim n, rank]
+  Indices pivots; ///< rows of F that make a lower triangle
+  bool sound = false;
+};
+
+/// Of a matrix of unit diagonal.
+void factorize_with_pivots(Dense const& W, double least, Root& root) {
+  Eigen::Index const n = W.rows();
+  root.F.setZero(n, n);
+  root.pivots.clear();
+  Vector left = W.diagonal();
+  Eigen::Index rank = 0;
+  for (; rank < n; ++rank) {
+    Index pivot = 0;
+    if (!(left.maxCoeff(&pivot) > least))
+      break;
+    Vector column = W.col(pivot);
+    column.noalias() -= root.F.leftCols(rank) * root.F.row(pivot).head(rank).transpose();
+    column /= std::sqrt(left[pivot]);
+    for (Index const before : root.pivots)
+      column[before] = 0;
+    root.F.col(rank) = column;
+    left -= column.cwiseAbs2();
+    left[pivot] = 0;
+    root.pivots.push_back(pivot);
+  }
+  root.F.conservativeResize(n, rank);
+  root.sound = left.minCoeff() > -100 * least;
+}
+
+Root root_of(Dense const& W) {
+  auto const n = static_cast<Index>(W.rows());
+  Root root;
+  Indices rows;
+  for (Index i = 0; i < n; ++i) {
+    if (!(W(i, i) >= 0))
+      return root;
+    if (W(i, i) > 0)
+      rows.push_back(i);
+  }
+  root.F.setZero(n, static_cast<Index>(rows.size()));
+  root.sound = rows.empty();
+  if (rows.empty())
+    return root;
+  Vector const scale = Vector(W.diagonal()(rows)).cwiseSqrt(), inverse = scale.cwiseInverse();
+  Dense const part = W(rows, rows);
+  Dense const sound = inverse.asDiagonal() * (0.5 * (part + part.transpose())) * inverse.asDiagonal();
+  double const least = static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  Root own;
+  Eigen::LLT<Dense> const factor(sound);
+  if (factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > std::sqrt(least)) {
+    own.F = factor.matrixL();
+    own.sound = true;
+    for (Index i = 0; i < static_cast<Index>(rows.size()); ++i)
+      own.pivots.push_back(i);
+  } else {
+    factorize_with_pivots(sound, least, own);
+  }
+  root.sound = own.sound;
+  root.F.setZero(n, own.F.cols());
+  root.F(rows, Eigen::all) = scale.asDiagonal() * own.F;
+  for (Index const pivot : own.pivots)
+    root.pivots.push_back(rows[ix(pivot)]);
+  return root;
+}
+
+template<int D> class Minimum {
+public:
+  Minimum(Problem const& problem, Root root) : problem_(problem), root_(std::move(root)) {
+    for (auto const& law : problem.adhesions)
+      opening_ = std::min(opening_, interface::scales(law).opening);
+    normal_ = root_.F(Eigen::seqN(0, problem.size(), D), Eigen::all);
+    active_.assign(ix(problem.size()), false);
+  }
+  [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
+    start_from(guess);
+    double before = 0;
+    for (long k = 1; k <= iterations; ++k) {
+      differentiate();
+      if (!find_step())
+        return std::nullopt;
+      double const way = step_.norm(), whole = (z_ + step_).norm();
+      bool const last = way <= enough_step * whole || (way <= rounded_step * whole && way >= 0.5 * before);
+      before = way;
+      if (!walk())
+        return Descended{force(), k, false};
+      if (last || quadratic_)
+        return Descended{force(), k, true};
+    }
+    return Descended{force(), iterations, false};
+  }
+
+private:
+  [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
+  [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
+    auto const& data = problem_.points[ix(point)];
+    return data.law < 0 ? interface::Adhesion<D>{}
+                        : interface::adhere<D>(problem_.adhesions[ix(data.law)], data.bond, x);
+  }
+
+  /// z of the problem's start, of the guess where it has none.
+  void
+  start_from(Vector const& guess) {
+    quadratic_ = std::none_of(problem_.points.begin(), problem_.points.end(),
+                              [](auto const& point) { return point.law >= 0; });
+    if (problem_.start.size() == 0) {
+      z_ = root_.F.transpose() * guess;
+    } else {
+      Vector x = problem_.start;
+      for (Index i = 0; i < problem_.size(); ++i)
+        x[D * i] = std::max(x[D * i], shift(i));
+      Dense const triangle = root_.F(root_.pivots, Eigen::all);
+      z_ = triangle.triangularView<Eigen::Lower>().solve(Vector((x - problem_.free)(root_.pivots)));
+    }
+    if (!z_.allFinite())
+      z_.setZero(root_.F.cols());
+    x_ = problem_.free + root_.F * z_;
+  }
+
+  /// Forces, gradient and stiffness of the bonds.
+  void differentiate() {
+    bonds_.setZero(x_.size());
+    stiffness_.assign(ix(problem_.size()), LocalMatrix<D>::Zero());
+    for (Index i = 0; i < problem_.size(); ++i) {
+      if (problem_.points[ix(i)].law < 0)
+        continue;
+      double const area = problem_.points[ix(i)].area;
+      Local<D> at = x_.segment<D>(D * i);
+      bonds_.segment<D>(D * i) = area * bond(i, at).traction;
+      if (std::abs(at[0]) < touching * opening_) // where it can only open, the slope on that side
+        at[0] = touching * opening_;
+      LocalMatrix<D> const slope = bond(i, at).traction_by_x;
+      stiffness_[ix(i)] = -0.5 * area * (slope + slope.transpose());
+    }
+    gradient_ = z_ - root_.F.transpose() * bonds_;
+  }
+
+  /// 1 + F^T K F, with a part of what softens.
+  [[nodiscard]] Dense hessian(double part) const {
+    Eigen::Index const n = root_.F.cols();
+    if (quadratic_ || n == 0)
+      return Dense::Identity(n, n);
+    Dense scaled(root_.F.rows(), n);
+    for (Index i = 0; i < problem_.size(); ++i) {
+      LocalMatrix<D> K = part * stiffness_[ix(i)];
+      K.diagonal() = K.diagonal().cwiseMax(stiffness_[ix(i)].diagonal());
+      scaled.template middleRows<D>(D * i).noalias() = K * root_.F.template middleRows<D>(D * i);
+    }
+    Dense H = Dense::Identity(n, n);
+    H.template triangularView<Eigen::Lower>() += root_.F.transpose() * scaled;
+    return H;
+  }
+
+  /// The minimum of the quadratic model, less and less softened until it is convex; false if no x is
+  /// admitted.
+  bool find_step() {
+    for (double const part : {1.0, 0.5, 0.25, 0.1, 0.0}) {
+      Eigen::LLT<Dense> const factor(hessian(part));
+      if (factor.info() == Eigen::Success)
+        return solve_model(factor);
+    }
+    return false;
+  }
+
+  bool solve_model(Eigen::LLT<Dense> const& factor) {
+    Dense const G = factor.matrixL().solve(normal_.transpose());
+    Vector const g = factor.matrixL().solve(gradient_);
+    Dense M(problem_.size(), problem_.size());
+    M.setZero();
+    M.selfadjointView<Eigen::Lower>().rankUpdate(G.transpose());
+    M.triangularView<Eigen::StrictlyUpper>() = M.transpose();
+    Vector q = -(G.transpose() * g);
+    for (Index i = 0; i < problem_.size(); ++i)
+      q[i] += x_[D * i] - shift(i);
+    auto const answer = solve_convex(M, q, active_);
+    if (!answer)
+      return false;
+    pressure_ = *answer;
+    step_ = factor.matrixU().solve(G * pressure_ - g);
+    moved_ = root_.F * step_;
+    return step_.allFinite();
+  }
+
+  /// The largest part of any bond's opening that the step moves an attracted point.
+  [[nodiscard]] double stride() const {
+    double largest = 0;
+    for (Index i = 0; i < problem_.size(); ++i)
+      if (problem_.points[ix(i)].law >= 0 && !bonds_.segment<D>(D * i).isZero(0))
+        largest = std::max(largest,
+                           moved_.segment<D>(D * i).norm() /
+                               interface::scales(problem_.adhesions[ix(problem_.points[ix(i)].law)]).opening);
+    return largest;
+  }
+
+  /// What the potential less the work of the model's pressures gains, J.
+  [[nodiscard]] double gain(double length) const {
+    double sum = length * (z_.dot(step_) + 0.5 * length * step_.squaredNorm());
+    for (Index i = 0; i < problem_.size(); ++i) {
+      Local<D> const from = x_.segment<D>(D * i), change = length * moved_.segment<D>(D * i);
+      sum -= pressure_[i] * change[0];
+      if (problem_.points[ix(i)].law < 0)
+        continue;
+      double work = 0;
+      for (int k = 0; k <= 2 * work_panels; ++k) {
+        double const weight = k == 0 || k == 2 * work_panels ? 1 : (k % 2 == 1 ? 4 : 2);
+        work += weight * bond(i, from + k / (2.0 * work_panels) * change).traction.dot(change);
+      }
+      sum -= problem_.points[ix(i)].area * work / (6 * work_panels);
+    }
+    return sum;
+  }
+
+  /// As far as the potential falls; a step too small to leap over anything is taken at once.
+  bool walk() {
+    double const foretold = step_.dot(gradient_) - pressure_.dot(Vector(normal_ * step_));
+    double const longest = quadratic_ ? 0 : stride();
+    double length = std::min(1.0, longest_stride / longest);
+    while (length > 1e-6) {
+      bool const harmless = length * moved_.template lpNorm<Eigen::Infinity>() < harmless_stride * opening_;
+      if (!quadratic_ && !harmless && !(gain(length) <= downhill_part * length * foretold)) {
+        length *= 0.5;
+        continue;
+      }
+      z_ += length * step_;
+      x_ = problem_.free + root_.F * z_;
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] Vector force() {
+    differentiate();
+    Vector p = bonds_;
+    for (Index i = 0; i < problem_.size(); ++i)
+      p[D * i] += pressure_[i];
+    return p;
+  }
+
+  Problem const& problem_;
+  Root root_;
+  Dense normal_;                                             ///< rows of F along the normals
+  bool quadratic_ = false;                                   ///< without bonds
+  double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m
+  Vector z_, x_, bonds_, gradient_, step_, moved_;
+  Vector pressure_; ///< multipliers of x_n >= shift, N
+  std::vector<LocalMatrix<D>> stiffness_;
+  std::vector<bool> active_;
+};
+
+} // namespace
+
+std::optional<Descended> minimise(Problem const& problem, Vector const& guess, long iterations) {
+  return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
+    Root root = root_of(problem.W.dense());
+    if (!root.sound)
+      return std::nullopt;
+    return Minimum<D>(problem, std::move(root)).run(guess, iterations);
+  });
+}
+
+} // namespace stiction::contact

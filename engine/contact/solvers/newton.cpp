@@ -1,0 +1,336 @@
+// Semismooth Newton on the natural map of the bi-potential, all points at once.
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "contact/solvers/minimum.hpp"
+#include "contact/solvers/pivoting.hpp"
+#include "contact/solvers/rounding.hpp"
+#include "contact/solvers/solver.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
+constexpr int refinements = 3;
+constexpr int quick = 12;     // iterations, before what is sure takes over
+constexpr int pivotings = 12; // with the bonds linear about the last answer
+
+/// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
+template<int D> class NewtonRun {
+public:
+  NewtonRun(Problem const& problem, Vector const& guess)
+      : problem_(problem), p_(open_where_given(problem, guess)) {
+    Index const n = problem.size();
+    rho_.resize(n);
+    for (Index i = 0; i < n; ++i)
+      rho_[i] = natural_scale(problem, i);
+    states_.resize(ix(n));
+    merit_ = evaluate_all(p_, x_);
+  }
+
+  /// One Newton step with a line search on the residual; false if no decrease was found.
+  bool step() {
+    assemble();
+    Vector step;
+    if (!active_.empty())
+      step = matrix_.partialPivLu().solve(right_);
+    count_factorization();
+    if (!step.allFinite())
+      return false;
+    Vector direction = Vector::Zero(p_.size());
+    for (std::size_t k = 0; k < active_.size(); ++k)
+      direction.segment<D>(D * active_[k]) = step.segment<D>(D * static_cast<Index>(k));
+    for (Index const i : idle_)
+      direction.segment<D>(D * i) = -p_.segment<D>(D * i);
+    double const before = merit_;
+    Vector const start = p_;
+    double length = 1;
+    for (int halvings = 0; halvings < 5; ++halvings, length *= 0.5) { // down to 1/16
+      p_ = start + length * direction;
+      merit_ = evaluate_all(p_, x_);
+      if (merit_ <= (1 - 1e-4 * length) * before)
+        return true;
+    }
+    p_ = start;
+    merit_ = evaluate_all(p_, x_);
+    return false;
+  }
+
+  void sweep(int times) {
+    for (int k = 0; k < times; ++k)
+      for (Index i = 0; i < problem_.size(); ++i) {
+        Local<D> const old = p_.segment<D>(D * i);
+        Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D>(i) * old;
+        Local<D> const change = solve_point<D>(problem_, i, free, old, rho_[i]) - old;
+        p_.segment<D>(D * i) += change;
+        problem_.W.add_column<D>(i, change, x_);
+      }
+    work_ += times;
+    merit_ = evaluate_all(p_, x_);
+  }
+  [[nodiscard]] Vector const& force() const { return p_; }
+  [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
+  [[nodiscard]] double work() const { return work_; }
+
+private:
+  double evaluate_all(Vector const& p, Vector& x) {
+    x = displacement(problem_, p);
+    work_ += 1;
+    double sum = 0;
+    for (Index i = 0; i < problem_.size(); ++i) {
+      auto& state = states_[ix(i)];
+      state = evaluate<D>(problem_, i, p.segment<D>(D * i), x.segment<D>(D * i), rho_[i]);
+      sum += state.residual.squaredNorm();
+    }
+    return std::sqrt(sum);
+  }
+
+  /// Rows of points that are open and unbonded read p = 0 and leave the system.
+  void assemble() {
+    active_.clear();
+    idle_.clear();
+    for (Index i = 0; i < problem_.size(); ++i) {
+      auto const& state = states_[ix(i)];
+      bool const idle = state.status == interface::Status::open && state.adhesion_by_x.isZero(0) &&
+                        state.residual.isApprox(p_.segment<D>(D * i), 0);
+      (idle ? idle_ : active_).push_back(i);
+    }
+    Dense const& W = problem_.W.dense();
+    auto const n = D * static_cast<Index>(active_.size());
+    matrix_.resize(n, n);
+    right_.resize(n);
+    for (std::size_t a = 0; a < active_.size(); ++a) {
+      Index const i = active_[a], row = D * static_cast<Index>(a);
+      auto const& state = states_[ix(i)];
+      LocalMatrix<D> const by_x = state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
+      for (std::size_t b = 0; b < active_.size(); ++b)
+        matrix_.template block<D, D>(row, D * static_cast<Index>(b)).noalias() =
+            by_x * W.block<D, D>(D * i, D * active_[b]);
+      matrix_.template block<D, D>(row, row) += state.residual_by_dry;
+      right_.template segment<D>(row) = -state.residual;
+      for (Index const j : idle_) // their step is known: -p_j
+        right_.template segment<D>(row) += by_x * (W.block<D, D>(D * i, D * j) * p_.segment<D>(D * j));
+    }
+  }
+
+  /// m^3 / 3 for the matrix of the m active rows, D m^2 to make it.
+  void count_factorization() {
+    auto const m = static_cast<double>(D) * static_cast<double>(active_.size());
+    auto const whole = static_cast<double>(p_.size());
+    work_ += whole > 0 ? (m / 3 + D) * m * m / (whole * whole) : 0;
+  }
+
+  Problem const& problem_;
+  Vector p_, x_, rho_;
+  std::vector<PointState<D>> states_;
+  std::vector<Index> active_, idle_;
+  Dense matrix_;
+  Vector right_;
+  double merit_ = 0, work_ = 0;
+};
+
+/// What Newton may do where it stagnates; hand_over: where it is slow, too.
+enum class Stuck { give_up, hand_over, sweep };
+
+class NewtonSolver : public Solver {
+public:
+  explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
+  Solution solve(Problem const& problem, Vector const& guess) override {
+    spent_ = {};
+    Solution solution =
+        frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
+    solution.iterations = spent_.iterations;
+    solution.work = spent_.work;
+    return solution;
+  }
+
+private:
+  [[nodiscard]] bool solved(Problem const& problem, Vector const& force) const {
+    return judge(problem, force).relative() <= settings_.tolerance;
+  }
+
+  /// There is a potential: downhill first where a root might be on another branch, else where Newton fails.
+  [[nodiscard]] Solution without_friction(Problem const& problem, Vector const& guess) {
+    bool const downhill_first = may_snap(problem) && !solved(problem, guess);
+    Solution solution;
+    if (!downhill_first) {
+      solution = polish(problem, guess, Stuck::hand_over);
+      if (solution.converged)
+        return solution;
+    }
+    for (auto const& go : {descend, minimise})
+      if (auto const end = go(problem, guess, 20L * settings_.iterations)) {
+        solution = landed(problem, *end);
+        if (solution.converged)
+          return solution;
+      }
+    if (!downhill_first)
+      return polish(problem, guess, Stuck::sweep);
+    auto last = near(problem, guess); // where a descent does not settle, Newton may answer
+    return last.converged || solution.force.size() == 0 ? last : solution;
+  }
+
+  [[nodiscard]] Solution landed(Problem const& problem, Descended const& end) {
+    auto const descents = static_cast<double>(end.iterations), n = static_cast<double>(problem.free.size());
+    spend(end.iterations, descents * (1 + n / 6)); // a product and a symmetric factorization each
+    if (end.settled)
+      return polish(problem, end.force, Stuck::give_up);
+    Solution solution;
+    solution.force = end.force;
+    solution.verdict = judge(problem, end.force);
+    return solution;
+  }
+
+  /// Newton's answer if no bond is leaped over: else it went to another branch.
+  [[nodiscard]] Solution near(Problem const& problem, Vector const& guess) {
+    Solution solution = polish(problem, guess, Stuck::give_up);
+    solution.converged = solution.converged && !leaps(problem, guess, solution.force);
+    return solution;
+  }
+
+  /// Pivoting where all that starts from the guess fails.
+  [[nodiscard]] Solution with_friction(Problem const& problem, Vector const& guess) {
+    Solution solution = polish(problem, guess, Stuck::sweep);
+    Vector const stuck = solution.force;
+    for (auto const from : {From::nothing, From::statuses, From::closed})
+      if (!solution.converged)
+        pivot_from(problem, from, from == From::statuses ? guess : stuck, solution);
+    return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// Again and again with the bonds linear about the last answer.
+  void pivot_from(Problem const& problem, From from, Vector about, Solution& solution) {
+    for (int k = 0; k < pivotings && !solution.converged; ++k) {
+      auto const found = pivot(problem, about, from);
+      if (!found || found->force.size() == 0 || !found->force.allFinite())
+        return;
+      spend(1, static_cast<double>(found->pivots));
+      auto next = polish(problem, found->force, Stuck::give_up);
+      if (next.converged || next.verdict.residual < solution.verdict.residual)
+        solution = std::move(next);
+      if (found->force == about)
+        return;
+      about = found->force;
+    }
+  }
+
+  /// Where W is indefinite, sweeps from nothing find what pivots do not, and so does trying everything.
+  [[nodiscard]] Solution last_of_all(Problem const& problem, Solution solution) {
+    if (auto swept = from_nothing(problem); swept.converged)
+      return swept;
+    for (auto const& force : enumerate(problem, solution.force))
+      if (auto tried = polish(problem, force, Stuck::give_up); tried.converged)
+        return tried;
+    return solution;
+  }
+
+  [[nodiscard]] Solution from_nothing(Problem const& problem) {
+    GaussSeidel sweeps_alone;
+    sweeps_alone.tolerance = settings_.tolerance;
+    sweeps_alone.iterations = sweeps;
+    auto solution = sweeps_alone.make()->solve(problem, Vector::Zero(problem.free.size()));
+    spend(solution.iterations, solution.work);
+    return solution;
+  }
+
+  void spend(long iterations, double work) {
+    spent_.iterations += iterations;
+    spent_.work += work;
+  }
+
+  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
+    auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
+    spend(solution.iterations, solution.work);
+    return solution;
+  }
+  template<int D> Solution run(Problem const& problem, Vector const& guess, Stuck stuck) const {
+    NewtonRun<D> newton(problem, guess);
+    Solution solution;
+    int restarts = 0;
+    bool stagnated = false;
+    double judgements = 0;
+    auto judged = [&] {
+      ++judgements;
+      solution.verdict = newton.verdict();
+      return solution.converged = solution.verdict.relative() <= settings_.tolerance;
+    };
+    auto rounding_ends = [&] {
+      solution.force = newton.force();
+      return solution.converged = solution.rounded = within_rounding(problem, solution);
+    };
+    int const most = stuck == Stuck::hand_over ? std::min(quick, settings_.iterations) : settings_.iterations;
+    while (!judged() && solution.iterations < most) {
+      ++solution.iterations;
+      if (newton.step())
+        continue;
+      if (rounding_ends())
+        break;
+      if (++restarts > 5 || stuck != Stuck::sweep) {
+        stagnated = !judged();
+        break;
+      }
+      newton.sweep(10 * restarts);
+    }
+    if (!solution.converged && solution.iterations >= most)
+      rounding_ends();
+    // Sweeps are slow where Newton is quick, but they do not cycle. Where the residual no longer falls there
+    // may be nothing to sweep to.
+    double before = std::numeric_limits<double>::infinity();
+    for (int swept = 0; stuck == Stuck::sweep && stagnated && !solution.converged && swept < most_sweeps;
+         swept += sweeps) {
+      if (!(solution.verdict.relative() < 0.99 * before))
+        break;
+      before = solution.verdict.relative();
+      newton.sweep(sweeps);
+      solution.iterations += sweeps;
+      judged();
+    }
+    solution.force = newton.force();
+    for (int k = 0; k < refinements && solution.converged && restarts > 0 && solution.verdict.residual > 0 &&
+                    newton.step();
+         ++k) {
+      ++solution.iterations; // what sweeps leave, Newton finds in one step where no point changes its status
+      auto const swept = solution;
+      if (!judged() || swept.verdict.residual <= solution.verdict.residual) {
+        solution = swept;
+        break;
+      }
+      solution.force = newton.force();
+    }
+    solution.work = newton.work() + judgements;
+    return solution;
+  }
+
+  struct Spent {
+    long iterations = 0;
+    double work = 0;
+  };
+  Spent spent_;
+  BipotentialNewton settings_;
+};
+
+} // namespace
+
+core::Schema const& BipotentialNewton::schema() {
+  static auto const made =
+      core::Describe<BipotentialNewton>{"newton", "bi-potential Newton (semismooth), all points at once",
+                                        "(27)-(29)"}
+          .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-16, 1, false, true},
+                  core::Need::optional, "natural-map residual over the largest traction")
+          .integer("iterations", &BipotentialNewton::iterations, {1, 1e6, false, false}, core::Need::optional,
+                   "Newton iterations at most")
+          .build();
+  return made;
+}
+
+std::unique_ptr<Solver> BipotentialNewton::make() const {
+  return std::make_unique<NewtonSolver>(*this);
+}
+
+std::unique_ptr<Solver> make_solver(SolverChoice const& choice) {
+  return std::visit([](auto const& settings) { return settings.make(); }, choice);
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,24 @@
+// Where a contact point meets its counterpart: places on surfaces, and vectors and matrices by dimension.
+#pragma once
+#include "core/types.hpp"
+
+namespace stiction::contact {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+template<int D> using Vec = Eigen::Matrix<double, D, 1>;
+template<int D> using Mat = Eigen::Matrix<double, D, D>;
+
+/// A point of a primary surface: segment or facet with local coordinates; it moves with the surface. On an
+/// obstacle the coordinates are whatever the shape measures slip by.
+struct Foot {
+  int segment = -1; ///< -1: no counterpart
+  double xi = 0, eta = 0, zeta = 0;
+  [[nodiscard]] bool found() const { return segment >= 0; }
+};
+
+/// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node,
+/// then those of the primary.
+template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;
+
+} // namespace stiction::contact

@@ -1,0 +1,178 @@
+// Judges attempts and sets the size of the next one.
+#include "dynamics/adaptivity/pace.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stiction::dynamics {
+
+namespace {
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double safety = 0.9;
+constexpr double worthwhile = 1.3, needless = 0.8; ///< between these factors the step, and a factor, is kept
+constexpr double fastest = 2, deepest = 0.1;       ///< growth and cut at most
+constexpr int first_share = 8; ///< the first step, of whose error nothing is known, is so much smaller
+constexpr int patience = 10;   ///< steps after a failed one before a longer one is tried again
+constexpr double rounding = 1e-9;
+constexpr double sliver = 1e-6; ///< part of the smallest step by which a moment may be missed
+
+std::string words(Event const& event, char const* verb) {
+  return fmt::format("point {} of pair {} {}{}", event.point + 1, event.pair + 1, verb, name_of(event.kind));
+}
+
+} // namespace
+
+char const* name_of(Cut cut) {
+  constexpr std::array<char const*, 5> names = {"none", "not_converged", "error", "beta_change", "event"};
+  return names[static_cast<std::size_t>(cut)];
+}
+
+Pace::Pace(Accuracy const& accuracy, BulkSystem const& structure, Model const& model)
+    : accuracy_(accuracy), history_(structure, model), rungs_(weights(model.scheme).inertia) {
+  decides_ = rungs_ || accuracy.events > 0 ||
+             std::ranges::any_of(model.pairs, [](Pair const& pair) { return pair.law.adhesion.has_value(); });
+}
+
+/// The largest step that is not above dt: dt itself, or a rung.
+double Pace::rung(double dt) const {
+  return rungs_ ? base_ * std::exp2(std::floor(std::log2(dt / base_ * (1 + rounding)))) : dt;
+}
+
+void Pace::begin(double nominal, int halvings) {
+  largest_ = accuracy_.largest > 0 ? accuracy_.largest : 10 * nominal;
+  smallest_ = accuracy_.smallest > 0 ? accuracy_.smallest : std::ldexp(nominal, -halvings);
+  base_ = nominal;
+  if (rungs_) {
+    smallest_ = base_ * std::exp2(std::ceil(std::log2(smallest_ / base_ * (1 - rounding))));
+    largest_ = rung(largest_);
+  }
+  smallest_ = std::min(smallest_, largest_);
+  if (wanted_ == 0)
+    wanted_ = nominal / first_share;
+  wanted_ = std::clamp(rung(wanted_), smallest_, largest_);
+}
+
+bool Pace::at_smallest(double dt) const {
+  return dt <= smallest_ * (1 + rounding);
+}
+
+double Pace::slack() const {
+  return sliver * smallest_;
+}
+
+bool Pace::arrives(double dt, double left) const {
+  return left - dt <= slack();
+}
+
+double Pace::next(State const& old, double left) {
+  double const dt = std::min(wanted_, once_);
+  aim_.clear();
+  if (accuracy_.events > 0 && !retry_) {
+    auto const event = history_.next_event(old);
+    if (event && event->after > accuracy_.events && event->after < std::min(dt, left)) {
+      aim_ = words(*event, "is expected to be next: it ");
+      return std::max(rungs_ ? rung(event->after) : event->after - 0.5 * accuracy_.events, smallest_);
+    }
+  }
+  if (rungs_)
+    return dt < left ? dt : rung(left + slack());
+  if (dt >= left * (1 - rounding))
+    return left;
+  return left < 2 * dt ? 0.5 * left : dt; // no sliver is left over
+}
+
+Decision Pace::decide(State const& old, Outcome& outcome, double dt) {
+  Decision decision;
+  if (!outcome.converged()) {
+    decision.cut = Cut::not_converged;
+    decision.reason = outcome.reason;
+    decision.failed = at_smallest(dt);
+    shorten(dt, 0.5);
+    patience_ = patience;
+    return decision;
+  }
+  decision.error = history_.error(old, outcome.state);
+  look_for_cut(old, outcome.state, decision);
+  if (!decision.accepted() && at_smallest(dt)) {
+    decision.cut = Cut::none;
+    decision.at_floor = true;
+  }
+  if (!decision.accepted())
+    return decision;
+  State advanced = outcome.state;
+  history_.advance_bonds(old, advanced);
+  history_.accept(old, outcome.state, accuracy_.events);
+  outcome.state = std::move(advanced);
+  grow(decision, dt);
+  return decision;
+}
+
+void Pace::look_for_cut(State const& old, State const& next, Decision& decision) {
+  double const dt = next.t - old.t;
+  auto const& error = decision.error;
+  double const part = error.largest() / accuracy_.tolerance,
+               change = error.beta_change / accuracy_.beta_change;
+  if (change > 1 + rounding) {
+    decision.cut = Cut::beta_change;
+    decision.reason =
+        fmt::format("beta would change by {:.3g}, more than {:g}", error.beta_change, accuracy_.beta_change);
+    shorten(dt, safety / change);
+  } else if (part > 1) {
+    decision.cut = Cut::error;
+    decision.reason = fmt::format("{}, more than {:g}", told(error), accuracy_.tolerance);
+    shorten(dt, safety / std::sqrt(part));
+  } else if (accuracy_.events > 0) {
+    auto const event = history_.unlocated(old, next, accuracy_.events);
+    if (!event)
+      return;
+    decision.cut = Cut::event;
+    decision.reason = words(*event, "") + " somewhere within";
+    // the rates of old tell when, once; where they are wrong, halves of halves do
+    once_ = std::max(retry_ ? 0.5 * dt : event->after - 0.5 * accuracy_.events, deepest * dt);
+    once_ = std::max(rung(once_), smallest_);
+    retry_ = true;
+  }
+}
+
+std::string Pace::told(StepError const& error) const {
+  return fmt::format("the local error of {} is {:.2e}", error.bond > error.displacement ? "beta" : "u",
+                     error.largest());
+}
+
+void Pace::shorten(double dt, double factor) {
+  wanted_ = std::max(rung(dt * std::clamp(factor, deepest, safety)), smallest_);
+  retry_ = true;
+}
+
+/// The step that would just meet the tolerance, from an error of u that goes with dt^3 and one of beta with
+/// dt^2. Small changes are left out: they would cost a factorization each. (An integral term beside such a
+/// dead band holds the error at a tenth of the tolerance.) A step that was shorter than wanted may lengthen
+/// the wanted one only.
+void Pace::grow(Decision& decision, double dt) {
+  double const least = 1e-4, u = std::max(decision.error.displacement / accuracy_.tolerance, least),
+               bond = std::max(decision.error.bond / accuracy_.tolerance, least);
+  double factor = safety * std::min(1 / std::cbrt(u), 1 / std::sqrt(bond));
+  if (decision.error.beta_change > 0)
+    factor = std::min(factor, safety * accuracy_.beta_change / decision.error.beta_change);
+  if (retry_ || patience_ > 0)
+    factor = std::min(factor, 1.0);
+  patience_ = std::max(patience_ - 1, 0);
+  factor = std::clamp(factor, deepest, fastest);
+  double const before = wanted_;
+  if (factor > worthwhile)
+    wanted_ = std::clamp(rung(dt * factor), wanted_, largest_);
+  else if (factor < needless)
+    wanted_ = std::max(std::min(wanted_, rung(dt * factor)), smallest_);
+  decision.grown = wanted_ > before;
+  if (decision.grown && decision.reason.empty())
+    decision.reason = decision.error.largest() > 0
+                          ? fmt::format("{} of {:g}", told(decision.error), accuracy_.tolerance)
+                          : "no error is seen";
+  retry_ = false;
+  once_ = no_bound;
+}
+
+} // namespace stiction::dynamics

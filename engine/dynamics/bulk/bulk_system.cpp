@@ -1,0 +1,427 @@
+// Numbering, mass with or without inertia on contact nodes, and the effective stiffness.
+#include "dynamics/bulk/bulk_system.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "dynamics/bulk/timer.hpp"
+
+namespace stiction::dynamics {
+
+namespace {
+
+/// Of the grip, in the matrix alone where bonds hold a body: without it the bodies have no factor, and with
+/// it Newton's method still ends in the balance that has none.
+constexpr double steady = 1e-8;
+
+/// Model nodes of every contact surface, secondary and primary, and of free rigid bodies.
+std::vector<bool> contact_nodes(Model const& model) {
+  std::vector<bool> touched(ix(model.node_count()), false);
+  for (auto const& pair : model.pairs) {
+    for (Index const node : pair.nodes())
+      touched[ix(node)] = true;
+    if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
+      for (auto const& segment : curve->segments())
+        for (int k = 0; k < segment.count; ++k)
+          touched[ix(segment.nodes[ix(k)])] = true;
+    if (auto const* surface = std::get_if<contact::Surface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
+    if (auto const* surface = std::get_if<contact::CellSurface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
+  }
+  for (auto const& rigid : model.rigids)
+    if (rigid.free())
+      touched[ix(rigid.node)] = touched[ix(rigid.node + 1)] = true;
+  return touched;
+}
+
+/// Lumps the mass of all nodes as that of contact nodes.
+std::vector<bool> everywhere(Model const& model) {
+  return std::vector<bool>(ix(model.node_count()), true);
+}
+
+/// Calls visit(body, degrees of freedom of a cell) in assembly order.
+template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
+  Indices dofs;
+  int const dim = model.dim();
+  for (std::size_t body = 0; body < model.cells.size(); ++body)
+    model.cells[body].each_cell([&](std::span<Index const> nodes) {
+      dofs.clear();
+      for (Index const node : nodes)
+        for (int i = 0; i < dim; ++i)
+          dofs.push_back(dim * (model.first_node[body] + node) + i);
+      visit(body, dofs);
+    });
+}
+
+/// Largest distance of a cell's nodes from its first, m.
+double largest_cell(Model const& model) {
+  double largest = 0;
+  each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
+    auto const place = [&](Index dof) { return model.reference.row(dof / model.dim()); };
+    for (Index const dof : cell)
+      largest = std::max(largest, (place(dof) - place(cell.front())).norm());
+  });
+  return largest;
+}
+
+} // namespace
+
+BulkSystem::BulkSystem(Model const& model, StepWeights const& weights)
+    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces) {
+  on_surface_ = contact_nodes(model);
+  for (auto const& cells : model.cells)
+    damped_ = damped_ || (weights.inertia && cells.damped());
+  own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
+  number_unknowns(model);
+  if (!diagonal_)
+    build_maps(model);
+  if (weights.skin) {
+    skin_more_ = 1 - weights.xi;
+    skin_.emplace(model, on_surface_);
+    skin_->place(kept_.front().factor->pattern(), unknown_of_);
+  }
+  mass_.weight.setZero(model.dofs());
+  bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
+                                                             [](auto const& rigid) { return rigid.free(); });
+  if (weights.inertia || loaded)
+    mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
+                                    : assemble_mass(model, on_surface_, weights.contact_inertia);
+  if (weights.inertia)
+    place_mass(weights);
+  grip_in_matrix_ = model.held_by_bonds ? steady : 0;
+  if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
+    gather_grip(model);
+  linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(),
+                               [](auto const& body) { return material::linear(body->material); });
+  linear_ = diagonal_ || linear_bodies_;
+  cell_size_ = largest_cell(model);
+}
+
+void BulkSystem::number_unknowns(Model const& model) {
+  Index const dofs = model.dofs();
+  std::vector<bool> driven(ix(dofs), false);
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      driven[ix(dim_ * node + motion.component)] = true;
+  auto const& touched = on_surface_;
+  Indices free;
+  std::vector<bool> last;
+  unknown_of_.assign(ix(dofs), -1);
+  for (Index dof = 0; dof < dofs; ++dof) {
+    if (driven[ix(dof)])
+      continue;
+    unknown_of_[ix(dof)] = static_cast<Index>(free.size());
+    free.push_back(dof);
+    last.push_back(touched[ix(dof / dim_)]);
+    trailing_ += touched[ix(dof / dim_)] ? 1 : 0;
+  }
+  auto cliques = [&] {
+    std::vector<Indices> all;
+    if (diagonal_)
+      return all;
+    each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
+      all.emplace_back();
+      for (Index const dof : cell)
+        all.back().push_back(unknown_of_[ix(dof)]);
+    });
+    return all;
+  };
+  auto const count = static_cast<Index>(free.size());
+  auto const order = linear::elimination_order(linear::pattern_of(count, cliques()), last);
+  for (Index k = 0; k < count; ++k) {
+    dof_of_.push_back(free[ix(order[ix(k)])]);
+    unknown_of_[ix(dof_of_.back())] = k;
+  }
+  auto pattern = linear::pattern_of(count, cliques());
+  values_.resize(pattern.rows.size());
+  own_rates_ = own_rates_ && trailing_ > 0;
+  kept_.emplace_back().factor = linear::make_bulk_factor(std::move(pattern), trailing_, own_rates_);
+}
+
+void BulkSystem::build_maps(Model const& model) {
+  maps_.resize(model.cells.size());
+  auto const& pattern = kept_.front().factor->pattern();
+  each_cell_dofs(model, [&](std::size_t body, Indices const& cell) {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        Index const row = unknown_of(cell[i]), column = unknown_of(cell[j]);
+        maps_[body].push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+      }
+  });
+}
+
+namespace {
+/// One share a node, to each of its components.
+void add_at(std::span<Index const> nodes, Vector const& shares, int dim, Eigen::Ref<Vector> to) {
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    to.segment(dim * nodes[a], dim).array() += shares[static_cast<Eigen::Index>(a)];
+}
+} // namespace
+
+/// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
+void BulkSystem::gather_grip(Model const& model) {
+  grip_.setZero(model.dofs());
+  for (std::size_t b = 0; b < model.cells.size(); ++b) {
+    auto const& body = *model.bodies[b];
+    double const diagonal =
+        (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
+    double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
+    Index const first = dim_ * model.first_node[b];
+    model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
+      add_at(nodes, per_mass * m.sum() / m.trace() * m.diagonal(), dim_, grip_.tail(grip_.size() - first));
+    });
+  }
+  for (Index dof = 0; dof < model.dofs(); ++dof)
+    if (unknown_of(dof) < 0)
+      grip_[dof] = 0;
+}
+
+/// Places M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
+/// and the own balance of contact nodes ask for.
+void BulkSystem::place_mass(StepWeights const& weights) {
+  auto const& pattern = kept_.front().factor->pattern();
+  mass_in_matrix_.assign(pattern.rows.size(), 0.0);
+  for (Index j = 0; j < mass_.pattern.size(); ++j) {
+    double const share =
+        weights.surface_apart() && on_surface(j) ? weights.apart_factor() * weights.mass : 1.0;
+    for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
+      for (int c = 0; c < dim_; ++c) {
+        Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
+        if (row >= 0 && column >= 0 && (row == column || !diagonal_))
+          mass_in_matrix_[ix(pattern.find(row, column))] = share * mass_.values[ix(k)];
+      }
+  }
+}
+
+solid::Pass BulkSystem::internal_force(Vector const& u, Vector& force) const {
+  force.setZero(u.size());
+  solid::Pass all;
+  Index first_cell = 0;
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    auto const pass = model_->cells[body].add_force({u.data() + first, count}, {force.data() + first, count});
+    if (!pass.sound()) {
+      all.inverted_cell = first_cell + pass.inverted_cell;
+      return all;
+    }
+    all.energy += pass.energy;
+    first_cell += model_->cells[body].count();
+  }
+  return all;
+}
+
+std::string BulkSystem::cell_words(Index cell) const {
+  std::size_t body = 0;
+  while (cell >= model_->cells[body].count())
+    cell -= model_->cells[body++].count();
+  Vector middle = Vector::Zero(dim_);
+  Index seen = 0;
+  model_->cells[body].each_cell([&](std::span<Index const> nodes) {
+    if (seen++ == cell)
+      for (Index const node : nodes)
+        middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
+  });
+  return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
+                     fmt::join(middle, ", "));
+}
+
+void BulkSystem::skin_force(Vector const& u, Vector& force) const {
+  skin_->internal_force(u, force);
+  force *= skin_more_;
+}
+
+void BulkSystem::damping_force(Vector const& u, Vector const& v, Vector& force) const {
+  force.setZero(u.size());
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    if (model_->cells[body].damped())
+      static_cast<void>(model_->cells[body].add_damping({u.data() + first, count}, {v.data() + first, count},
+                                                        {force.data() + first, count}));
+  }
+}
+
+namespace {
+/// Of M, 1/s^2; without inertia of the grip, 1.
+double mass_factor(StepWeights const& weights, double dt) {
+  return weights.inertia ? 1 / (weights.mass * dt * dt) : weights.stabilisation / dt;
+}
+} // namespace
+
+void BulkSystem::Kept::is_of(FactorSource from, StepWeights const& weights) {
+  source = std::move(from);
+  made = wanted = false;
+  xi = weights.xi;
+  mass = mass_factor(weights, source.dt);
+}
+
+bool BulkSystem::take_factor(StepWeights const& weights, double dt, Cost& cost) {
+  double const mass = mass_factor(weights, dt);
+  auto const found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(weights.xi, mass); });
+  if (found == kept_.end())
+    return false;
+  std::rotate(kept_.begin(), found, found + 1);
+  return kept_.front().made || make(weights, cost);
+}
+
+void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
+  if (linear_)
+    return;
+  std::vector<Kept> had = std::exchange(kept_, {});
+  std::ranges::move(std::exchange(parked_, {}), std::back_inserter(had));
+  for (auto const& source : wanted) {
+    auto const found = std::ranges::find_if(had, [&](Kept const& one) { return one.comes_from(source); });
+    if (found == had.end()) {
+      kept_.emplace_back().is_of(source, weights);
+    } else {
+      kept_.push_back(std::move(*found));
+      had.erase(found);
+    }
+    kept_.back().wanted = true;
+  }
+  for (auto& one : had)
+    spare_.push_back(std::move(one.factor));
+  if (kept_.empty())
+    kept_.emplace_back();
+  for (auto& one : kept_)
+    if (one.factor == nullptr)
+      one.factor = spare();
+}
+
+/// Memory for a factor, what it holds is of no use.
+std::unique_ptr<linear::BulkFactor> BulkSystem::spare() {
+  if (spare_.empty()) {
+    auto const& any = *std::ranges::find_if(kept_, [](Kept const& one) { return one.factor != nullptr; });
+    return any.factor->another();
+  }
+  auto last = std::move(spare_.back());
+  spare_.pop_back();
+  return last;
+}
+
+std::vector<FactorSource> BulkSystem::sources() const {
+  std::vector<FactorSource> all;
+  for (auto const& one : kept_)
+    if (!linear_ && one.source.u != nullptr)
+      all.push_back(one.source);
+  return all;
+}
+
+/// Puts first what may be overwritten by a factor from this source: one of the same coefficients, one that is
+/// empty or new, or the one used longest ago.
+void BulkSystem::place_factor(FactorSource source, StepWeights const& weights) {
+  double const mass = mass_factor(weights, source.dt);
+  auto found = std::ranges::find_if(
+      kept_, [&](Kept const& one) { return one.is(weights.xi, mass) || one.source.u == nullptr; });
+  if (found == kept_.end() && kept_.size() < kept_at_most_) {
+    auto memory = spare();
+    kept_.emplace_back().factor = std::move(memory);
+    found = kept_.end() - 1;
+  } else if (found == kept_.end()) {
+    found = kept_.end() - 1;
+  }
+  if (found->wanted && found->made && kept_at_most_ > 1 && parked_.empty()) {
+    auto memory = spare();
+    parked_.push_back(std::move(*found));
+    found->factor = std::move(memory);
+  }
+  std::rotate(kept_.begin(), found, found + 1);
+  kept_.front().is_of(std::move(source), weights);
+}
+
+void BulkSystem::add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
+  }
+  if (skin_)
+    skin_->add_stiffness(u, skin_more_, values_);
+  ++cost.stiffness_passes;
+  double const viscous = weights.xi / (weights.rate * dt);
+  if (damped_ && !own_rates_)
+    add_damping(u, viscous, values_);
+  if (!own_rates_)
+    return;
+  viscous_.assign(values_.size(), 0.0);
+  add_damping(u, viscous, viscous_);
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    values_[k] += viscous_[k];
+}
+
+void BulkSystem::add_damping(Vector const& u, double factor, std::vector<double>& values) const {
+  for (std::size_t body = 0; body < model_->cells.size(); ++body) {
+    auto const first = ix(dim_ * model_->first_node[body]),
+               count = ix(dim_ * model_->first_node[body + 1]) - first;
+    if (model_->cells[body].damped())
+      model_->cells[body].add_damping_stiffness({u.data() + first, count}, factor, maps_[body], values);
+  }
+}
+
+/// The columns of contact unknowns in `share` times what A adds.
+std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
+  auto const& pattern = kept_.front().factor->pattern();
+  Index const first_contact = first_contact_unknown();
+  std::vector<linear::ColumnEntry> entries;
+  auto const add = [&](Index row, Index column, double value) {
+    if (column >= first_contact && value != 0)
+      entries.push_back({row, column - first_contact, share * value});
+  };
+  for (Index j = 0; j < unknowns(); ++j)
+    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k) {
+      Index const i = pattern.rows[ix(k)];
+      add(i, j, viscous_[ix(k)]);
+      if (i != j)
+        add(j, i, viscous_[ix(k)]);
+    }
+  return entries;
+}
+
+bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
+  place_factor({std::make_shared<Vector const>(u), dt}, weights);
+  return make(weights, cost);
+}
+
+/// The present factor from its source.
+bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
+  auto& now = kept_.front();
+  auto const [u, dt] = now.source;
+  {
+    Timer const timer(cost.assembly);
+    if (weights.inertia)
+      for (std::size_t k = 0; k < values_.size(); ++k)
+        values_[k] = now.mass * mass_in_matrix_[k];
+    else
+      std::fill(values_.begin(), values_.end(), 0.0);
+    if (!diagonal_)
+      add_stiffness(*u, weights, dt, cost);
+    for (Index j = 0; j < (grip_.size() > 0 ? unknowns() : 0); ++j)
+      values_[ix(factor().pattern().columns[ix(j)])] +=
+          (grip_in_matrix_ + weights.stabilisation / dt) * grip_[dof_of(j)];
+  }
+  Timer const timer(cost.factorization);
+  auto const& columns = now.factor->pattern().columns;
+  now.scale = now.bodies = 0;
+  for (Index j = 0; j < unknowns(); ++j) {
+    auto const k = ix(columns[ix(j)]);
+    now.scale = std::max(now.scale, values_[k]);
+    now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
+  }
+  auto own = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
+  now.made = now.factor->factorize(values_, std::move(own),
+                                   model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
+  bool const held = now.factor->hold() > 0;
+  cost.factorizations += held ? 2 : 1;
+  cost.shifted_factorizations += held ? 1 : 0;
+  if (!now.made)
+    now.source = {};
+  return now.made;
+}
+
+} // namespace stiction::dynamics

@@ -1,0 +1,136 @@
+// Elimination of the bulk and of the geometric stiffness onto the components of the contact points.
+#include "dynamics/contact/condensation.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace stiction::dynamics {
+
+void Condensation::clear() {
+  rows_ = 0;
+  H_.clear();
+  K_.clear();
+}
+
+void Condensation::add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H) {
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    for (Eigen::Index i = 0; i < H.rows(); ++i)
+      if (double const value = H(i, static_cast<Eigen::Index>(j)); unknowns[j] >= 0 && value != 0)
+        H_.push_back({rows_ + static_cast<Index>(i), unknowns[j], value});
+  rows_ += static_cast<Index>(H.rows());
+}
+
+void Condensation::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K) {
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      if (double const value = K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+          unknowns[i] >= 0 && unknowns[j] >= 0 && value != 0)
+        K_.push_back({unknowns[i], unknowns[j], value});
+}
+
+/// The unknowns that H or K touch, and the block of V between them.
+void Condensation::gather(linear::BulkFactor& bulk) {
+  place_.assign(ix(bulk.surface()), -1);
+  used_.clear();
+  auto use = [&](Index u) {
+    if (place_[ix(u)] >= 0)
+      return;
+    place_[ix(u)] = static_cast<Index>(used_.size());
+    used_.push_back(u);
+  };
+  for (auto const& k : K_) { // those of K first: the support
+    use(k.row);
+    use(k.column);
+  }
+  support_ = static_cast<Index>(used_.size());
+  for (auto const& h : H_)
+    use(h.column);
+  bulk.compliance(used_, V_);
+}
+
+void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W,
+                             Vector& free) {
+  symmetric_ = bulk.symmetric();
+  held_ = bulk.hold() > 0;
+  for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
+    K_.push_back({u, u, bulk.hold() / weight});
+  gather(bulk);
+  weight_ = weight;
+  Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
+  right_.setZero(n, m + 1);
+  for (auto const& h : H_)
+    right_.col(h.row) += (weight * h.value) * V_.col(place_[ix(h.column)]);
+  for (Index i = 0; i < n; ++i)
+    right_(i, m) = y[used_[ix(i)]];
+  W.setZero(m, m);
+  free.setZero(m);
+  for (auto const& h : H_) {
+    Index const place = place_[ix(h.column)];
+    if (symmetric_) // W is its own transpose
+      W.col(h.row) += h.value * right_.row(place).head(m).transpose();
+    else
+      W.row(h.row) += h.value * right_.row(place).head(m);
+    free[h.row] += h.value * right_(place, m);
+  }
+
+  motion_.resize(s, m + 1);
+  if (s == 0)
+    return;
+  small_.setIdentity(s, s);
+  bool const crowded = K_.size() > static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
+  if (crowded) {
+    K_all_.setZero(s, s);
+    for (auto const& k : K_)
+      K_all_(place_[ix(k.row)], place_[ix(k.column)]) += weight * k.value;
+    small_.noalias() -= V_.topLeftCorner(s, s) * K_all_;
+  }
+  for (auto const& k : K_)
+    if (!crowded)
+      small_.col(place_[ix(k.column)]) -= (weight * k.value) * V_.col(place_[ix(k.row)]).head(s);
+  motion_ = small_.partialPivLu().solve(right_.topRows(s));
+  pushed_.setZero(s, m + 1);
+  if (crowded)
+    pushed_.noalias() = K_all_ * motion_;
+  for (auto const& k : K_)
+    if (!crowded)
+      pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
+  if (!symmetric_) {
+    left_.setZero(s, m);
+    for (auto const& h : H_)
+      left_.col(h.row) += (weight * h.value) * V_.row(place_[ix(h.column)]).head(s).transpose();
+  }
+  // H V = (weight V^T H^T)^T / weight
+  auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
+  W.noalias() += (1 / weight) * (HV * pushed_.leftCols(m));
+  free.noalias() += (1 / weight) * (HV * pushed_.col(m));
+}
+
+/// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
+bool Condensation::stable() const {
+  if (held_ || support_ == 0 ||
+      (small_ - Dense::Identity(support_, support_)).cwiseAbs().rowwise().sum().maxCoeff() < 1)
+    return true;
+  Dense const V = V_.topLeftCorner(support_, support_);
+  Eigen::LLT<Dense> const bulk(0.5 * (V + V.transpose()));
+  if (bulk.info() != Eigen::Success)
+    return true;
+  Dense const L = bulk.matrixL();
+  Dense KL = Dense::Zero(support_, support_);
+  for (auto const& k : K_)
+    KL.row(place_[ix(k.row)]) += (weight_ * k.value) * L.row(place_[ix(k.column)]);
+  Dense const turned = L.transpose() * KL;
+  return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (turned + turned.transpose()))
+             .info() == Eigen::Success;
+}
+
+void Condensation::push(Vector const& force, double weight, Vector& c) const {
+  for (auto const& h : H_)
+    c[h.column] += weight * h.value * force[h.row];
+  if (support_ == 0)
+    return;
+  Vector const extra = pushed_.leftCols(rows_) * force + pushed_.col(rows_);
+  for (Index i = 0; i < support_; ++i)
+    c[used_[ix(i)]] += extra[i];
+}
+
+} // namespace stiction::dynamics

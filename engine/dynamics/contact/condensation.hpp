@@ -1,0 +1,49 @@
+// The bulk seen from the contact points: rows of H and geometric stiffness reduced to the Delassus operator.
+#pragma once
+#include "linear/bulk_factor.hpp"
+
+namespace stiction::dynamics {
+
+/// Rows of H and K_geo of the active points over the surface unknowns, kept point by point as they are
+/// sparse. Workspace is kept between calls.
+class Condensation {
+public:
+  void clear();
+  /// unknowns[columns]: surface unknown behind each column of H, -1 if driven. H: [components, columns].
+  void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
+  void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
+
+  /// With V the bulk's compliance, (I - weight V K_geo) du = y + weight V H^T p gives x = free + W p, where
+  /// x = H du. What holds the bulk's surface is taken away like a K_geo.
+  void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
+  /// Has the problem last eliminated a K_geo?
+  [[nodiscard]] bool turns() const { return support_ > 0; }
+  /// Of the problem last eliminated: would the bulk with K_geo be stable without contact, V^-1 - weight K_geo
+  /// positive definite in its symmetric part? Nothing is said of a bulk that has to be held.
+  [[nodiscard]] bool stable() const;
+  /// c += weight (K_geo du + H^T p) for the forces p of the problem last eliminated.
+  void push(Vector const& force, double weight, Vector& c) const;
+
+private:
+  struct Entry {
+    Index row, column; ///< row of H or unknown of K; unknown
+    double value;
+  };
+  Index rows_ = 0;
+  bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
+  std::vector<Entry> H_, K_;
+  void gather(linear::BulkFactor& bulk);
+
+  Indices used_, place_; ///< unknowns that K and H touch, those of K first; their place there or -1
+  double weight_ = 1;    ///< of the problem last eliminated
+  Index support_ = 0;    ///< how many of them K touches
+  Dense V_;              ///< between them
+  Dense right_;          ///< weight V H^T | y, [used, rows + 1]
+  Dense left_;           ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
+  Dense small_;          ///< I - weight V K on the support
+  Dense K_all_;          ///< weight K on the support, where it has more entries than places
+  Dense motion_;         ///< du on the support per force | without, [support, rows + 1]
+  Dense pushed_;         ///< weight K motion
+};
+
+} // namespace stiction::dynamics

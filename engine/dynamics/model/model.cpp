@@ -1,0 +1,24 @@
+// Unknowns of free rigid bodies.
+#include "dynamics/model/model.hpp"
+
+namespace stiction::dynamics {
+
+void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin) {
+  int const dim = model.dim();
+  rigid.node = model.node_count();
+  Index const count = rigid.node + 2;
+  model.reference.conservativeResize(count, dim);
+  model.velocity.conservativeResize(count, dim);
+  model.reference.row(rigid.node) = rigid.pivot.head(dim).transpose();
+  model.reference.row(rigid.node + 1).setZero();
+  model.velocity.row(rigid.node) = velocity.head(dim).transpose();
+  if (dim == 3)
+    model.velocity.row(rigid.node + 1) = spin.transpose();
+  else
+    model.velocity.row(rigid.node + 1) << spin.z(), 0;
+  for (int c = 0; c < dim; ++c)
+    if (rigid.inertia == 0 || (dim == 2 && c == 1))
+      model.motions.push_back({{rigid.node + 1}, c, {}});
+}
+
+} // namespace stiction::dynamics

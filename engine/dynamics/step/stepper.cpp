@@ -1,0 +1,430 @@
+// The step: predictor, balance of forces, correction, acceptance, energy account.
+#include "dynamics/step/stepper.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "dynamics/bulk/timer.hpp"
+
+namespace stiction::dynamics {
+
+namespace {
+constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
+constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
+constexpr double unreached = 1e100;    // gap of a point without counterpart, m
+} // namespace
+
+core::Schema const& StepControl::schema() {
+  using core::Need;
+  static auto const made =
+      core::Describe<StepControl>{"control", "when a step counts as converged", ""}
+          .number("force_tolerance", &StepControl::force_tolerance, "1", {1e-16, 1e-2, false, false},
+                  Need::optional, "out-of-balance force and contact residual over the largest nodal force")
+          .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
+                   "Newton iterations at most")
+          .build();
+  return made;
+}
+
+Stepper::Stepper(Model const& model)
+    : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_),
+      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr) {
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      driver_[ix(model.dim() * node + motion.component)] = &motion;
+  for (auto const coordinate : model.reference.reshaped())
+    extent_ = std::max(extent_, std::abs(coordinate));
+  if (weights_.explicit_forces)
+    inverse_mass_ = bulk_.mass().diagonal().unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+State Stepper::initial() {
+  State state;
+  Index const dofs = model_->dofs();
+  state.u.setZero(dofs);
+  state.v = Eigen::Map<Vector const>(model_->velocity.data(), dofs);
+  state.reaction.setZero(dofs);
+  state.own_reactions.assign(model_->pairs.size() > 1 ? model_->pairs.size() : 0, Vector::Zero(dofs));
+  state.drive.setZero(dofs);
+  static_cast<void>(bulk_.internal_force(state.u, state.internal));
+  if (bulk_.damped()) {
+    bulk_.damping_force(state.u, state.v, state.damping);
+    state.internal += state.damping;
+  }
+  for (auto const& pair : model_->pairs)
+    state.contacts.emplace_back(ix(pair.size()), ContactState{});
+  state.on_rigid.resize(model_->rigids.size());
+  if (model_->dim() == 3)
+    state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
+  start_rates(state);
+  contact_->begin(state, 0, 1, true);
+  contact_->locate(state.u, true);
+  State located = state;
+  contact_->finish(state, 1, located);
+  for (std::size_t p = 0; p < state.contacts.size(); ++p)
+    for (std::size_t i = 0; i < state.contacts[p].size(); ++i) {
+      auto& point = state.contacts[p][i];
+      point.foot = located.contacts[p][i].foot;
+      point.gap = located.contacts[p][i].gap;
+      point.rate = located.contacts[p][i].rate;
+      point.area = located.contacts[p][i].area;
+      if (auto const& adhesion = model_->pairs[p].law.adhesion; adhesion) {
+        point.bond = interface::initial_bond(*adhesion, point.foot.found() ? point.gap : unreached);
+        state.ledger.bond += point.area * interface::bond_energy(*adhesion, point.bond, point.gap);
+      }
+    }
+  if (weights_.inertia) {
+    bulk_.mass().times(state.v, mass_rate_);
+    state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
+  }
+  state.ledger.start = state.ledger.kinetic + state.ledger.bond;
+  if (model_->tallied) {
+    state.momenta.pairs.resize(model_->pairs.size());
+    state.momenta.forces.resize(model_->pairs.size());
+    set_momenta(state);
+    for (auto const& body : state.momenta.bodies)
+      state.momenta.start += body;
+  }
+  return state;
+}
+
+/// Weight and prescribed forces at a time, N.
+void Stepper::gather_external(double t, Vector& force) const {
+  force = bulk_.mass().weight;
+  for (auto const& load : model_->loads)
+    force += load.path.value(t) * load.force;
+}
+
+/// What the scheme keeps beside velocities: M a = F at rest without contact, and no impulse yet.
+void Stepper::start_rates(State& state) {
+  gather_external(0, external_);
+  Vector const force = external_ - state.internal;
+  if (weights_.explicit_forces)
+    state.push.setZero(model_->dofs());
+  if (!weights_.accelerations())
+    return;
+  std::vector<bool> held(ix(model_->dofs()));
+  for (Index dof = 0; dof < model_->dofs(); ++dof)
+    held[ix(dof)] = driver_[ix(dof)] != nullptr || apart(dof);
+  state.a = bulk_.mass().solve(force, held);
+}
+
+/// First guess: on with the old rates, or at rest.
+void Stepper::predict(State const& old, double dt, Start start) {
+  double const t1 = old.t + dt;
+  d_ = (start == Start::onward ? dt : 0.0) * old.v;
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    if (auto const* motion = driver_[ix(dof)])
+      d_[dof] = motion->path.value(t1) - old.u[dof];
+  gather_external(old.t, external_old_);
+  gather_external(t1, external_);
+  if (weights_.skin)
+    bulk_.skin_force(old.u, skin_old_);
+  contact_->begin(old, t1, dt, start != Start::unturned);
+  previous_imbalance_ = std::numeric_limits<double>::infinity();
+  previous_worst_ = previous_imbalance_;
+}
+
+/// F_int(u1) and its energy; false if a cell has turned inside out.
+bool Stepper::internal_forces(Outcome& outcome) {
+  Timer const timer(cost_.assembly);
+  auto const pass = bulk_.internal_force(u_, internal_);
+  ++cost_.force_passes;
+  if (!pass.sound()) {
+    outcome.verdict = StepVerdict::inverted_cell;
+    outcome.reason = fmt::format("{} before it is deformed, turned inside out: it is pressed or sheared too "
+                                 "far for its size; give a finer mesh there, less load, or smaller steps",
+                                 bulk_.cell_words(pass.inverted_cell));
+    return false;
+  }
+  strain_ = pass.energy;
+  return true;
+}
+
+/// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
+void Stepper::accelerate(State const& old, double dt) {
+  bool const second = weights_.accelerations(), pushed = old.push.size() > 0;
+  double const t1 = old.t + dt, rate = weights_.rate * dt, mass = weights_.mass * dt;
+  rate_change_.resize(d_.size());
+  gained_.resize(d_.size());
+  for (Index dof = 0; dof < d_.size(); ++dof) {
+    if (driver_[ix(dof)] != nullptr) {
+      rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->path.rate_before(t1) - old.v[dof];
+      continue;
+    }
+    double const ahead = d_[dof] - dt * (pushed ? old.v[dof] - old.push[dof] : old.v[dof]);
+    bool const own = apart(dof);
+    rate_change_[dof] = ahead / (own ? dt : rate);
+    gained_[dof] = ahead / (own ? dt : mass);
+    if (second && !own) {
+      rate_change_[dof] += weights_.rate_a * dt * old.a[dof];
+      gained_[dof] += weights_.mass_a * dt * old.a[dof];
+    }
+  }
+  bulk_.mass().times(gained_, inertia_);
+  inertia_ /= dt;
+}
+
+/// unbalanced_ = inertia - weighted F - earlier R: what the present reaction has to balance, (48)-(51).
+bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
+  u_ = old.u + d_;
+  if (weights_.explicit_forces)
+    internal_ = old.internal;
+  else if (!internal_forces(outcome))
+    return false;
+  if (weights_.inertia)
+    accelerate(old, dt);
+  else
+    inertia_.setZero(d_.size());
+  if (bulk_.damped()) {
+    Timer const timer(cost_.assembly);
+    bulk_.damping_force(u_, old.v + rate_change_, damping_);
+    internal_ += damping_;
+  }
+  unbalanced_ = inertia_ - weights_.early * (external_old_ - old.internal) -
+                weights_.xi * (external_ - internal_) - (1 - weights_.contact) * old.reaction;
+  if (weights_.stabilisation > 0)
+    unbalanced_ += (weights_.stabilisation / dt) * bulk_.grip().cwiseProduct(d_);
+  double const end = weights_.apart_end(), factor = weights_.apart_factor();
+  if (weights_.surface_apart())
+    for (Index dof = 0; dof < d_.size(); ++dof)
+      if (apart(dof))
+        unbalanced_[dof] = factor * (inertia_[dof] - (1 - end) * (external_old_[dof] - old.internal[dof]) -
+                                     end * (external_[dof] - internal_[dof]));
+  if (weights_.skin) {
+    Timer const timer(cost_.assembly);
+    bulk_.skin_force(u_, excess_);
+    excess_ -= skin_old_;
+    unbalanced_ += excess_;
+  }
+  Timer const timer(cost_.contact);
+  contact_->locate(u_, outcome.iterations >= settle_after);
+  contact_->reaction(reaction_);
+  return true;
+}
+
+/// Contact nodes that balance by themselves.
+bool Stepper::apart(Index dof) const {
+  return weights_.surface_apart() && bulk_.surface_dof(dof) && driver_[ix(dof)] == nullptr;
+}
+
+/// Largest force on a free unknown that nothing balances, N.
+double Stepper::imbalance() const {
+  double largest = 0;
+  for (Index k = 0; k < bulk_.unknowns(); ++k) {
+    Index const dof = bulk_.dof_of(k);
+    largest = std::max(largest, std::abs(unbalanced_[dof] - weights_.contact * reaction_[dof]));
+  }
+  return largest;
+}
+
+/// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
+/// places, once it no longer falls.
+bool Stepper::converged(Outcome& outcome) {
+  double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
+  double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
+  double const rounded = 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
+  double const worst = std::max(imbalance(), contact_->residual());
+  outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
+  outcome.force_scale = force_scale_;
+  double const places = 1e-15 * extent_ * bulk_.stiffness_scale();
+  bool const stalls =
+      worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
+  return worst <= tolerance || (stalls && worst <= tolerance + places);
+}
+
+/// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
+/// one.
+bool Stepper::correct(double dt, Outcome& outcome) {
+  bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
+  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
+  if (keep && apply_factor())
+    return true;
+  if (!keep || !bulk_.linear()) {
+    if (!bulk_.factorize(u_, weights_, dt, cost_)) {
+      outcome.verdict = StepVerdict::indefinite;
+      outcome.reason = "the effective stiffness is not positive definite";
+      return false;
+    }
+    if (apply_factor())
+      return true;
+  }
+  outcome.verdict = StepVerdict::contact_failed;
+  outcome.reason = unanswered();
+  return false;
+}
+
+/// Solves for the correction and adds it to the displacement; false if the contact problem was not solved.
+bool Stepper::apply_factor() {
+  correction_.resize(bulk_.unknowns());
+  {
+    Timer const timer(cost_.solve);
+    for (Index k = 0; k < bulk_.unknowns(); ++k)
+      correction_[k] = -unbalanced_[bulk_.dof_of(k)];
+    surface_ = bulk_.factor().condense(correction_);
+  }
+  if (!contact_->solve(bulk_.factor(), surface_, weights_.contact, push_, cost_))
+    return false;
+  {
+    Timer const timer(cost_.solve);
+    bulk_.factor().expand(push_, correction_);
+    ++cost_.solves;
+  }
+  for (Index k = 0; k < bulk_.unknowns(); ++k)
+    d_[bulk_.dof_of(k)] += correction_[k];
+  return correction_.allFinite();
+}
+
+/// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
+/// What nothing resists any more must not drift on with them. And where the turn of normals makes problems
+/// with several answers, those without it converge.
+Outcome Stepper::step(State const& old, double dt) {
+  if (weights_.explicit_forces)
+    if (auto refused = too_long(old, dt))
+      return *std::move(refused);
+  bulk_.recall(old.factors, weights_);
+  bool const at_rest = old.v.isZero(0) || model_->held_by_bonds;
+  Outcome outcome = attempt(old, dt, at_rest ? Start::rest : Start::onward);
+  bool turned = contact_->turned();
+  auto const again = [&](Start start) {
+    int const before = outcome.iterations;
+    bulk_.recall({}, weights_); // where one led nowhere its factor is of no use
+    outcome = attempt(old, dt, start);
+    outcome.iterations += before;
+    turned = turned || contact_->turned();
+  };
+  if (!outcome.converged() && outcome.verdict != StepVerdict::interrupted && !at_rest)
+    again(Start::rest);
+  if (outcome.verdict != StepVerdict::not_converged || !turned || weights_.inertia)
+    return outcome;
+  Outcome turning = outcome;
+  again(Start::unturned);
+  if (outcome.converged() || turning.out_of_balance == 0 || turning.out_of_balance > outcome.out_of_balance)
+    return outcome;
+  turning.iterations = outcome.iterations; // what came nearest tells why the step failed
+  return turning;
+}
+
+/// Of a step much too long a stiff viscosity makes energy, or the mean forces of the scheme, which ring: more
+/// than the step had to turn over. What is wrong, or nothing.
+std::string Stepper::makes_energy(State const& old, State const& next) const {
+  auto const &before = old.ledger, &after = next.ledger;
+  auto const change = [&](double Ledger::*part) { return std::abs(after.*part - before.*part); };
+  double const rounded =
+      1e-14 * bulk_.bodies_stiffness() * bulk_.cell_size() * bulk_.cell_size() +
+      1e-9 * (std::abs(after.start) + std::abs(after.motion_work) + std::abs(after.load_work) +
+              std::abs(after.potential) + std::abs(after.bond));
+  double const there = before.kinetic + std::abs(before.strain) + change(&Ledger::motion_work) +
+                       change(&Ledger::load_work) + change(&Ledger::potential) + rounded;
+  auto const loss = [](Ledger const& ledger) { return ledger.scheme_loss() + ledger.damping_loss; };
+  if (weights_.inertia && !weights_.explicit_forces &&
+      loss(before) - loss(after) > there + change(&Ledger::bond))
+    return "the time scheme made more energy than there was";
+  return "";
+}
+
+/// A correction that turns a cell inside out went too far, not astray: half of it, or half of that, need not.
+bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
+  double part = 1;
+  for (int halvings = 0; halvings < 6 && outcome.iterations > 0; ++halvings) {
+    part *= 0.5;
+    for (Index k = 0; k < bulk_.unknowns(); ++k)
+      d_[bulk_.dof_of(k)] -= part * correction_[k];
+    if (balance(old, dt, outcome)) {
+      outcome.verdict = StepVerdict::not_converged;
+      outcome.reason.clear();
+      return true;
+    }
+  }
+  return false;
+}
+
+Outcome Stepper::attempt(State const& old, double dt, Start start) {
+  Outcome outcome;
+  predict(old, dt, start);
+  for (;; ++outcome.iterations, ++cost_.newton_iterations) {
+    if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
+      return outcome;
+    force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
+                             inertia_.lpNorm<Eigen::Infinity>(), contact_->force_scale(),
+                             external_.lpNorm<Eigen::Infinity>()});
+    double const now = imbalance();
+    contraction_ = now / previous_imbalance_;
+    previous_imbalance_ = now;
+    if (outcome.iterations > 0 && converged(outcome))
+      break;
+    if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
+      outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
+                                   outcome.out_of_balance, outcome.iterations);
+      return outcome;
+    }
+    if (enough_ && enough_()) {
+      outcome.verdict = StepVerdict::interrupted;
+      outcome.reason =
+          fmt::format("left off after {} iterations, out of balance by {:.1e} of the largest force",
+                      outcome.iterations, outcome.out_of_balance);
+      return outcome;
+    }
+    if (!correct(dt, outcome))
+      return outcome;
+  }
+  if (!weights_.explicit_forces || internal_forces(outcome))
+    finish(old, dt, outcome);
+  if (!outcome.converged())
+    return outcome;
+  if (auto const made = makes_energy(old, outcome.state); !made.empty()) {
+    outcome.verdict = StepVerdict::unstable;
+    outcome.reason = made;
+  }
+  if (auto const pair = tunnelling_.passed(old, outcome.state); !pair.empty()) {
+    outcome.verdict = StepVerdict::passed;
+    outcome.reason = fmt::format("a point of pair {} went through its counterpart within the step", pair);
+  }
+  return outcome;
+}
+
+void Stepper::finish(State const& old, double dt, Outcome& outcome) {
+  auto& next = outcome.state;
+  next.t = old.t + dt;
+  next.u = u_;
+  next.internal = internal_;
+  next.damping = damping_;
+  next.reaction = reaction_;
+  next.own_reactions.resize(model_->pairs.size() > 1 ? model_->pairs.size() : 0);
+  for (std::size_t pair = 0; pair < next.own_reactions.size(); ++pair)
+    contact_->reaction(next.own_reactions[pair], static_cast<int>(pair));
+  next.contacts = old.contacts;
+  next.turned = old.turned;
+  next.ledger = old.ledger;
+  next.ledger.bond = 0;
+  if (weights_.explicit_forces)
+    set_explicit_rates(old, dt, next);
+  else
+    next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
+  if (weights_.accelerations())
+    next.a = ((next.v - old.v) / dt - (1 - weights_.gamma) * old.a) / weights_.gamma;
+  for (Index dof = 0; dof < next.a.size(); ++dof)
+    if (driver_[ix(dof)] != nullptr || apart(dof))
+      next.a[dof] = (next.v[dof] - old.v[dof]) / dt;
+  contact_->finish(old, dt, next);
+  if (weights_.accelerations() || weights_.explicit_forces) { // the mean acceleration does the work
+    bulk_.mass().times(next.v - old.v, inertia_);
+    inertia_ /= dt;
+  }
+  account(old, next);
+  if (model_->audited)
+    audit(old, next);
+  next.factors = bulk_.sources();
+  next.critical_step = critical_step_;
+  next.critical_age = critical_age_;
+  if (model_->tallied)
+    tally(old, next);
+  outcome.verdict = StepVerdict::converged;
+}
+
+} // namespace stiction::dynamics

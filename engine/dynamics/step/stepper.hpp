@@ -1,0 +1,112 @@
+// One step from a state to the next: Newton on the bulk, the contact problem solved exactly inside each
+// iteration.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "dynamics/bulk/bulk_system.hpp"
+#include "dynamics/contact/contact_system.hpp"
+#include "dynamics/contact/tunnelling.hpp"
+#include "dynamics/model/state.hpp"
+
+namespace stiction::dynamics {
+
+/// unstable: an explicit scheme was asked for a step above its stability limit, and did nothing, or a step
+/// made more energy than there was. interrupted: not brought to its end.
+enum class StepVerdict {
+  converged,
+  not_converged,
+  inverted_cell,
+  contact_failed,
+  indefinite,
+  unstable,
+  passed,
+  interrupted
+};
+
+/// A step's answer: the state it reached if converged, and how it went.
+struct Outcome {
+  State state;
+  StepVerdict verdict = StepVerdict::not_converged;
+  std::string reason; ///< empty when converged
+  int iterations = 0;
+  double out_of_balance = 0; ///< of force_scale, at the last iteration
+  double force_scale = 0;    ///< largest nodal force, N
+  [[nodiscard]] bool converged() const { return verdict == StepVerdict::converged; }
+};
+
+/// Owns workspace only; every call starts from the state it is given.
+class Stepper {
+public:
+  explicit Stepper(Model const& model);
+
+  /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
+  [[nodiscard]] State initial();
+  /// Is asked in every iteration whether to leave off.
+  void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
+  [[nodiscard]] Outcome step(State const& old, double dt);
+
+  [[nodiscard]] Cost const& cost() const { return cost_; }
+  [[nodiscard]] ContactSystem const& contact() const { return *contact_; }
+  [[nodiscard]] BulkSystem const& structure() const { return bulk_; }
+  [[nodiscard]] BulkSystem& structure() { return bulk_; }
+
+private:
+  [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
+  /// Where iterations start: from the old rates, from rest, or from rest with problems that do not know the
+  /// turn of normals.
+  enum class Start { onward, rest, unturned };
+  [[nodiscard]] Outcome attempt(State const& old, double dt, Start start);
+  void gather_external(double t, Vector& force) const;
+  void predict(State const& old, double dt, Start start);
+  [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] bool internal_forces(Outcome& outcome);
+  [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
+  void accelerate(State const& old, double dt);
+  void start_rates(State& state);
+  void set_explicit_rates(State const& old, double dt, State& next) const;
+  [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);
+  [[nodiscard]] bool apart(Index dof) const;
+  [[nodiscard]] double imbalance() const;
+  [[nodiscard]] bool converged(Outcome& outcome);
+  [[nodiscard]] bool correct(double dt, Outcome& outcome);
+  [[nodiscard]] bool apply_factor();
+  void finish(State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
+  void account(State const& old, State& next) const;
+  void set_momenta(State& state) const;
+  void tally(State const& old, State& next) const;
+  void audit(State const& old, State& next) const;
+  [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
+  [[nodiscard]] double path_work(State const& old) const;
+  void audit_contact(State const& old, State& next) const;
+  [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
+
+  [[nodiscard]] std::string unanswered() const;
+  [[nodiscard]] std::string held_and_pressed() const;
+
+  Model const* model_;
+  std::function<bool()> enough_;
+  StepWeights weights_;
+  BulkSystem bulk_;
+  std::unique_ptr<ContactSystem> contact_;
+  Tunnelling tunnelling_;
+  Cost cost_;
+  std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
+  // workspace of one step
+  Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, correction_, surface_,
+      push_;
+  Vector mass_rate_, damping_;
+  Vector skin_old_;                ///< force of the skin at the step's start, N
+  Vector excess_;                  ///< what its end adds to the mean internal force, N
+  Vector external_old_, external_; ///< weight and loads at the step's ends, N
+  Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
+  double critical_step_ = 0;
+  int critical_age_ = 0; ///< as State::critical_age, after the step
+  double strain_ = 0, force_scale_ = 0;
+  double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
+  double previous_worst_ = 0;                       ///< imbalance or contact's residual, N
+  double extent_ = 0;                               ///< largest coordinate of a node, m
+};
+
+} // namespace stiction::dynamics

@@ -1,0 +1,80 @@
+// The energy account of a step.
+#include "dynamics/step/stepper.hpp"
+
+namespace stiction::dynamics {
+
+/// Work of an obstacle that follows a path: what it gives the body it gives where the node is, J.
+double Stepper::obstacle_work(std::size_t index, State const& old, State const& next) const {
+  auto const& pair = model_->pairs[index];
+  auto const* side = std::get_if<RigidSide>(&pair.primary);
+  if (side == nullptr || model_->rigids[side->body].free())
+    return 0;
+  auto const& rigid = model_->rigids[side->body];
+  Vec3 const carried = rigid.offset(next.t) - rigid.offset(old.t);
+  Vec3 const turned = (rigid.angle.value(next.t) - rigid.angle.value(old.t)) * rigid.axis;
+  if (carried.isZero(0) && turned.isZero(0))
+    return 0;
+  int const dim = model_->dim();
+  double const chi = weights_.contact_work;
+  auto const &now = next.reaction_of(index), &before = old.reaction_of(index);
+  double work = 0;
+  for (Index const node : pair.nodes()) {
+    Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
+    for (int c = 0; c < dim; ++c) {
+      Index const dof = dim * node + c;
+      force[c] = chi * now[dof] + (1 - chi) * before[dof];
+      arm[c] = model_->reference(node, c) + next.u[dof];
+    }
+    arm -= rigid.pivot + rigid.offset(next.t);
+    work += force.dot(carried + turned.cross(arm));
+  }
+  return work;
+}
+
+/// What the bodies' viscosity takes at the mean rate of the step, J: never less than nothing. What its forces
+/// do beside that, where d is not dt times the mean rate, is the scheme's.
+double Stepper::viscous_loss(State const& old, State const& next) const {
+  Vector force;
+  bulk_.damping_force((1 - weights_.work) * old.u + weights_.work * u_, d_, force);
+  return force.dot(d_) / (next.t - old.t);
+}
+
+/// Adds the step to the ledger (physics.md 6); works use the force averages of the scheme.
+void Stepper::account(State const& old, State& next) const {
+  auto& ledger = next.ledger;
+  double const chi = weights_.contact_work, omega = weights_.work;
+  Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
+                      (1 - chi) * old.reaction + chi * reaction_;
+  if (weights_.skin)
+    mean_force -= excess_;
+  next.drive.setZero(d_.size());
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    if (driver_[ix(dof)] != nullptr) {
+      next.drive[dof] = inertia_[dof] - mean_force[dof];
+      ledger.motion_work += next.drive[dof] * d_[dof];
+    }
+  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
+      auto const& before = old.contacts[p][i];
+      auto const& after = next.contacts[p][i];
+      Vec3 const force = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
+      ledger.friction_loss -= force.tail<2>().dot(after.slip);
+    }
+    ledger.motion_work += obstacle_work(p, old, next);
+  }
+  auto const& weight = bulk_.mass().weight;
+  ledger.load_work += ((1 - omega) * (external_old_ - weight) + omega * (external_ - weight)).dot(d_);
+  if (bulk_.damped())
+    ledger.damping_loss += viscous_loss(old, next);
+  if (weights_.stabilisation > 0)
+    ledger.stabilisation_loss += weights_.stabilisation / (next.t - old.t) * bulk_.grip().dot(d_.cwiseAbs2());
+  ledger.strain = strain_;
+  ledger.potential = -weight.dot(next.u);
+  if (!weights_.inertia)
+    return;
+  Vector momentum;
+  bulk_.mass().times(next.v, momentum);
+  ledger.kinetic = 0.5 * next.v.dot(momentum);
+}
+
+} // namespace stiction::dynamics

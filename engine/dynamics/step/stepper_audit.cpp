@@ -1,0 +1,135 @@
+// The scheme's own loss in a step by its formulas, against which the ledger's remainder is held.
+#include "dynamics/step/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction::dynamics {
+
+namespace {
+
+interface::BondMove move_of(ContactState const& before, ContactState const& after, double dt) {
+  interface::BondMove move {
+    {}, interface::opening_of(after.bond, after.gap)
+  };
+  if (after.bond.beta == 0 && before.bond.beta > 0) // gone, and its stretch with it
+    move.to.tail<2>() = before.bond.stretch + after.slip;
+  move.from = {std::max(before.gap, 0.0), move.to[1] - after.slip[0], move.to[2] - after.slip[1]};
+  move.beta_from = before.bond.beta;
+  move.beta_to = after.bond.beta;
+  move.dt = dt;
+  return move;
+}
+
+/// Step of a contact point: weight of its end forces in their work, and length, s.
+struct PointStep {
+  double chi, dt;
+};
+
+struct PointAudit {
+  double work = 0, loss = 0; ///< of the forces along gap and slip, and lost by the scheme, J (J/m)
+};
+
+/// A point that leaves the search has no gap any more: what its bond held is let go.
+PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, ContactState const& before,
+                       ContactState const& after, PointStep step) {
+  if (before.foot.found() && !after.foot.found())
+    return {0, adhesion ? before.area * interface::bond_energy(*adhesion, before.bond, before.gap) : 0};
+  double const chi = step.chi;
+  Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
+  Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
+  Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
+  double loss = -dry[0] * moved[0] - (chi - 0.5) * (pull_1 - pull_0).dot(moved);
+  if (adhesion && interface::evolves(*adhesion))
+    loss += after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
+  return {(dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved), loss};
+}
+
+} // namespace
+
+/// M dv/dt less the mean forces that do the ledger's work, at free unknowns, N; what the schemes say it is:
+///   contact nodes that balance at the step's end: F1 + R1 less the means
+///   Newmark's family: (work - xi) times the change of M a - F - R (zero where each step ends in balance);
+///   driven and contact nodes have one acceleration per step
+///   central differences: half the last impulse of each of the two steps, physics.md 5
+///   Jean's scheme: nothing
+Vector Stepper::unmet_balance(State const& old, State const& next) const {
+  Index const dofs = model_->dofs();
+  double const dt = next.t - old.t;
+  Vector const more_force = (external_ - internal_) - (external_old_ - old.internal);
+  Vector const more_reaction = next.reaction - old.reaction;
+  Vector unmet = Vector::Zero(dofs), newly = Vector::Zero(dofs);
+  if (weights_.accelerations()) {
+    Vector more_a = next.a - old.a;
+    for (Index dof = 0; dof < dofs; ++dof)
+      if (driver_[ix(dof)] != nullptr || apart(dof))
+        more_a[dof] = 0;
+    bulk_.mass().times(more_a, newly);
+    unmet = (weights_.work - weights_.xi) * (newly - more_force - more_reaction);
+  }
+  for (Index dof = 0; dof < dofs; ++dof) {
+    if (driver_[ix(dof)] != nullptr)
+      unmet[dof] = 0;
+    else if (apart(dof))
+      unmet[dof] = (weights_.apart_end() - weights_.work) * more_force[dof] +
+                   (1 - weights_.contact_work) * more_reaction[dof];
+    else if (weights_.explicit_forces && inverse_mass_[dof] > 0)
+      unmet[dof] = 0.5 * next.reaction[dof] - old.push[dof] / (inverse_mass_[dof] * dt);
+  }
+  return unmet;
+}
+
+/// Work of the internal forces along the straight way from u0 to u1, J: by the Gauss-Lobatto rule of four
+/// points, whose error falls with the sixth power of the way, or trapezia where they are linear in u.
+double Stepper::path_work(State const& old) const {
+  auto const elastic = [this](Vector const& all, Vector const& viscous) {
+    return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
+  };
+  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
+  if (bulk_.linear_bodies())
+    return 0.5 * ends;
+  double const inner = 0.5 - 0.5 / std::sqrt(5.0);
+  Vector first, second;
+  static_cast<void>(bulk_.internal_force(old.u + inner * d_, first));
+  static_cast<void>(bulk_.internal_force(old.u + (1 - inner) * d_, second));
+  return (ends + 5 * (first + second).dot(d_)) / 12;
+}
+
+/// Loss at the contact points, and what the nodal reactions do beside the work at the points.
+void Stepper::audit_contact(State const& old, State& next) const {
+  auto& loss = next.ledger.predicted;
+  double const chi = weights_.contact_work, dt = next.t - old.t;
+  Vector const mean = (1 - chi) * old.reaction + chi * next.reaction;
+  double nodes = mean.dot(d_), points = 0;
+  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
+    nodes -= obstacle_work(p, old, next);
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
+      auto const point =
+          audit_point(model_->pairs[p].law.adhesion, old.contacts[p][i], next.contacts[p][i], {chi, dt});
+      points += point.work;
+      loss.contact += point.loss;
+    }
+  }
+  loss.turning += points - nodes;
+}
+
+/// Sums each step's identity: with d = dt (v0 + v1) / 2 + e, d M dv / dt = change of kinetic energy
+/// + e M dv / dt.
+void Stepper::audit(State const& old, State& next) const {
+  auto& loss = next.ledger.predicted;
+  double const omega = weights_.work, dt = next.t - old.t;
+  if (weights_.inertia)
+    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_);
+  double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_);
+  if (bulk_.damped()) {
+    double const viscous = ((1 - omega) * old.damping + omega * damping_).dot(d_);
+    mean_work -= viscous;
+    loss.rates += viscous - (next.ledger.damping_loss - old.ledger.damping_loss);
+  }
+  if (weights_.skin)
+    mean_work += excess_.dot(d_);
+  loss.averages += mean_work - path_work(old);
+  audit_contact(old, next);
+}
+
+} // namespace stiction::dynamics

@@ -1,0 +1,43 @@
+// Momenta after a step, and the impulses that changed them.
+#include "dynamics/step/stepper.hpp"
+
+namespace stiction::dynamics {
+
+/// Momentum of every body; explicit schemes keep half an impulse in v that belongs to the next step.
+void Stepper::set_momenta(State& state) const {
+  Vector const v = state.push.size() > 0 ? Vector(state.v - state.push) : state.v;
+  Vector momentum;
+  bulk_.mass().times(v, momentum);
+  auto& bodies = state.momenta.bodies;
+  bodies.clear();
+  for (std::size_t b = 0; b + 1 < model_->first_node.size(); ++b)
+    bodies.push_back(resultant(*model_, state.u, momentum, model_->first_node[b], model_->first_node[b + 1]));
+  for (auto const& rigid : model_->rigids)
+    bodies.push_back(rigid.free() ? resultant(*model_, state.u, momentum, rigid.node, rigid.node + 2)
+                                  : Screw{});
+}
+
+/// Adds the step's impulses to those of old, by the force averages of the scheme.
+void Stepper::tally(State const& old, State& next) const {
+  auto& all = next.momenta;
+  all = old.momenta;
+  double const dt = next.t - old.t, chi = weights_.contact_work, omega = weights_.work;
+  Index const nodes = model_->node_count();
+  set_momenta(next);
+  Vector const half_way = 0.5 * (old.u + next.u);
+  all.loads += dt * resultant(*model_, half_way, (1 - omega) * external_old_ + omega * external_, 0, nodes);
+  all.motions += dt * resultant(*model_, half_way, next.drive, 0, nodes);
+  Vector force;
+  for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
+    contact_->reaction(force, static_cast<int>(p));
+    auto const now = resultants(*model_, model_->pairs[p], next.u, force);
+    auto& sum = all.pairs[p];
+    sum.secondary += dt * ((1 - chi) * all.forces[p].secondary);
+    sum.secondary += dt * (chi * now.secondary);
+    sum.primary += dt * ((1 - chi) * all.forces[p].primary);
+    sum.primary += dt * (chi * now.primary);
+    all.forces[p] = now;
+  }
+}
+
+} // namespace stiction::dynamics

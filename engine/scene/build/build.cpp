@@ -1,0 +1,330 @@
+// Names to numbers: bodies, sets and motions of a scene.
+#include "scene/build/build.hpp"
+
+#include <fmt/format.h>
+#include <set>
+
+#include "dynamics/step/stepper.hpp"
+#include "mesh/topology/quality.hpp"
+#include "scene/build/builder.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+/// What stands under "name", or under "name[k]" in a list; nothing if there is no such part.
+core::Input const* part_of(core::Input const& input, std::string const& key) {
+  auto const bracket = key.find('[');
+  auto const* table = input.table();
+  if (table == nullptr)
+    return nullptr;
+  auto const found = table->find(key.substr(0, bracket));
+  if (found == table->end() || bracket == std::string::npos)
+    return found == table->end() ? nullptr : &found->second;
+  auto const* list = found->second.list();
+  auto const number = std::stoul(key.substr(bracket + 1));
+  return list != nullptr && number >= 1 && number <= list->size() ? &(*list)[number - 1] : nullptr;
+}
+
+} // namespace
+
+Vec3 vec(Numbers const& numbers) {
+  Vec3 v = Vec3::Zero();
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, numbers.size()); ++i)
+    v[static_cast<Eigen::Index>(i)] = numbers[i];
+  return v;
+}
+
+dynamics::Path path(Numbers const& times, Numbers const& values) {
+  if (values.empty())
+    return {};
+  return {times, values};
+}
+
+Scene Builder::run() {
+  core::Reader reader(*input_, "", complaints_);
+  scene_.part = reader.record<ScenePart>();
+  settle();
+  scene_.model = std::make_unique<dynamics::Model>();
+  auto& model = *scene_.model;
+  model.kinematics = scene_.part.kinematics;
+  model.gravity = vec(scene_.part.gravity);
+  model.scheme = scene_.part.scheme;
+  dynamics::set_duration(model.scheme, scene_.part.schedule.stages.back().until);
+  model.solver = scene_.part.solver;
+  model.control = scene_.part.control;
+  for (auto const& [name, probe] : scene_.part.probes)
+    if (auto const* energy = std::get_if<EnergyProbe>(&probe))
+      model.audited = model.audited || energy->audit;
+    else if (std::holds_alternative<MomentumProbe>(probe))
+      model.tallied = true;
+  add_bodies();
+  settle();
+  add_obstacles();
+  add_motions();
+  add_loads();
+  hold_axis();
+  add_pairs();
+  check_probes();
+  settle();
+  dynamics::Stepper stepper(model);
+  auto const start = stepper.initial();
+  check_overlap(start);
+  check_supports(stepper.contact(), start);
+  settle();
+  return std::move(scene_);
+}
+
+void Builder::settle() const {
+  if (!complaints_.empty())
+    throw core::InputError(complaints_);
+}
+
+/// Finds the script line of the table that the path leads to.
+void Builder::complain(Where const& where, std::string text) {
+  core::Input const* at = input_;
+  std::string place = at->place, full;
+  for (auto const& key : where) {
+    full += (full.empty() ? "" : ".") + key;
+    at = at == nullptr ? nullptr : part_of(*at, key);
+    if (at != nullptr && !at->place.empty())
+      place = at->place;
+  }
+  complaints_.push_back({place, full, std::move(text)});
+}
+
+void Builder::check_size(Where const& where, Numbers const& numbers) {
+  auto const dim = static_cast<std::size_t>(scene_.part.dim());
+  if (!numbers.empty() && numbers.size() != dim)
+    complain(where, fmt::format("has {} numbers; {} are wanted: {}", numbers.size(),
+                                dim == 2 ? "two" : "three", dim == 2 ? "{x, y}" : "{x, y, z}"));
+}
+
+void Builder::check_no_z(Where const& where, Numbers const& values) {
+  if (scene_.part.dim() == 2 && !values.empty())
+    complain(where, "a plane scene has no z; leave it out or set kinematics = \"three_dimensional\"");
+}
+
+void Builder::check_path_end(Where const& where, Numbers const& times) {
+  auto const& stages = scene_.part.schedule.stages;
+  if (times.empty() || stages.empty() || times.back() >= stages.back().until * (1 - 1e-9))
+    return;
+  complain(
+      where,
+      fmt::format(
+          "its path ends at {:g} s, before the run does at {:g} s; give the path a last point at the end",
+          times.back(), stages.back().until));
+}
+
+void Builder::unknown_name(Where const& where, char const* what, std::string const& name,
+                           std::vector<std::string> const& known) {
+  auto const meant = core::nearest(name, known);
+  complain(where, fmt::format("there is no {} \"{}\"; known are {}{}", what, name, fmt::join(known, ", "),
+                              meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
+}
+
+void Builder::make_body(std::string const& name, BodyPart const& part) {
+  auto& model = *scene_.model;
+  auto body = std::make_unique<solid::Body>(solid::Body{name, mesh::make(part.mesh), part.material,
+                                                        part.density, part.interpolation, part.damping});
+  if (body->mesh.dim != model.dim())
+    throw core::InputError(fmt::format("is a mesh of {} dimensions in a scene of {}; choose another mesh, or "
+                                       "kinematics = \"{}\"",
+                                       body->mesh.dim, model.dim(),
+                                       body->mesh.dim == 3 ? "three_dimensional" : "plane_strain"));
+  mesh::check(body->mesh, name);
+  check_radius(name, body->mesh);
+  solid::check_interpolation(*body);
+  model.first_node.push_back(model.first_node.back() + body->mesh.node_count());
+  model.bodies.push_back(std::move(body));
+  scene_.bodies.push_back(name);
+}
+
+void Builder::add_bodies() {
+  auto& model = *scene_.model;
+  model.first_node.push_back(0);
+  for (auto const& [name, part] : scene_.part.bodies) {
+    check_size({"bodies", name, "velocity"}, part.velocity);
+    if (part.damping && !dynamics::weights(model.scheme).inertia)
+      complain({"bodies", name, "damping"},
+               "a quasi-static run has no rates; leave it out or use scheme.theta_xi");
+    if (part.damping && dynamics::weights(model.scheme).explicit_forces)
+      complain(
+          {"bodies", name, "damping"},
+          "would lower the stability limit of scheme.central_difference and lag by a step; leave it out or "
+          "use an implicit scheme");
+    try {
+      make_body(name, part);
+    } catch (core::InputError const& error) {
+      for (auto const& complaint : error.complaints())
+        complain({"bodies", name, "mesh"}, complaint.message());
+    }
+  }
+  if (scene_.part.bodies.empty())
+    complain({"bodies"}, "is empty; a scene needs at least one body");
+  settle();
+  int const dim = model.dim();
+  model.reference.resize(model.first_node.back(), dim);
+  model.velocity.resize(model.first_node.back(), dim);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    auto const count = model.bodies[b]->mesh.node_count();
+    model.reference.middleRows(model.first_node[b], count) = model.bodies[b]->mesh.nodes;
+    model.velocity.middleRows(model.first_node[b], count).rowwise() =
+        vec(scene_.part.bodies.at(scene_.bodies[b]).velocity).head(dim).transpose();
+    model.cells.emplace_back(*model.bodies[b], model.kinematics);
+  }
+}
+
+void Builder::check_radius(std::string const& name, mesh::Mesh const& mesh) {
+  if (scene_.part.kinematics == solid::Kinematics::axisymmetric && mesh.nodes.col(0).minCoeff() < 0)
+    complain({"bodies", name, "mesh"},
+             fmt::format("reaches the radius {:g} m; axisymmetric bodies lie at x >= 0",
+                         mesh.nodes.col(0).minCoeff()));
+}
+
+/// Nodes of "body.set", or a complaint naming what there is.
+std::optional<Indices> Builder::resolve(Where const& where, std::string const& name) {
+  if (auto nodes = scene_.nodes_of(name))
+    return nodes;
+  std::vector<std::string> known;
+  for (auto const& body : scene_.model->bodies)
+    for (auto const& [set, members] : body->mesh.sets)
+      known.push_back(body->name + "." + set);
+  if (scene_.part.obstacles.contains(name) || std::ranges::find(scene_.bodies, name) != scene_.bodies.end()) {
+    complain(where, fmt::format("\"{}\" is {}, not a set; known are {}", name,
+                                scene_.part.obstacles.contains(name) ? "an obstacle" : "a whole body",
+                                fmt::join(known, ", ")));
+    return {};
+  }
+  bool const primary = where.back() == "primary";
+  for (auto const& [obstacle, part] : scene_.part.obstacles)
+    if (primary)
+      known.push_back(obstacle);
+  unknown_name(where, primary ? "obstacle or set" : "set", name, known);
+  return {};
+}
+
+void Builder::add_motions() {
+  for (std::size_t k = 0; k < scene_.part.motions.size(); ++k)
+    add_motion(k);
+  check_driven_twice();
+}
+
+void Builder::add_motion(std::size_t k) {
+  Where const where{fmt::format("motions[{}]", k + 1), "set"};
+  auto add = [&](auto const& part, int component, dynamics::Path motion) {
+    auto nodes = resolve(where, part.set);
+    if (nodes && !part.near.empty())
+      *nodes = {scene_.nearest(*nodes, part.near)};
+    if (!nodes)
+      return;
+    auto& motions = scene_.model->motions;
+    origins_.resize(motions.size());
+    origins_.emplace_back(k + 1, part.set);
+    motions.push_back({*nodes, component, std::move(motion), part.set});
+  };
+  std::visit([&](auto const& part) { check_size({where[0], "near"}, part.near); }, scene_.part.motions[k]);
+  if (auto const* fix = std::get_if<FixPart>(&scene_.part.motions[k])) {
+    std::array<bool, 3> const held{fix->x, fix->y, fix->z};
+    for (int c = 0; c < scene_.part.dim(); ++c)
+      if (held[ix(c)])
+        add(*fix, c, {});
+    return;
+  }
+  auto const& drive = std::get<DrivePart>(scene_.part.motions[k]);
+  check_no_z({where[0], "z"}, drive.z);
+  int component = 0;
+  for (auto const* values : {&drive.x, &drive.y, &drive.z}) {
+    if (!values->empty() && component < scene_.part.dim())
+      add(drive, component, path(drive.times, *values));
+    ++component;
+  }
+  check_path_end(where, drive.times);
+}
+
+namespace {
+
+/// The first knot up to `end` at which two paths differ by more than rounding, s.
+std::optional<double> first_difference(dynamics::Path const& one, dynamics::Path const& other, double end) {
+  std::set<double> knots(one.times.begin(), one.times.end());
+  knots.insert(other.times.begin(), other.times.end());
+  knots.insert(end);
+  double largest = 0;
+  for (auto const* path : {&one, &other})
+    for (double const value : path->values)
+      largest = std::max(largest, std::abs(value));
+  for (double const t : knots)
+    if (t <= end && std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)
+      return t;
+  return {};
+}
+
+} // namespace
+
+/// Two motions may drive a node alike, as where a held and a driven set share a corner.
+void Builder::check_driven_twice() {
+  auto const& model = *scene_.model;
+  double const end = scene_.part.schedule.stages.back().until;
+  std::map<std::pair<Index, int>, std::size_t> owner;
+  for (std::size_t m = 0; m < model.motions.size(); ++m)
+    for (Index const node : model.motions[m].nodes) {
+      auto const [first, fresh] = owner.emplace(std::pair{node, model.motions[m].component}, m);
+      auto const& other = model.motions[first->second].path;
+      auto const& own = model.motions[m].path;
+      auto const differ = fresh ? std::nullopt : first_difference(other, own, end);
+      if (!differ)
+        continue;
+      auto const X = model.reference.row(node);
+      auto const& [earlier, earlier_set] = origins_[first->second];
+      auto const& [later, later_set] = origins_[m];
+      complain({fmt::format("motions[{}]", later)},
+               fmt::format("moves {0} in {1} other than motions[{2}] moves {3}, and both hold the node at "
+                           "({4:g}) m: at t = {5:g} s to {6:g} m and to {7:g} m; give both the same path, "
+                           "leave {1} out of one, or take the node out of one set",
+                           later_set, "xyz"[model.motions[m].component], earlier, earlier_set,
+                           fmt::join(X.data(), X.data() + X.size(), ", "), *differ, own.value(*differ),
+                           other.value(*differ)));
+      return;
+    }
+}
+
+std::optional<Indices> Scene::nodes_of(std::string const& name) const {
+  auto const dot = name.find('.');
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (dot == std::string::npos || bodies[b] != name.substr(0, dot))
+      continue;
+    auto const& sets = model->bodies[b]->mesh.sets;
+    auto const found = sets.find(name.substr(dot + 1));
+    if (found == sets.end())
+      return {};
+    Indices nodes = found->second.nodes;
+    for (auto& node : nodes)
+      node += model->first_node[b];
+    return nodes;
+  }
+  return {};
+}
+
+Index Scene::pair_index(std::string const& name) const {
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    if (pairs[p] == name)
+      return static_cast<Index>(p);
+  return -1;
+}
+
+Index Scene::nearest(Indices const& nodes, Numbers const& place) const {
+  Index best = nodes.front();
+  auto distance = [&](Index node) {
+    return (model->reference.row(node).transpose() - vec(place).head(model->dim())).squaredNorm();
+  };
+  for (Index const node : nodes)
+    if (distance(node) < distance(best))
+      best = node;
+  return best;
+}
+
+Scene build(core::Input const& input) {
+  return Builder(input).run();
+}
+
+} // namespace stiction::scene

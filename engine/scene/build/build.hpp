@@ -1,0 +1,24 @@
+// From a script's table to a model: names resolved, geometry made, every contradiction reported.
+#pragma once
+#include "core/input.hpp"
+#include "scene/description/parts.hpp"
+
+namespace stiction::scene {
+
+/// A model with the names that its script gave.
+struct Scene {
+  ScenePart part;
+  std::vector<std::string> bodies; ///< names, in the order of model.bodies
+  std::vector<std::string> pairs;  ///< names, in the order of model.pairs
+  std::unique_ptr<dynamics::Model> model;
+
+  /// A set "body.set" with model node numbers; nothing if there is none.
+  [[nodiscard]] std::optional<Indices> nodes_of(std::string const& set) const;
+  [[nodiscard]] Index pair_index(std::string const& name) const; ///< -1 if unknown
+  [[nodiscard]] Index nearest(Indices const& nodes, Numbers const& place) const;
+};
+
+/// Throws InputError with every complaint.
+[[nodiscard]] Scene build(core::Input const& input);
+
+} // namespace stiction::scene

@@ -1,0 +1,283 @@
+// Obstacles and contact pairs of a scene.
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "mesh/topology/hats.hpp"
+#include "mesh/topology/surface.hpp"
+#include "mesh/topology/traction.hpp"
+#include "scene/build/builder.hpp"
+
+namespace stiction::scene {
+
+using contact::Vec2;
+
+namespace {
+
+/// The centre of a shape, or the point that describes it; the origin if it has neither.
+Vec3 middle(contact::Obstacle const& obstacle) {
+  return std::visit(
+      [](auto const& shape) {
+        if constexpr (requires { shape.centre; })
+          return vec(shape.centre);
+        else if constexpr (requires { shape.point; })
+          return vec(shape.point);
+        else
+          return Vec3(Vec3::Zero());
+      },
+      obstacle);
+}
+
+} // namespace
+
+void Builder::add_obstacles() {
+  for (auto const& [name, part] : scene_.part.obstacles)
+    add_obstacle(name, part);
+  settle();
+}
+
+void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
+  Where const where{"obstacles", name};
+  auto& model = *scene_.model;
+  bool const axisymmetric = model.kinematics == solid::Kinematics::axisymmetric;
+  dynamics::RigidBody rigid;
+  rigid.name = name;
+  rigid.shape = part.shape;
+  if (auto const words = contact::unfit(part.shape, model.dim(), axisymmetric); !words.empty())
+    return complain({"obstacles", name, "shape"}, words);
+  try {
+    contact::prepare(rigid.shape);
+  } catch (core::InputError const& error) {
+    for (auto const& complaint : error.complaints())
+      complain({"obstacles", name, "shape"}, complaint.message());
+  }
+  check_no_z({"obstacles", name, "z"}, part.z);
+  for (auto const& [key, numbers] :
+       {std::pair{"pivot", &part.pivot}, {"velocity", &part.velocity}, {"force", &part.force}})
+    check_size({"obstacles", name, key}, *numbers);
+  if (!part.spin.empty() && part.spin.size() != (model.dim() == 2 ? 1U : 3U))
+    complain({"obstacles", name, "spin"},
+             model.dim() == 2 ? "wants one number in the plane" : "wants three numbers in space");
+  if (!part.axis.empty() && (part.axis.size() != 3 || vec(part.axis).isZero(0)))
+    complain({"obstacles", name, "axis"}, "wants three numbers, not all 0");
+  check_path_end({"obstacles", name, "times"}, part.times);
+  rigid.pivot = part.pivot.empty() ? middle(part.shape) : vec(part.pivot);
+  rigid.axis = part.axis.size() == 3 ? Vec3(vec(part.axis).normalized()) : Vec3::UnitZ();
+  rigid.mass = part.mass;
+  rigid.inertia = part.inertia;
+  rigid.force = vec(part.force);
+  if (part.mass > 0) {
+    if (!dynamics::weights(model.scheme).inertia)
+      complain(where, "is free, but a quasi-static run has no inertia that could hold it; give it paths "
+                      "instead of a mass, or use scheme.theta_xi");
+    Vec3 const spin = model.dim() == 2 && !part.spin.empty() ? Vec3(0, 0, part.spin[0]) : vec(part.spin);
+    dynamics::add_unknowns(model, rigid, vec(part.velocity), spin);
+    drive_rigid(rigid, part);
+  } else {
+    rigid.shift = {path(part.times, part.x), path(part.times, part.y), path(part.times, part.z)};
+    rigid.angle = path(part.times, part.angle);
+  }
+  model.rigids.push_back(rigid);
+}
+
+/// Paths of a body with a mass drive its unknowns.
+void Builder::drive_rigid(dynamics::RigidBody const& rigid, ObstaclePart const& part) {
+  auto& motions = scene_.model->motions;
+  int component = 0;
+  for (auto const* values : {&part.x, &part.y, &part.z}) {
+    if (!values->empty())
+      motions.push_back({{rigid.node}, component, path(part.times, *values)});
+    ++component;
+  }
+  if (part.angle.empty())
+    return;
+  if (scene_.part.dim() == 3 || rigid.inertia == 0)
+    complain({"obstacles", rigid.name, "angle"},
+             "a path for the turn of a body with a mass is for plane scenes and wants an inertia");
+  else
+    motions.push_back({{rigid.node + 1}, 0, path(part.times, part.angle)});
+}
+
+/// The boundary set behind "body.set" with model node numbers.
+std::optional<mesh::Set> Builder::surface(Where const& where, std::string const& name) {
+  if (!resolve(where, name))
+    return {};
+  auto const dot = name.find('.');
+  auto const& model = *scene_.model;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (model.bodies[b]->name != name.substr(0, dot))
+      continue;
+    mesh::Set set = model.bodies[b]->mesh.sets.find(name.substr(dot + 1))->second;
+    try {
+      mesh::check_surface(model.bodies[b]->mesh, set, name);
+    } catch (core::InputError const& error) {
+      for (auto const& complaint : error.complaints())
+        complain(where, complaint.message());
+      return {};
+    }
+    for (auto& node : set.nodes)
+      node += model.first_node[b];
+    for (auto& facet : set.facets)
+      for (auto& node : facet.nodes)
+        node += model.first_node[b];
+    return set;
+  }
+  return {};
+}
+
+void Builder::add_pairs() {
+  for (auto const& [name, part] : scene_.part.pairs)
+    try {
+      add_pair(name, part);
+    } catch (core::InputError const& error) {
+      for (auto const& complaint : error.complaints())
+        complain({"pairs", name}, complaint.message());
+    }
+}
+
+void Builder::add_pair(std::string const& name, PairPart const& part) {
+  check_size({"pairs", name, "direction"}, part.direction);
+  if (scene_.part.dim() == 3 && part.secondary == part.primary)
+    return complain({"pairs", name, "primary"},
+                    "is the secondary itself; contact of a surface with itself is "
+                    "for plane scenes, in space split it into two sets");
+  if (part.discretisation == Discretisation::mortar && part.secondary == part.primary)
+    return complain(
+        {"pairs", name, "discretisation"},
+        "mortar is for two surfaces, and this one touches itself; use \"node_to_segment\", or split "
+        "the set into the two parts that meet");
+  if (part.law.adhesion && dynamics::weights(scene_.model->scheme).restitution > 0)
+    complain({"pairs", name, "adhesion"},
+             "does not go with restitution > 0, which throws a closed point off its bond at every pull; set "
+             "scheme.moreau_jean{restitution = 0} or leave the adhesion out");
+  auto const secondary = surface({"pairs", name, "secondary"}, part.secondary);
+  bool const rigid = scene_.part.obstacles.contains(part.primary);
+  auto const primary = rigid ? std::nullopt : surface({"pairs", name, "primary"}, part.primary);
+  if (!secondary || (!rigid && !primary))
+    return;
+  auto pair = secondary_side(name, part, *secondary);
+  if (rigid) {
+    dynamics::RigidSide side;
+    while (scene_.model->rigids[side.body].name != part.primary)
+      ++side.body;
+    side.direction = first_tangent(part, *secondary);
+    pair.primary = side;
+  } else {
+    add_primary(part, *primary, pair);
+  }
+  pair.reach = std::max(pair.reach, part.law.range());
+  scene_.model->pairs.push_back(std::move(pair));
+  scene_.pairs.push_back(name);
+}
+
+dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& part, mesh::Set const& set) {
+  dynamics::Pair pair{name, {}, {}, dynamics::RigidSide{}, part.law, part.reach};
+  if (scene_.part.dim() == 2)
+    share_edges(set, pair);
+  else
+    share_facets(part.secondary, set, pair);
+  if (part.discretisation == Discretisation::mortar)
+    average_facets(part, set, pair);
+  else
+    lend_areas(set, pair);
+  return pair;
+}
+
+/// Where the shape functions of a facet leave its nodes without an area, points are means over nodes.
+void Builder::lend_areas(mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& reference = scene_.model->reference;
+  bool const revolved = scene_.part.kinematics == solid::Kinematics::axisymmetric;
+  if (std::all_of(set.facets.begin(), set.facets.end(),
+                  [&](auto const& facet) { return mesh::shares_well(reference, facet, revolved); }))
+    return;
+  auto shares = mesh::surface_shares(reference, set, pair.secondary, revolved);
+  pair.areas = std::move(shares.areas);
+  pair.means = std::move(shares.means);
+}
+
+/// Points at the corner nodes alone, each with the area of its hat.
+void Builder::average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& model = *scene_.model;
+  pair.mortar.emplace(set.facets, model.reference, first_tangent(part, set));
+  auto const& corners = pair.mortar->corner_nodes();
+  std::erase_if(pair.secondary,
+                [&](Index node) { return !std::binary_search(corners.begin(), corners.end(), node); });
+  pair.areas = pair.mortar->hat_areas(pair.secondary, model.kinematics == solid::Kinematics::axisymmetric);
+  if (!(part.reach > 0))
+    pair.reach = 0.5 * pair.mortar->facet_size();
+}
+
+/// Nodes in walking order, their areas, and half an edge as reach where none is given.
+void Builder::share_edges(mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const chains = contact::chains_of(set, pair.name);
+  auto const& reference = scene_.model->reference;
+  std::map<Index, std::size_t> number;
+  for (auto const& chain : chains)
+    for (Index const node : chain.nodes)
+      if (number.emplace(node, pair.secondary.size()).second)
+        pair.secondary.push_back(node);
+  pair.areas.assign(pair.secondary.size(), 0.0);
+  bool const revolved = scene_.part.kinematics == solid::Kinematics::axisymmetric;
+  double total = 0;
+  for (auto const& facet : set.facets) {
+    Vector const share = mesh::shape_integrals(reference, facet, revolved);
+    for (std::size_t i = 0; i < facet.nodes.size(); ++i)
+      pair.areas[number.at(facet.nodes[i])] += share[static_cast<Eigen::Index>(i)];
+    total += mesh::shape_integrals(reference, facet, false).sum();
+  }
+  if (!(pair.reach > 0))
+    pair.reach = 0.5 * total / static_cast<double>(pair.secondary.size());
+}
+
+void Builder::share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& model = *scene_.model;
+  auto const& body = **std::find_if(model.bodies.begin(), model.bodies.end(), [&](auto const& candidate) {
+    return candidate->name == name.substr(0, name.find('.'));
+  });
+  auto const& local = body.mesh.sets.find(name.substr(name.find('.') + 1))->second;
+  Vector const areas = mesh::nodal_areas(body.mesh, local);
+  pair.secondary = set.nodes;
+  pair.areas.assign(areas.data(), areas.data() + areas.size());
+  if (!(pair.reach > 0))
+    pair.reach = 0.5 * std::sqrt(areas.sum() / static_cast<double>(set.facets.size()));
+}
+
+void Builder::add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const {
+  auto const& reference = scene_.model->reference;
+  pair.self = part.secondary == part.primary;
+  if (pair.mortar) {
+    contact::CellSurface surface(set.facets, reference, first_tangent(part, set));
+    if (!(part.reach > 0))
+      pair.reach = 0.5 * surface.facet_size();
+    pair.primary = std::move(surface);
+    return;
+  }
+  if (scene_.part.dim() == 3) {
+    contact::Surface surface(set.facets, reference, first_tangent(part, set));
+    if (!(part.reach > 0))
+      pair.reach = 0.5 * surface.facet_size();
+    pair.primary = std::move(surface);
+    return;
+  }
+  contact::Curve curve(contact::chains_of(set, part.primary), reference, part.smoothing);
+  if (!(part.reach > 0))
+    pair.reach = 0.5 * curve.segment_length();
+  pair.primary = std::move(curve);
+}
+
+/// The direction given, or the axis that is least in line with the mean normal of a surface.
+Vec3 Builder::first_tangent(PairPart const& part, mesh::Set const& set) const {
+  if (scene_.part.dim() == 2 || !part.direction.empty())
+    return part.direction.empty() ? Vec3(Vec3::UnitX()) : vec(part.direction);
+  auto const& reference = scene_.model->reference;
+  Vec3 normal = Vec3::Zero();
+  for (auto const& facet : set.facets) {
+    Vec3 const a = reference.row(facet.nodes[0]), b = reference.row(facet.nodes[1]),
+               c = reference.row(facet.nodes[2]);
+    normal += (b - a).cross(c - a);
+  }
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().minCoeff(&axis);
+  return Vec3::Unit(axis);
+}
+
+} // namespace stiction::scene

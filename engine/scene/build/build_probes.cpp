@@ -1,0 +1,58 @@
+// Probes of a scene: do the names and places that they give exist?
+#include <fmt/format.h>
+
+#include "scene/build/builder.hpp"
+
+namespace stiction::scene {
+
+void Builder::check_probes() {
+  for (auto const& [name, probe] : scene_.part.probes) {
+    std::visit([this, &name = name](auto const& part) { check_probe(name, part); }, probe);
+    if (name == "time" || name == "step")
+      complain({"probes", name}, "this name is taken by the series itself; choose another");
+  }
+}
+
+namespace {
+template<class Map> std::vector<std::string> names(Map const& map) {
+  std::vector<std::string> all;
+  all.reserve(map.size());
+  for (auto const& [name, part] : map)
+    all.push_back(name);
+  return all;
+}
+} // namespace
+
+void Builder::check_momentum(Where const& where, Numbers const& about) {
+  check_size(where, about);
+  if (!about.empty() && scene_.part.kinematics == solid::Kinematics::axisymmetric)
+    complain(where, "an axisymmetric scene has no angular momentum; leave it out");
+  if (!dynamics::weights(scene_.part.scheme).inertia)
+    complain({where[0], where[1]},
+             "a quasi-static scheme has no momentum; choose another scheme or leave the "
+             "probe out");
+}
+
+template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
+  if constexpr (requires { part.pair; })
+    if (!scene_.part.pairs.contains(part.pair))
+      unknown_name({"probes", name, "pair"}, "pair", part.pair, names(scene_.part.pairs));
+  if constexpr (requires { part.obstacle; })
+    if (!scene_.part.obstacles.contains(part.obstacle))
+      unknown_name({"probes", name, "obstacle"}, "obstacle", part.obstacle, names(scene_.part.obstacles));
+  if constexpr (requires { part.set; })
+    if (scene_.part.obstacles.contains(part.set))
+      return complain(
+          {"probes", name, "set"},
+          fmt::format("\"{0}\" is an obstacle, not a set of a body; where it is and what acts on it "
+                      "shows stiction.probe.rigid {{ obstacle = \"{0}\" }}",
+                      part.set));
+  if constexpr (requires { part.set; })
+    static_cast<void>(resolve({"probes", name, "set"}, part.set));
+  if constexpr (requires { part.near; })
+    check_size({"probes", name, "near"}, part.near);
+  if constexpr (requires { part.about; })
+    check_momentum({"probes", name, "about"}, part.about);
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,81 @@
+// The making of a Scene from a script's table, step by step; complaints are gathered before any is thrown.
+#pragma once
+#include "dynamics/contact/contact_system.hpp"
+#include "mesh/topology/mesh.hpp"
+#include "scene/build/build.hpp"
+
+namespace stiction::scene {
+
+using contact::Vec3;
+using Where = std::vector<std::string>; ///< keys from the scene's table down, "name" or "name[k]"
+
+/// The numbers of a list as a vector in space; missing ones are 0.
+[[nodiscard]] Vec3 vec(Numbers const& numbers);
+/// An empty path where no values are given.
+[[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
+
+class Builder {
+public:
+  explicit Builder(core::Input const& input) : input_(&input) {}
+  [[nodiscard]] Scene run();
+
+private:
+  void settle() const;
+  void complain(Where const& where, std::string text);
+  /// Complains unless an optional list has as many numbers as the scene has dimensions.
+  void check_size(Where const& where, Numbers const& numbers);
+  /// Complains about a third component in a plane scene.
+  void check_no_z(Where const& where, Numbers const& values);
+  void check_path_end(Where const& where, Numbers const& times);
+  [[nodiscard]] std::optional<Indices> resolve(Where const& where, std::string const& name);
+  void unknown_name(Where const& where, char const* what, std::string const& name,
+                    std::vector<std::string> const& known);
+
+  void add_bodies();
+  void make_body(std::string const& name, BodyPart const& part);
+  void check_radius(std::string const& name, mesh::Mesh const& mesh);
+  void add_motions();
+  void add_motion(std::size_t k);
+  void check_driven_twice();
+
+  // build_loads.cpp
+  void add_loads();
+  void add_load(Where const& where, TractionPart const& part);
+  void add_load(Where const& where, PointForcePart const& part);
+  void add_components(Where const& where, LoadPath const& load, Vector const& shares);
+
+  // support.cpp
+  void hold_axis();
+  void check_supports(dynamics::ContactSystem const& contact, dynamics::State const& start);
+
+  // build_contact.cpp
+  void add_obstacles();
+  void add_obstacle(std::string const& name, ObstaclePart const& part);
+  void drive_rigid(dynamics::RigidBody const& rigid, ObstaclePart const& part);
+  void add_pairs();
+  void add_pair(std::string const& name, PairPart const& part);
+  [[nodiscard]] std::optional<mesh::Set> surface(Where const& where, std::string const& name);
+  [[nodiscard]] dynamics::Pair secondary_side(std::string const& name, PairPart const& part,
+                                              mesh::Set const& set);
+  void lend_areas(mesh::Set const& set, dynamics::Pair& pair) const;
+  void share_edges(mesh::Set const& set, dynamics::Pair& pair) const;
+  void share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const;
+  void average_facets(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
+  void add_primary(PairPart const& part, mesh::Set const& set, dynamics::Pair& pair) const;
+  [[nodiscard]] Vec3 first_tangent(PairPart const& part, mesh::Set const& set) const;
+  void check_overlap(dynamics::State const& start);
+  [[nodiscard]] bool bodies_overlap(std::string const& pair);
+
+  // build_probes.cpp
+  void check_probes();
+  void check_momentum(Where const& where, Numbers const& about);
+  template<class Part> void check_probe(std::string const& name, Part const& part);
+
+  core::Input const* input_;
+  core::Complaints complaints_;
+  Scene scene_;
+  /// Of the model's motions: number and set of the script's; those of rigid bodies have none.
+  std::vector<std::pair<std::size_t, std::string>> origins_;
+};
+
+} // namespace stiction::scene

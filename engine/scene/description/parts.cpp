@@ -1,0 +1,369 @@
+// Schemas of the script's tables and the reading of those that hold other tables.
+#include "scene/description/parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace stiction::scene {
+
+using core::Describe;
+using core::Need;
+using core::Reader;
+
+namespace {
+
+bool is_empty(Reader& reader, char const* key) {
+  auto const* list = reader.at(key, Need::optional).list();
+  return list != nullptr && list->empty();
+}
+
+/// Values along times: both lists of one length, times ascending.
+void check_path(Reader& reader, Numbers const& times, Numbers const& values, char const* key) {
+  if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")))
+    return; // times that could not be read have their own complaint
+  if (values.size() != times.size() || times.empty())
+    reader.complain_at(
+        key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k] <= times[k - 1])
+      return reader.complain_at("times", fmt::format("must grow; entry {} does not", k + 1));
+}
+
+/// Every entry of a named table by `read`.
+template<class Part, class Read>
+std::map<std::string, Part> named(Reader& reader, char const* key, Need need, Read&& read) {
+  std::map<std::string, Part> parts;
+  if (need == Need::optional && !reader.has(key)) {
+    static_cast<void>(reader.at(key, need));
+    return parts;
+  }
+  Reader table = reader.child(key, need);
+  for (auto const& name : table.keys())
+    parts.emplace(name, read(table.child(name)));
+  return parts;
+}
+
+template<class Part> Part nested_record(Reader& reader, char const* key) {
+  if (!reader.has(key)) {
+    static_cast<void>(reader.at(key, Need::optional));
+    return {};
+  }
+  return reader.child(key, Need::optional).record<Part>();
+}
+
+template<class Choice> Choice nested_choice(Reader& reader, char const* key, Need need) {
+  if (!reader.has(key)) {
+    static_cast<void>(reader.at(key, need));
+    return {};
+  }
+  return reader.child(key, need).alternative<Choice>();
+}
+
+} // namespace
+
+core::Schema const& BodyPart::schema() {
+  static auto const made =
+      Describe<BodyPart>{"body", "a deformable body", "physics.md 4"}
+          .nested("mesh", "mesh", Need::required, "its mesh")
+          .nested("material", "material", Need::required, "its bulk law")
+          .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
+                  "mass density of the reference body")
+          .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y [, z]}")
+          .choice("interpolation", &BodyPart::interpolation, {"plain", "mean_dilatation"}, Need::optional,
+                  "mean_dilatation: volume change averaged over each cell, against locking of quad4 and hex8 "
+                  "near nu = 1/2")
+          .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
+          .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
+          .build();
+  return made;
+}
+
+void BodyPart::read_nested(Reader& reader) {
+  mesh = nested_choice<mesh::Generator>(reader, "mesh", Need::required);
+  material = nested_choice<material::Material>(reader, "material", Need::required);
+  if (reader.has("damping"))
+    damping = std::get<material::KelvinVoigt>(
+        nested_choice<std::variant<material::KelvinVoigt>>(reader, "damping", Need::optional));
+  static_cast<void>(reader.at("damping", Need::optional));
+  if (reader.has("remesh")) {
+    remesh = reader.child("remesh", Need::optional).record<RemeshPart>();
+    if (!std::holds_alternative<mesh::GmshGeometry>(mesh))
+      reader.complain_at("remesh", "needs a mesh that gmsh makes from outlines; give the body a mesh.gmsh");
+  }
+  static_cast<void>(reader.at("remesh", Need::optional));
+}
+
+core::Schema const& RemeshPart::schema() {
+  static auto const made =
+      Describe<RemeshPart>{"remesh",
+                           "the run is repeated with other cell sizes until the stress is exact enough",
+                           "Zienkiewicz and Zhu 1987"}
+          .number("target", &RemeshPart::target, "1", {0, 1, true, true}, Need::optional,
+                  "error of the stress over its size, from the jumps between cells, at every end of a stage")
+          .integer("passes", &RemeshPart::passes, {1, 20, false, false}, Need::optional,
+                   "meshes at most; the last one counts")
+          .number("cohesive_cells", &RemeshPart::cohesive_cells, "1", core::non_negative, Need::optional,
+                  "cells over the cohesive length E* / C, where a surface adheres; 0: any size")
+          .number("smallest", &RemeshPart::smallest, "m", core::non_negative, Need::optional,
+                  "no cell is asked to be smaller")
+          .build();
+  return made;
+}
+
+core::Schema const& ObstaclePart::schema() {
+  static auto const made =
+      Describe<ObstaclePart>{"obstacle",
+                             "a rigid body without mesh: carried along paths, or free if it has a mass", ""}
+          .nested("shape", "rigid", Need::required, "its shape and place at the start")
+          .numbers("times", &ObstaclePart::times, "s", Need::optional, "times of the paths")
+          .numbers("x", &ObstaclePart::x, "m", Need::optional, "displacement in x at those times")
+          .numbers("y", &ObstaclePart::y, "m", Need::optional, "displacement in y at those times")
+          .numbers("z", &ObstaclePart::z, "m", Need::optional, "displacement in z at those times (3D)")
+          .numbers("angle", &ObstaclePart::angle, "rad", Need::optional,
+                   "turn about `axis` through `pivot` at those times")
+          .numbers("axis", &ObstaclePart::axis, "1", Need::optional,
+                   "axis {x, y, z} of the turn in 3D; default z")
+          .numbers("pivot", &ObstaclePart::pivot, "m", Need::optional,
+                   "point it turns about and its centre of mass; default the shape's centre")
+          .number("mass", &ObstaclePart::mass, "kg", core::non_negative, Need::optional,
+                  "mass (per metre of depth in plane strain); > 0: components without a path are free")
+          .number("inertia", &ObstaclePart::inertia, "kg m^2", core::non_negative, Need::optional,
+                  "moment of inertia about the pivot, the same about every axis; 0: it does not turn")
+          .numbers("velocity", &ObstaclePart::velocity, "m/s", Need::optional, "at the start, if free")
+          .numbers("spin", &ObstaclePart::spin, "rad/s", Need::optional,
+                   "angular velocity at the start, if free: one number in 2D, three in 3D")
+          .numbers("force", &ObstaclePart::force, "N", Need::optional, "constant load on it, if free")
+          .build();
+  return made;
+}
+
+void ObstaclePart::read_nested(Reader& reader) {
+  shape = nested_choice<contact::Obstacle>(reader, "shape", Need::required);
+  check_path(reader, times, x, "x");
+  check_path(reader, times, y, "y");
+  check_path(reader, times, z, "z");
+  check_path(reader, times, angle, "angle");
+  if (mass > 0)
+    return;
+  for (char const* key : {"inertia", "velocity", "spin", "force"})
+    if (reader.has(key))
+      reader.complain_at(key, "needs a free body; give it a mass, or paths without this");
+}
+
+core::Schema const& PairPart::schema() {
+  static auto const made =
+      Describe<PairPart>{"pair", "two surfaces that may touch, and the law between them", "physics.md 1"}
+          .text("secondary", &PairPart::secondary, Need::required,
+                "surface that carries the contact points, \"body.set\"")
+          .text("primary", &PairPart::primary, Need::required,
+                "surface they meet, \"body.set\", or an obstacle's name")
+          .nested("friction", "friction", Need::optional, "friction law; none: frictionless")
+          .nested("adhesion", "adhesion", Need::optional, "adhesion law; none: dry")
+          .choice(
+              "discretisation", &PairPart::discretisation, {"node_to_segment", "mortar"}, Need::optional,
+              "node_to_segment: gap and force at every node of the secondary (of quadratic facets about an "
+              "axis or in space: of functions that leave no corner without an area); mortar: averages around "
+              "its corner nodes, which pass uniform pressure between any two meshes")
+          .choice("smoothing", &PairPart::smoothing, {"spline", "polyline"}, Need::optional,
+                  "2D, node_to_segment: how the primary surface runs between its nodes")
+          .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
+                  "points farther apart stay out of the contact problem; 0: half a facet, or the range of a "
+                  "reversible adhesion if that is more")
+          .numbers("direction", &PairPart::direction, "1", Need::optional,
+                   "3D: the first tangential direction is its part along the primary surface {x, y, z} "
+                   "(mortar: along "
+                   "the secondary's)")
+          .build();
+  return made;
+}
+
+void PairPart::read_nested(Reader& reader) {
+  if (reader.has("friction"))
+    law.friction = nested_choice<interface::FrictionLaw>(reader, "friction", Need::optional);
+  if (reader.has("adhesion"))
+    law.adhesion = nested_choice<interface::AdhesionLaw>(reader, "adhesion", Need::optional);
+  for (char const* key : {"friction", "adhesion"})
+    static_cast<void>(reader.at(key, Need::optional));
+  if (reach > 0 && reach < law.range())
+    reader.complain_at("reach", fmt::format("is {:g} m, but the adhesion is felt up to {:g} m; give at least "
+                                            "that, or leave it out",
+                                            reach, law.range()));
+}
+
+core::Schema const& DrivePart::schema() {
+  static auto const made =
+      Describe<DrivePart>{"drive", "displacements of a set, straight lines between given times", ""}
+          .text("set", &DrivePart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("near", &DrivePart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
+          .numbers("times", &DrivePart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &DrivePart::x, "m", Need::optional,
+                   "displacement in x at those times; without it x is free")
+          .numbers("y", &DrivePart::y, "m", Need::optional,
+                   "displacement in y at those times; without it y is free")
+          .numbers("z", &DrivePart::z, "m", Need::optional,
+                   "displacement in z at those times; without it z is free (3D)")
+          .build();
+  return made;
+}
+
+core::Schema const& FixPart::schema() {
+  static auto const made =
+      Describe<FixPart>{"fix", "a set held where it is", ""}
+          .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("near", &FixPart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
+          .flag("x", &FixPart::x, "hold x; where one of x, y, z is named true, those not named are free")
+          .flag("y", &FixPart::y, "hold y")
+          .flag("z", &FixPart::z, "hold z (3D)")
+          .build();
+  return made;
+}
+
+void FixPart::read_nested(Reader& reader) {
+  std::array const flags{std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}};
+  bool const picked =
+      std::ranges::any_of(flags, [&](auto const& flag) { return reader.has(flag.first) && *flag.second; });
+  for (auto const& [name, held] : flags)
+    *held = *held && (!picked || reader.has(name));
+}
+
+core::Schema const& TractionPart::schema() {
+  static auto const made =
+      Describe<TractionPart>{"traction", "dead traction per reference area of a surface", ""}
+          .text("set", &TractionPart::set, Need::required, "the surface, \"body.set\"")
+          .numbers("times", &TractionPart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &TractionPart::x, "Pa", Need::optional, "traction in x at those times")
+          .numbers("y", &TractionPart::y, "Pa", Need::optional, "traction in y at those times")
+          .numbers("z", &TractionPart::z, "Pa", Need::optional, "traction in z at those times (3D)")
+          .build();
+  return made;
+}
+
+core::Schema const& PointForcePart::schema() {
+  static auto const made =
+      Describe<PointForcePart>{"force",
+                               "dead force at one node: N in 3D and, around the whole circle, axisymmetric; "
+                               "N per metre of depth in plane strain",
+                               ""}
+          .text("set", &PointForcePart::set, Need::required, "where to look, \"body.set\"")
+          .numbers("near", &PointForcePart::near, "m", Need::required, "its node nearest to {x, y [, z]}")
+          .numbers("times", &PointForcePart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("x", &PointForcePart::x, "N", Need::optional, "force in x at those times")
+          .numbers("y", &PointForcePart::y, "N", Need::optional, "force in y at those times")
+          .numbers("z", &PointForcePart::z, "N", Need::optional, "force in z at those times (3D)")
+          .build();
+  return made;
+}
+
+core::Schema const& StagePart::schema() {
+  static auto const made =
+      Describe<StagePart>{"stage", "a stretch of the run with equal steps", ""}
+          .number("to", &StagePart::until, "s", core::positive, Need::required, "time at its end")
+          .integer("steps", &StagePart::steps, {1, 1e8, false, false}, Need::required, "number of steps")
+          .build();
+  return made;
+}
+
+core::Schema const& SchedulePart::schema() {
+  static auto const made =
+      Describe<SchedulePart>{
+          "schedule", "the run's stages; a step that fails is halved, and grows again after success", ""}
+          .nested("stages", "stage", Need::required, "list of stages")
+          .integer("halvings", &SchedulePart::halvings, {0, 20, false, false}, Need::optional,
+                   "how often a step may be halved before the run stops")
+          .integer("cuts", &SchedulePart::cuts, {1, 1e6, false, false}, Need::optional,
+                   "attempts at one step and at parts of it that may fail before the run stops")
+          .number("work", &SchedulePart::work, "1", core::positive, Need::optional,
+                  "1e9 operations (about a second for two) that attempts at one step and at parts of it may "
+                  "lose before the run stops; where it is more, a thousand factorizations")
+          .number("seconds", &SchedulePart::seconds, "s", core::non_negative, Need::optional,
+                  "time of the machine after which the run stops, the one limit that depends on the machine; "
+                  "0: none")
+          .nested("accuracy", "accuracy", Need::optional,
+                  "steps chosen from their error, a stage's own for a start; none: equal steps")
+          .build();
+  return made;
+}
+
+void SchedulePart::read_nested(Reader& reader) {
+  for (auto& stage : reader.children("stages"))
+    stages.push_back(stage.record<StagePart>());
+  if (reader.has("accuracy"))
+    accuracy = reader.child("accuracy", Need::optional).record<dynamics::Accuracy>();
+  static_cast<void>(reader.at("accuracy", Need::optional));
+  if (stages.empty() && reader.has("stages"))
+    reader.complain_at("stages", "is empty; give at least one stage{to = ..., steps = ...}");
+  for (std::size_t k = 1; k < stages.size(); ++k)
+    if (stages[k].until <= stages[k - 1].until)
+      reader.complain_at("stages", fmt::format("stage {} ends at {:g} s, not after the one before it", k + 1,
+                                               stages[k].until));
+}
+
+core::Schema const& OutputPart::schema() {
+  static auto const made =
+      Describe<OutputPart>{"output", "what is written beside the probes", ""}
+          .integer("frames", &OutputPart::frames, {0, 1e6, false, false}, Need::optional,
+                   "field frames per stage, its end included")
+          .integer("problems_every", &OutputPart::problems_every, {0, 1e6, false, false}, Need::optional,
+                   "save the contact problem of every n-th step for `stiction solve`; 0: none")
+          .build();
+  return made;
+}
+
+core::Schema const& ScenePart::schema() {
+  static auto const made =
+      Describe<ScenePart>{"scene", "everything a run needs", ""}
+          .choice("kinematics", &ScenePart::kinematics, {"plane_strain", "axisymmetric", "three_dimensional"},
+                  Need::optional, "axisymmetric: x is the radius, y the axis")
+          .numbers("gravity", &ScenePart::gravity, "m/s^2", Need::optional,
+                   "acceleration {x, y [, z]} on every body")
+          .nested("bodies", "body", Need::required, "table of bodies by name")
+          .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
+          .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
+          .nested("motions", "motion", Need::optional, "list of motions")
+          .nested("loads", "load", Need::optional, "list of prescribed forces")
+          .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")
+          .nested("scheme", "scheme", Need::optional, "time scheme; default theta_xi{}")
+          .nested("solver", "solver", Need::optional, "contact solver; default newton{}")
+          .nested("control", "control", Need::optional, "convergence of a step")
+          .nested("schedule", "schedule", Need::required, "stages and steps")
+          .nested("output", "output", Need::optional, "what is written")
+          .build();
+  return made;
+}
+
+void ScenePart::read_nested(Reader& reader) {
+  if (!gravity.empty() && gravity.size() != static_cast<std::size_t>(dim()))
+    reader.complain_at("gravity", fmt::format("has {} numbers; {} are wanted", gravity.size(),
+                                              dim() == 2 ? "two" : "three"));
+  bodies = named<BodyPart>(reader, "bodies", Need::required, [](Reader r) { return r.record<BodyPart>(); });
+  obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
+                                  [](Reader r) { return r.record<ObstaclePart>(); });
+  pairs = named<PairPart>(reader, "pairs", Need::optional, [](Reader r) { return r.record<PairPart>(); });
+  probes =
+      named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
+  for (auto& motion : reader.children("motions", Need::optional)) {
+    motions.push_back(motion.alternative<MotionPart>());
+    if (auto const* drive = std::get_if<DrivePart>(&motions.back())) {
+      check_path(motion, drive->times, drive->x, "x");
+      check_path(motion, drive->times, drive->y, "y");
+      check_path(motion, drive->times, drive->z, "z");
+    }
+  }
+  for (auto& load : reader.children("loads", Need::optional)) {
+    loads.push_back(load.alternative<LoadPart>());
+    auto const& given = std::visit([](auto const& part) -> LoadPath const& { return part; }, loads.back());
+    check_path(load, given.times, given.x, "x");
+    check_path(load, given.times, given.y, "y");
+    check_path(load, given.times, given.z, "z");
+  }
+  scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);
+  solver = nested_choice<contact::SolverChoice>(reader, "solver", Need::optional);
+  control = nested_record<dynamics::StepControl>(reader, "control");
+  schedule = nested_record<SchedulePart>(reader, "schedule");
+  if (!reader.has("schedule"))
+    reader.complain_at("schedule", "is missing; it is required");
+  output = nested_record<OutputPart>(reader, "output");
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,182 @@
+// The tables a script makes, as structs with their schemas; what they mean is decided in build.cpp.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/obstacle/obstacle.hpp"
+#include "contact/solvers/solver.hpp"
+#include "core/reader.hpp"
+#include "dynamics/adaptivity/accuracy.hpp"
+#include "dynamics/scheme/scheme.hpp"
+#include "dynamics/step/stepper.hpp"
+#include "interface/law.hpp"
+#include "material/material.hpp"
+#include "mesh/source/source.hpp"
+
+namespace stiction::scene {
+
+using core::Numbers;
+
+/// A body's mesh made anew until it is fine enough.
+struct RemeshPart {
+  double target = 0.05;      ///< error of the stress, relative
+  int passes = 5;            ///< meshes at most
+  double cohesive_cells = 3; ///< over the cohesive length, on surfaces that adhere
+  double smallest = 0;       ///< m
+  static core::Schema const& schema();
+};
+
+struct BodyPart {
+  mesh::Generator mesh;
+  material::Material material;
+  double density = 0; ///< kg/m^3
+  Numbers velocity;   ///< m/s; empty: at rest
+  solid::Interpolation interpolation = solid::Interpolation::plain;
+  std::optional<material::KelvinVoigt> damping;
+  std::optional<RemeshPart> remesh; ///< only with mesh.gmsh
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+/// A rigid obstacle and where it goes: along paths, or, with a mass, where the forces take it.
+struct ObstaclePart {
+  contact::Obstacle shape;
+  Numbers times, x, y, z, angle; ///< s, m, m, m, rad
+  Numbers pivot, axis;           ///< m; 1
+  double mass = 0, inertia = 0;  ///< kg, kg m^2 (per metre of depth in plane strain)
+  Numbers velocity, force;       ///< m/s, N; empty: none
+  Numbers spin;                  ///< rad/s: about the pivot, one number in 2D, three in 3D
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+/// Where the gap is measured: at the secondary's nodes, or averaged around them over facets.
+enum class Discretisation { node_to_segment, mortar };
+
+struct PairPart {
+  std::string secondary, primary; ///< "body.set", or the name of an obstacle
+  Discretisation discretisation = Discretisation::node_to_segment;
+  contact::Smoothing smoothing = contact::Smoothing::spline;
+  double reach = 0;  ///< m; 0: half a facet
+  Numbers direction; ///< t1 is its part along the primary surface (3D); empty: the engine's choice
+  interface::Law law;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+/// Displacements of a set along a path; a component without values stays free.
+struct DrivePart {
+  std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
+  Numbers times, x, y, z;
+  static core::Schema const& schema();
+};
+/// A set held where it is.
+struct FixPart {
+  std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
+  bool x = true, y = true, z = true;
+  void read_nested(core::Reader& reader); ///< where any is named true, those not named are free
+  static core::Schema const& schema();
+};
+using MotionPart = std::variant<DrivePart, FixPart>;
+
+/// Values of dead forces along times; a component without values is 0.
+struct LoadPath {
+  Numbers times, x, y, z;
+};
+/// A traction per reference area on a surface.
+struct TractionPart : LoadPath {
+  std::string set;
+  static core::Schema const& schema();
+};
+/// A force at one node.
+struct PointForcePart : LoadPath {
+  std::string set;
+  Numbers near; ///< m
+  static core::Schema const& schema();
+};
+using LoadPart = std::variant<TractionPart, PointForcePart>;
+
+/// A stretch of the run with equal steps.
+struct StagePart {
+  double until = 0; ///< s
+  int steps = 0;
+  static core::Schema const& schema();
+};
+struct SchedulePart {
+  std::vector<StagePart> stages;
+  int halvings = 10;  ///< the floor of the step: its nominal size / 2^halvings
+  int cuts = 100;     ///< of one nominal step, after which the run ends
+  double work = 40;   ///< lost on one nominal step, after which the run ends, 1e9 operations
+  double seconds = 0; ///< of the machine, after which the run ends; 0: never
+  std::optional<dynamics::Accuracy> accuracy; ///< none: steps are equal but for halving
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
+struct OutputPart {
+  int frames = 1;         ///< field frames per stage, its end included
+  int problems_every = 0; ///< saves the contact problem of every n-th step; 0: none
+  static core::Schema const& schema();
+};
+
+struct PointProbe {
+  std::string pair;
+  Numbers near; ///< m
+  static core::Schema const& schema();
+};
+struct ContactProbe {
+  std::string pair;
+  static core::Schema const& schema();
+};
+struct LineProbe {
+  std::string pair;
+  static core::Schema const& schema();
+};
+struct ForceProbe {
+  std::string set;
+  Numbers near; ///< m; empty: all nodes of the set
+  static core::Schema const& schema();
+};
+struct NodeProbe {
+  std::string set;
+  Numbers near;
+  static core::Schema const& schema();
+};
+struct RigidProbe {
+  std::string obstacle;
+  static core::Schema const& schema();
+};
+struct EnergyProbe {
+  bool audit = false;
+  static core::Schema const& schema();
+};
+struct MomentumProbe {
+  Numbers about; ///< m; empty: the origin
+  static core::Schema const& schema();
+};
+using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe,
+                               EnergyProbe, MomentumProbe>;
+
+struct ScenePart {
+  solid::Kinematics kinematics = solid::Kinematics::plane_strain;
+  Numbers gravity; ///< m/s^2; empty: none
+  std::map<std::string, BodyPart> bodies;
+  std::map<std::string, ObstaclePart> obstacles;
+  std::map<std::string, PairPart> pairs;
+  std::vector<MotionPart> motions;
+  std::vector<LoadPart> loads;
+  std::map<std::string, ProbePart> probes;
+  dynamics::Scheme scheme;
+  contact::SolverChoice solver;
+  dynamics::StepControl control;
+  SchedulePart schedule;
+  OutputPart output;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+  [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
+};
+
+} // namespace stiction::scene

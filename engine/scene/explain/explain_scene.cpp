@@ -1,0 +1,199 @@
+// What the scene models, in plain words: bodies, obstacles, pairs, motions, and how the run goes.
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+#include "scene/explain/facts.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+void add(Section& section, std::string name, std::string words) {
+  section.lines.push_back(
+      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
+}
+void add(Section& section, std::string name, std::string words, double value) {
+  section.lines.push_back({std::move(name), std::move(words), value, "1", ""});
+}
+
+std::string words_of(core::Value const& value, std::string const& unit) {
+  if (auto const* number = std::get_if<double>(&value))
+    return human(*number, unit);
+  if (auto const* numbers = std::get_if<Numbers>(&value)) {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < numbers->size() && i < 6; ++i)
+      words.push_back(human((*numbers)[i], unit));
+    return fmt::format("{{{}{}}}", fmt::join(words, ", "), numbers->size() > 6 ? ", ..." : "");
+  }
+  return core::to_string(value);
+}
+
+/// "category.kind{young = 5 MPa, poisson = 0.48}"; empty lists and texts are left out.
+std::string settings(std::string const& category, void const* part, core::Schema const& schema) {
+  std::vector<std::string> words;
+  for (auto const& parameter : schema.parameters) {
+    if (parameter.kind == core::Parameter::Kind::nested)
+      continue;
+    auto const value = parameter.get(part);
+    auto const* numbers = std::get_if<Numbers>(&value);
+    if (numbers != nullptr && numbers->empty())
+      continue;
+    words.push_back(fmt::format("{} = {}", parameter.name, words_of(value, parameter.unit)));
+  }
+  return fmt::format("{}{}{}{{{}}}", category, category.empty() ? "" : ".", schema.name,
+                     fmt::join(words, ", "));
+}
+template<class Choice> std::string chosen(std::string const& category, Choice const& choice) {
+  return std::visit([&](auto const& part) { return settings(category, &part, part.schema()); }, choice);
+}
+
+/// "0 at 0 s, -1.5 mm at 2 s"
+std::string path_words(Numbers const& times, Numbers const& values, char const* unit) {
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < times.size() && k < 6; ++k)
+    words.push_back(fmt::format("{} at {}", human(values[k], unit), human(times[k], "s")));
+  return fmt::format("{}{}", fmt::join(words, ", "), times.size() > 6 ? ", ..." : "");
+}
+
+template<class Part> void add_paths(Section& section, std::string const& what, Part const& part) {
+  for (auto const& [axis, values] : {std::pair{"x", &part.x}, {"y", &part.y}, {"z", &part.z}})
+    if (!values->empty())
+      add(section, fmt::format("{} in {}", what, axis), path_words(part.times, *values, "m"));
+}
+
+/// "2500 quad4"
+std::string cell_words(solid::Body const& body) {
+  std::vector<std::string> words;
+  for (auto const& block : body.mesh.blocks)
+    if (!block.nodes.empty())
+      words.push_back(fmt::format("{} {}",
+                                  static_cast<int>(block.nodes.size()) / mesh::info(block.kind).nodes,
+                                  mesh::info(block.kind).name));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation) {
+  auto const& body = *facts.body;
+  int const dim = all.scene->part.dim();
+  Section section{"Body " + body.name, {}};
+  std::string sides;
+  for (int c = 0; c < dim; ++c)
+    sides += (c > 0 ? " x " : "") + human(facts.sides[c], "m");
+  add(section, "size", fmt::format("{}, shortest edge {}", sides, human(facts.smallest_edge, "m")));
+  add(section, "cells",
+      fmt::format("{} with {} interpolation", cell_words(body),
+                  body.interpolation == solid::Interpolation::plain ? "plain" : "mean_dilatation"),
+      body.mesh.cell_count());
+  add(section, "nodes", counted(body.mesh.node_count()), body.mesh.node_count());
+  add(section, "unknowns", fmt::format("{} free, {} driven or held", facts.free, facts.driven), facts.free);
+  add(section, "material", chosen("material", body.material));
+  add(section, "at rest",
+      fmt::format("E = {}, nu = {:.3g}, G = {}, K = {}", human(facts.moduli.young, "Pa"),
+                  facts.moduli.poisson, human(facts.moduli.shear(), "Pa"), human(facts.moduli.bulk(), "Pa")));
+  if (body.damping)
+    add(section, "damping", settings("damping", &*body.damping, material::KelvinVoigt::schema()));
+  bool const per_metre = all.scene->part.kinematics == solid::Kinematics::plane_strain;
+  section.lines.push_back(
+      {"mass", human(facts.mass, per_metre ? "kg/m" : "kg"), facts.mass, per_metre ? "kg/m" : "kg", ""});
+  if (facts.start_speed > 0)
+    section.lines.push_back({"initial speed", human(facts.start_speed, "m/s"), facts.start_speed, "m/s", ""});
+  explanation.sections.push_back(std::move(section));
+}
+
+void add_obstacle(std::string const& name, ObstaclePart const& part, Explanation& explanation) {
+  Section section{"Obstacle " + name, {}};
+  add(section, "shape", chosen("rigid", part.shape));
+  add_paths(section, "moves", part);
+  if (!part.angle.empty())
+    add(section, "turns", path_words(part.times, part.angle, "rad"));
+  if (part.mass > 0)
+    add(section, "free",
+        fmt::format("where it has no path: mass {:.3g} kg, inertia {:.3g} kg m^2", part.mass, part.inertia));
+  else if (part.times.empty())
+    add(section, "moves", "not at all");
+  explanation.sections.push_back(std::move(section));
+}
+
+/// What acts along the surface, and so how many unknowns a contact point has.
+std::string component_words(Facts const& all) {
+  if (all.components == 1)
+    return "1 per point, along the normal: no law acts along the surface";
+  return fmt::format("{} per point: along the normal and the surface", all.components);
+}
+
+void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation) {
+  auto const& pair = *facts.pair;
+  Section section{"Pair " + pair.name, {}};
+  add(section, "contact points",
+      fmt::format("{} on {}, cells of {}", pair.size(), facts.part->secondary, human(facts.size, "m")),
+      pair.size());
+  add(section, "against",
+      facts.primary ? fmt::format("{} facets of {}, {} on average", facts.facets, facts.part->primary,
+                                  human(facts.primary_size, "m"))
+                    : "obstacle " + facts.part->primary);
+  add(section, "discretisation",
+      pair.mortar ? "mortar: averages around the corner nodes" : "node_to_segment");
+  add(section, "components", component_words(all), all.components);
+  section.lines.push_back({"state", human(sizeof(dynamics::ContactState), "B") + " per point",
+                           sizeof(dynamics::ContactState), "B", ""});
+  add(section, "friction", pair.law.friction ? chosen("friction", *pair.law.friction) : "none");
+  add(section, "adhesion", pair.law.adhesion ? chosen("adhesion", *pair.law.adhesion) : "none");
+  if (facts.gap >= 0)
+    section.lines.push_back({"gap at the start", human(facts.gap, "m"), facts.gap, "m", ""});
+  section.lines.push_back({"reach", human(pair.reach, "m"), pair.reach, "m", ""});
+  explanation.sections.push_back(std::move(section));
+}
+
+void add_motion(MotionPart const& motion, int dim, Section& section) {
+  if (auto const* drive = std::get_if<DrivePart>(&motion))
+    return add_paths(section, drive->set, *drive);
+  auto const& fix = std::get<FixPart>(motion);
+  add(section, fix.set,
+      fmt::format("held in{}{}{}", fix.x ? " x" : "", fix.y ? " y" : "", fix.z && dim == 3 ? " z" : ""));
+}
+
+void add_run(Facts const& facts, Explanation& explanation) {
+  auto const& part = facts.scene->part;
+  Section section{"Run", {}};
+  static constexpr std::array<char const*, 3> kinematics{
+      "plane strain, forces per metre of depth",
+      "axisymmetric: x is the radius, y the axis; forces of the full turn", "three-dimensional"};
+  add(section, "kinematics", kinematics[static_cast<std::size_t>(part.kinematics)]);
+  if (!facts.scene->model->gravity.isZero())
+    add(section, "gravity", words_of(part.gravity, "m/s^2"));
+  add(section, "scheme", chosen("scheme", part.scheme));
+  if (facts.scene->model->held_by_bonds)
+    add(section, "held by", "the motions together with the bonds that are whole at the start");
+  add(section, "solver", chosen("solver", part.solver));
+  add(section, "control", settings("", &part.control, dynamics::StepControl::schema()));
+  double start = 0;
+  for (std::size_t s = 0; s < part.schedule.stages.size(); ++s) {
+    auto const& stage = part.schedule.stages[s];
+    add(section, fmt::format("stage {}", s + 1),
+        fmt::format("to {} in {} steps of {}", human(stage.until, "s"), stage.steps,
+                    human((stage.until - start) / stage.steps, "s")),
+        stage.steps);
+    start = stage.until;
+  }
+  explanation.sections.push_back(std::move(section));
+}
+
+} // namespace
+
+void describe_scene(Facts const& facts, Explanation& explanation) {
+  auto const& part = facts.scene->part;
+  for (auto const& body : facts.bodies)
+    add_body(facts, body, explanation);
+  for (auto const& [name, obstacle] : part.obstacles)
+    add_obstacle(name, obstacle, explanation);
+  for (auto const& pair : facts.pairs)
+    add_pair(facts, pair, explanation);
+  Section motions{"Motions", {}};
+  for (auto const& motion : part.motions)
+    add_motion(motion, part.dim(), motions);
+  if (!motions.lines.empty())
+    explanation.sections.push_back(std::move(motions));
+  add_run(facts, explanation);
+}
+
+} // namespace stiction::scene

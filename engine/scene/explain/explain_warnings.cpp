@@ -1,0 +1,358 @@
+// What is likely to go wrong or to cost too much, each with the change of the script that mends it.
+#include <fmt/format.h>
+#include <numbers>
+
+#include "dynamics/bulk/critical_step.hpp"
+#include "scene/build/statics.hpp"
+#include "scene/description/human.hpp"
+#include "scene/explain/facts.hpp"
+#include "solid/responses.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive length: the limit, the aim
+constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
+constexpr double part_of_bond = 0.25;                     // beta in a step
+constexpr double part_of_cell = 0.5;                      // approach in a step
+constexpr double locking = 0.45;                          // Poisson's ratio
+constexpr double small_strain = 0.05;
+constexpr double softened = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
+constexpr double fast = 0.1;      // over the shear wave speed
+constexpr double small_change = 0.02, many_periods = 25;
+
+using Warnings = std::vector<Warning>;
+
+/// "schedule.stage 2 with 300 steps"
+std::string more_steps(Facts const& all, std::size_t stage, double factor) {
+  auto const& part = all.scene->part.schedule.stages[stage];
+  return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor),
+                     part.steps, human(part.until, "s"));
+}
+
+void cohesive_length(PairFacts const& pair, Warnings& warnings) {
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
+  double const length = pair.modulus * scales.work / (scales.strength * scales.strength);
+  double const cell = std::max(pair.size, 0.0);
+  if (length >= cohesive_cells * cell)
+    return;
+  warnings.push_back(
+      {fmt::format("pair {}: cohesive length {}, mesh {}, that is {:.2g} of a cell: the pull-off will depend "
+                   "on the mesh",
+                   pair.pair->name, human(length, "m"), human(cell, "m"), length / cell),
+       fmt::format("cells of {} or less at {}, which leave a few per cent", human(length / good_cells, "m"),
+                   pair.part->secondary)});
+}
+
+/// Steps that jump over the opening at which the traction peaks.
+void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
+  auto const& motion = pair.motion;
+  auto const check = [&](char const* what, double step, double opening, std::size_t stage) {
+    double const part = step / opening;
+    if (std::isfinite(part) && part > part_of_opening)
+      warnings.push_back(
+          {fmt::format("pair {}: the motions {} by {:.2g} u0 in a step: the peak of the adhesion is cut off",
+                       pair.pair->name, what, part),
+           more_steps(all, stage, part / good_part) + ", which see it to within 8 %"});
+  };
+  check("open it", motion.opening_step, scales.opening, motion.opening_stage);
+  check("slide", motion.sliding_step, scales.along, motion.sliding_stage);
+}
+
+void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  if (!interface::grows(law))
+    return;
+  double const bonding = interface::bond_time(law), part = all.longest_step / bonding;
+  if (bonding == 0 || part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time ||
+      pair.motion.closed_time == 0)
+    return; // quick bonds are full whatever the step
+  warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
+                                  pair.pair->name, human(bonding, "s"), 1 / part),
+                      fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
+}
+
+/// Softens the bond faster than the bodies give way, with no viscosity to slow it?
+bool snaps(PairFacts const& pair) {
+  auto const& law = *pair.pair->law.adhesion;
+  return interface::bond_time(law) == 0 && pair.column < interface::scales(law).softening;
+}
+
+/// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
+void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& law = *pair.pair->law.adhesion;
+  if (all.dynamic() || !snaps(pair))
+    return;
+  auto const wording = interface::wording(law);
+  bool const viscous = !wording.viscosity.empty(); // if its parameter were more than 0
+  warnings.push_back(
+      {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
+                   "{}): the pull-off snaps, and a quasi-static run may not get past it",
+                   pair.pair->name, pair.column,
+                   viscous ? fmt::format("{}) and {} = 0", wording.softening, wording.viscosity)
+                           : fmt::format("{:.2g} N/m^3)", interface::scales(law).softening)),
+       viscous ? fmt::format("a small viscosity {} > 0, or scheme.theta_xi{{}}", wording.viscosity)
+               : "scheme.theta_xi{}"});
+}
+
+void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (!pair.adheres())
+    return;
+  cohesive_length(pair, warnings);
+  opening_steps(all, pair, warnings);
+  bonding_steps(all, pair, warnings);
+  snapping(all, pair, warnings);
+}
+
+void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  double const part = pair.motion.closing_step / pair.size;
+  if (std::isfinite(part) && part > part_of_cell)
+    warnings.push_back(
+        {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps will be halved",
+                     pair.pair->name, part),
+         more_steps(all, pair.motion.closing_stage, part / good_part)});
+}
+
+/// Of its stiffness at rest against compression along x by this strain, sides held.
+double kept_stiffness(material::Material const& law, double strain) {
+  double const stretch = std::max(1 - strain, 0.01), squared = stretch * stretch;
+  std::array<material::Voigt<4>, 2> strains{material::Voigt<4>::Zero(), material::Voigt<4>::Zero()};
+  strains[1][0] = (squared - 1) / 2;
+  std::array<material::Response<4>, 2> at;
+  solid::respond<4>(law, material::Wanted::tangent, strains, at);
+  return (at[1].stress[0] + squared * at[1].tangent(0, 0)) / at[0].tangent(0, 0);
+}
+
+/// Where nothing of it is left, in words; "" where that is nowhere.
+std::string spent(material::Material const& law) {
+  double low = 0, high = 1;
+  while (high - low > 1e-4) {
+    double const middle = 0.5 * (low + high);
+    (kept_stiffness(law, middle) > 0 ? low : high) = middle;
+  }
+  return high < 1 ? "; it has none at " + percent(high) : "";
+}
+
+void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const check = [&](BodyFacts const& facts, double strain) {
+    auto const& body = *facts.body;
+    auto const name = std::visit([](auto const& law) { return law.schema().name; }, body.material);
+    bool const small = solid::small_strain(body.material);
+    auto const& moduli = facts.moduli;
+    auto const law = fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}",
+                                 human(moduli.young, "Pa"), moduli.poisson);
+    if (small && strain > small_strain)
+      warnings.push_back(
+          {fmt::format("body {} will be strained by about {}, and {} knows small strains and rotations only",
+                       body.name, percent(strain), name),
+           law});
+    double const kept = small ? 1 : kept_stiffness(body.material, strain);
+    if (kept < softened)
+      warnings.push_back(
+          {fmt::format("body {} will be compressed by about {}, where {} keeps {} of its stiffness{}",
+                       body.name, percent(strain), name, percent(std::max(0.0, kept)), spent(body.material)),
+           law});
+  };
+  check(all.bodies[pair.secondary], pair.strain[0]);
+  if (pair.primary && *pair.primary != pair.secondary)
+    check(all.bodies[*pair.primary], pair.strain[1]);
+}
+
+void locking_cells(BodyFacts const& facts, Warnings& warnings) {
+  auto const& body = *facts.body;
+  if (facts.moduli.poisson < locking || body.interpolation != solid::Interpolation::plain)
+    return;
+  static std::map<mesh::CellKind, char const*> const remedies{
+      {mesh::CellKind::quad4, "interpolation = \"mean_dilatation\", or quad8 cells"},
+      {mesh::CellKind::hex8, "interpolation = \"mean_dilatation\", or hex20 cells"},
+      {mesh::CellKind::tri3, "tri6 or quad4 cells with interpolation = \"mean_dilatation\""},
+      {mesh::CellKind::tet4, "tet10 cells with interpolation = \"mean_dilatation\", or hex8 cells with it"}};
+  for (auto const& block : body.mesh.blocks)
+    if (auto const remedy = remedies.find(block.kind); remedy != remedies.end() && !block.nodes.empty()) {
+      warnings.push_back({fmt::format("body {}: plain {} cells lock at nu = {:.3g} (K/G = {:.3g}): too stiff",
+                                      body.name, mesh::info(block.kind).name, facts.moduli.poisson,
+                                      facts.moduli.bulk() / facts.moduli.shear()),
+                          fmt::format("in stiction.body of {}: {}", body.name, remedy->second)});
+      return;
+    }
+}
+
+/// Their points hand the nodes what the cells ask for, but between nodes the other body takes it as on linear
+/// facets, whose nodal forces are others.
+void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (pair.pair->mortar || !pair.primary)
+    return;
+  auto const& body = *all.bodies[pair.secondary].body;
+  for (auto const& block : body.mesh.blocks)
+    if ((block.kind == mesh::CellKind::hex20 || block.kind == mesh::CellKind::tet10) &&
+        !block.nodes.empty()) {
+      warnings.push_back(
+          {fmt::format(
+               "pair {}: contact points at the nodes of {} cells: force and contact area come out, but "
+               "where the meshes do not match the pressure is wrong by half from node to node",
+               pair.pair->name, mesh::info(block.kind).name),
+           fmt::format("in stiction.pair of {}: discretisation = \"mortar\"", pair.pair->name)});
+      return;
+    }
+}
+
+/// The axis along which all nodes share one coordinate; -1 if there is none.
+int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
+  double const extent = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
+  for (int c = 0; c < mesh.dim; ++c) {
+    bool flat = true;
+    for (Index const node : nodes)
+      flat = flat && std::abs(mesh.nodes(node, c) - mesh.nodes(nodes.front(), c)) < 1e-9 * extent;
+    if (flat)
+      return c;
+  }
+  return -1;
+}
+
+bool all_held(dynamics::Model const& model, std::size_t body, Indices const& nodes, int component) {
+  std::vector<bool> held(ix(model.node_count()), false);
+  for (auto const& motion : model.motions)
+    if (motion.component == component)
+      for (Index const node : motion.nodes)
+        held[ix(node)] = true;
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](Index node) { return held[ix(model.first_node[body] + node)]; });
+}
+
+/// motion.fix of one component
+std::string fix_words(std::string const& set, int component, int dim) {
+  std::string words = fmt::format("stiction.motion.fix {{ set = \"{}\"", set);
+  for (int c = 0; c < dim; ++c)
+    if (c != component)
+      words += fmt::format(", {} = false", "xyz"[c]);
+  return words + " }";
+}
+
+/// The axis of revolution is held by the scene itself; planes of symmetry are known by their names only.
+void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  auto const& body = *all.bodies[b].body;
+  for (auto const& [name, set] : body.mesh.sets) {
+    int const normal = name.starts_with("symmetry") ? flat_axis(body.mesh, set.nodes) : -1;
+    if (normal < 0 || all_held(model, b, set.nodes, normal))
+      continue;
+    warnings.push_back({fmt::format("body {}: {} is a plane of symmetry and free to leave it along {}",
+                                    body.name, name, "xyz"[normal]),
+                        "add to motions: " + fix_words(body.name + "." + name, normal, model.dim())});
+  }
+}
+
+/// Nothing that inertia alone can move or hold: no flight, no weight, no snap.
+bool plain_inertia(Facts const& all) {
+  auto const& model = *all.scene->model;
+  bool plain = all.dynamic() && model.gravity.isZero() && all.speed > 0 && model.loads.empty();
+  for (auto const& rigid : model.rigids)
+    plain = plain && !rigid.free();
+  for (auto const& body : all.bodies)
+    plain = plain && !body.body->damping && body.start_speed == 0;
+  for (auto const& pair : all.pairs)
+    plain = plain && !pair.motion.unknown && !(pair.adheres() && snaps(pair));
+  return plain;
+}
+
+/// The shortest way that decides: into a contact, or of a bond that opens or slides.
+double smallest_way(Facts const& all) {
+  double way = std::numeric_limits<double>::infinity();
+  for (auto const& pair : all.pairs) {
+    if (pair.motion.depth > 0)
+      way = std::min(way, pair.motion.depth);
+    if (!pair.adheres())
+      continue;
+    auto const scales = interface::scales(*pair.pair->law.adhesion);
+    way = std::min(way, scales.opening);
+    if (scales.along > 0)
+      way = std::min(way, scales.along);
+  }
+  return std::isfinite(way) ? way : 0;
+}
+
+/// Bodies that are set in motion swing by speed * period / (2 pi) about where they would be without inertia.
+void slow_motion(Facts const& all, Warnings& warnings) {
+  if (!plain_inertia(all) || !(smallest_way(all) > 0))
+    return;
+  Statics statics(*all.scene->model);
+  if (!statics.regular())
+    return;
+  double const period = statics.period();
+  double const change = all.speed * period / std::numbers::pi / smallest_way(all);
+  if (change < small_change && all.end > many_periods * period)
+    warnings.push_back(
+        {fmt::format(
+             "nothing is fast: the bodies as they are held swing in {}, and in that time nothing moves "
+             "by more than {}",
+             human(period, "s"), human(all.speed * period, "m")),
+         fmt::format("scheme.quasi_static{{}} gives the same to about {} and needs no mass",
+                     percent(change))});
+}
+
+void inertia(Facts const& all, Warnings& warnings) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (auto const& body : all.bodies)
+    slowest = std::min(slowest, body.shear_speed());
+  double const mach = all.speed / slowest;
+  if (!all.dynamic() && mach > fast)
+    warnings.push_back(
+        {fmt::format("the motions are fast: {} is {:.2g} of the shear wave speed {}, and a quasi-static run "
+                     "has no waves",
+                     human(all.speed, "m/s"), mach, human(slowest, "m/s")),
+         "scheme.theta_xi{}"});
+}
+
+/// Below the critical step of single cells (dynamics/critical_step.hpp).
+void critical_steps(Facts const& all, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  if (!dynamics::weights(model.scheme).explicit_forces)
+    return;
+  double const limit = dynamics::critical_step(model, Vector::Zero(model.dofs()));
+  if (all.longest_step > limit * (1 + dynamics::critical_margin))
+    warnings.push_back({dynamics::above_critical(all.longest_step, limit) + ": the run will refuse to start",
+                        fmt::format("steps of {} or less, or an implicit scheme", human(limit, "s"))});
+}
+
+/// In lasting contact the plain scheme turns the normal velocity about by -(1 - theta) / theta each step
+/// (physics.md 5).
+void ringing(Facts const& all, Warnings& warnings) {
+  auto const scheme = dynamics::weights(all.scene->model->scheme);
+  if (!all.dynamic() || all.pairs.empty() || scheme.rate > 0.5 || scheme.contact < 1 ||
+      scheme.surface_apart() || scheme.velocity_level())
+    return;
+  warnings.push_back(
+      {"a scheme that damps nothing (theta = 1/2) with the inertia of contact nodes: the contact "
+       "pressure swings at every step",
+       "contact_inertia = \"implicit\" in the scheme, the default"});
+}
+
+} // namespace
+
+void add_warnings(Facts const& all, Explanation& explanation) {
+  auto& warnings = explanation.warnings;
+  for (std::size_t b = 0; b < all.bodies.size(); ++b) {
+    locking_cells(all.bodies[b], warnings);
+    symmetry(all, b, warnings);
+  }
+  for (auto const& pair : all.pairs) {
+    closing_steps(all, pair, warnings);
+    strain(all, pair, warnings);
+    quadratic_faces(all, pair, warnings);
+    if (pair.pair->law.adhesion)
+      adhesion(all, pair, warnings);
+  }
+  inertia(all, warnings);
+  critical_steps(all, warnings);
+  ringing(all, warnings);
+}
+
+void add_advice(Facts const& all, Explanation& explanation) {
+  for (auto const& pair : all.pairs)
+    advise_rigid(all, pair, explanation.warnings);
+  slow_motion(all, explanation.warnings);
+}
+
+} // namespace stiction::scene

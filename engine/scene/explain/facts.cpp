@@ -1,0 +1,96 @@
+// Facts of bodies and of the run.
+#include "scene/explain/facts.hpp"
+
+#include "mesh/topology/quality.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+double mass_of(solid::Cells const& cells) {
+  double mass = 0;
+  cells.each_mass([&](std::span<Index const>, Dense const& m) { mass += m.sum(); });
+  return mass;
+}
+
+void count_unknowns(dynamics::Model const& model, std::size_t b, BodyFacts& facts) {
+  Index const first = model.first_node[b], end = model.first_node[b + 1];
+  int const dim = model.dim();
+  std::vector<bool> driven(ix(dim * (end - first)), false);
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      if (node >= first && node < end) {
+        driven[ix(dim * (node - first) + motion.component)] = true;
+        facts.held[ix(motion.component)] = true;
+      }
+  facts.driven = static_cast<Index>(std::count(driven.begin(), driven.end(), true));
+  facts.free = static_cast<Index>(driven.size()) - facts.driven;
+}
+
+BodyFacts body_facts(Scene const& scene, std::size_t b) {
+  auto const& model = *scene.model;
+  auto const& body = *model.bodies[b];
+  BodyFacts facts;
+  facts.body = &body;
+  facts.moduli = material::moduli(body.material);
+  facts.mass = mass_of(model.cells[b]);
+  facts.sides.head(model.dim()) =
+      (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).transpose();
+  facts.smallest_edge = mesh::quality(body.mesh).min_edge;
+  facts.start_speed =
+      model.velocity.middleRows(model.first_node[b], body.mesh.node_count()).rowwise().norm().maxCoeff();
+  count_unknowns(model, b, facts);
+  for (auto const& motion : scene.part.motions)
+    if (auto const* drive = std::get_if<DrivePart>(&motion);
+        drive != nullptr && drive->set.substr(0, drive->set.find('.')) == body.name)
+      facts.driven_set = drive->set;
+  return facts;
+}
+
+void add_schedule(Facts& facts) {
+  double start = 0;
+  for (auto const& stage : facts.scene->part.schedule.stages) {
+    double const dt = (stage.until - start) / stage.steps;
+    facts.shortest_step = facts.steps == 0 ? dt : std::min(facts.shortest_step, dt);
+    facts.longest_step = std::max(facts.longest_step, dt);
+    facts.steps += stage.steps;
+    start = stage.until;
+  }
+  facts.end = start;
+}
+
+double fastest(dynamics::Path const& path) {
+  double fastest = 0;
+  for (std::size_t k = 1; k < path.times.size(); ++k)
+    fastest = std::max(fastest,
+                       std::abs(path.values[k] - path.values[k - 1]) / (path.times[k] - path.times[k - 1]));
+  return fastest;
+}
+
+/// Of single components: what moves along two axes at once is faster by up to sqrt(3).
+double fastest(dynamics::Model const& model) {
+  double speed = model.velocity.size() > 0 ? model.velocity.rowwise().norm().maxCoeff() : 0;
+  for (auto const& motion : model.motions)
+    speed = std::max(speed, fastest(motion.path));
+  for (auto const& rigid : model.rigids)
+    for (auto const& path : rigid.shift)
+      speed = std::max(speed, fastest(path));
+  return speed;
+}
+
+} // namespace
+
+Facts facts_of(Scene const& scene, dynamics::State const& start) {
+  Facts facts;
+  facts.scene = &scene;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    facts.bodies.push_back(body_facts(scene, b));
+  add_schedule(facts);
+  facts.speed = fastest(*scene.model);
+  facts.components = dynamics::contact_components(*scene.model);
+  for (std::size_t p = 0; p < scene.pairs.size(); ++p)
+    facts.pairs.push_back(pair_facts(facts, p, start));
+  return facts;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,96 @@
+// What follows from a scene without running it: sizes, speeds, stiffnesses; lines and warnings are made of
+// them.
+#pragma once
+#include "dynamics/step/stepper.hpp"
+#include "scene/build/fit.hpp"
+#include "scene/explain/explain.hpp"
+
+namespace stiction::scene {
+
+struct BodyFacts {
+  solid::Body const* body = nullptr;
+  material::Moduli moduli;    ///< at rest
+  double mass = 0;            ///< kg (kg/m in plane strain)
+  Vec3 sides = Vec3::Zero();  ///< of the bounding box, m
+  double smallest_edge = 0;   ///< m
+  double start_speed = 0;     ///< largest initial velocity, m/s
+  Index free = 0, driven = 0; ///< degrees of freedom
+  std::array<bool, 3> held{}; ///< is any node driven or held in x, y, z?
+  std::string driven_set;     ///< of a motion.drive on it; empty: none
+  [[nodiscard]] double extent() const { return sides.maxCoeff(); }
+  /// E / (1 - nu^2), Pa.
+  [[nodiscard]] double plane_modulus() const { return moduli.young / (1 - moduli.poisson * moduli.poisson); }
+  /// sqrt(G / rho), m/s.
+  [[nodiscard]] double shear_speed() const { return std::sqrt(moduli.shear() / body->density); }
+  /// sqrt((lambda + 2 G) / rho), m/s.
+  [[nodiscard]] double pressure_speed() const {
+    return std::sqrt((moduli.lame() + 2 * moduli.shear()) / body->density);
+  }
+};
+
+/// How the two sides of a pair are moved against each other, as far as paths and initial velocities say:
+/// compliance is left out.
+struct RelativeMotion {
+  double closing = 0, opening = 0, sliding = 0;                ///< largest speeds, m/s
+  double closing_step = 0, opening_step = 0, sliding_step = 0; ///< largest way of one step, m
+  std::size_t opening_stage = 0, sliding_stage = 0, closing_stage = 0;
+  double depth = 0;       ///< largest approach beyond the first touch, m; 0: none, or not known
+  double closed_time = 0; ///< how long it lies beyond the first touch, s; 0: not known
+  double travel = 0;      ///< largest way along the surface from the start, m
+  bool unknown = false;   ///< a side moves freely or closes around: depth and travel do not say all
+  [[nodiscard]] double normal_speed() const { return std::max(closing, opening); }
+};
+
+struct PairFacts {
+  dynamics::Pair const* pair = nullptr;
+  PairPart const* part = nullptr;
+  std::size_t secondary = 0;           ///< body
+  std::optional<std::size_t> primary;  ///< body; nothing: an obstacle
+  std::size_t rigid = 0;               ///< obstacle, where there is no primary body
+  int facets = 0;                      ///< of the primary
+  double modulus = 0;                  ///< E* = 1 / sum (1 - nu^2) / E, Pa
+  double column = 0;                   ///< 1 / sum thickness / E along the normal, Pa/m
+  double size = 0, primary_size = 0;   ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
+  double gap = -1;                     ///< smallest at the start, m; < 0: beyond the search
+  double radius = 0;                   ///< 1 / sum of curvatures, m; 0: flat or not known
+  Vec3 normal = Vec3::Zero();          ///< mean of the secondary, outward; 0: it closes around
+  ShapeFit secondary_fit, primary_fit; ///< of deformable sides
+  std::array<double, 2> strain{};      ///< expected in the secondary and the primary body, 1
+  RelativeMotion motion;
+  /// Does any adhesion act along the normal?
+  [[nodiscard]] bool adheres() const {
+    return pair->law.adhesion && interface::scales(*pair->law.adhesion).work > 0 &&
+           interface::scales(*pair->law.adhesion).strength > 0;
+  }
+};
+
+struct Facts {
+  Scene const* scene = nullptr;
+  std::vector<BodyFacts> bodies;
+  std::vector<PairFacts> pairs;
+  int components = 2;                         ///< of the contact problem, per point
+  double end = 0;                             ///< s
+  double shortest_step = 0, longest_step = 0; ///< s
+  long steps = 0;
+  double speed = 0; ///< largest that motions, obstacles and initial velocities give, m/s
+  [[nodiscard]] bool dynamic() const { return dynamics::weights(scene->model->scheme).inertia; }
+};
+
+/// start: the stepper's state at t = 0.
+[[nodiscard]] Facts facts_of(Scene const& scene, dynamics::State const& start);
+[[nodiscard]] PairFacts pair_facts(Facts const& facts, std::size_t pair, dynamics::State const& start);
+
+/// explain_scene.cpp: what the scene models.
+void describe_scene(Facts const& facts, Explanation& explanation);
+/// explain_numbers.cpp: the numbers that decide.
+void describe_numbers(Facts const& facts, Explanation& explanation);
+/// explain_cost.cpp: memory and time, by one assembly and factorization at rest.
+void describe_cost(Facts const& facts, dynamics::BulkSystem& structure, Explanation& explanation);
+/// explain_rigid.cpp: a stiff body that may be an obstacle.
+void advise_rigid(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings);
+/// explain_warnings.cpp: what is likely to go wrong; assembles nothing.
+void add_warnings(Facts const& facts, Explanation& explanation);
+/// explain_warnings.cpp: what would cost less and come out the same; assembles and factors at rest.
+void add_advice(Facts const& facts, Explanation& explanation);
+
+} // namespace stiction::scene

@@ -1,0 +1,324 @@
+// Facts of pairs: stiffness, curvature, cell size, and how the motions bring the two sides together.
+#include <algorithm>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "mesh/topology/surface.hpp"
+#include "scene/explain/facts.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+constexpr int most_samples = 1000; // of a stage
+
+/// The displacement that one motion, obstacle or initial velocity gives to a side of a pair.
+struct Mover {
+  std::array<dynamics::Path, 3> shift;
+  Vec3 velocity = Vec3::Zero(); ///< of what flies freely, m/s
+  dynamics::RigidBody const* turning = nullptr;
+  [[nodiscard]] Vec3 displacement(double t, Vec3 const& place) const {
+    Vec3 u = t * velocity + Vec3(shift[0].value(t), shift[1].value(t), shift[2].value(t));
+    if (turning != nullptr)
+      u += Eigen::AngleAxisd(turning->angle.value(t), turning->axis) * (place - turning->pivot) -
+           (place - turning->pivot);
+    return u;
+  }
+  /// Prescribed over the whole run.
+  [[nodiscard]] bool prescribed() const { return velocity.isZero(0); }
+};
+
+dynamics::Path path_or_rest(Numbers const& times, Numbers const& values) {
+  return values.empty() ? dynamics::Path{} : dynamics::Path{times, values};
+}
+
+bool holds_all(FixPart const& fix, int dim) {
+  return fix.x && fix.y && (dim == 2 || fix.z);
+}
+
+/// Sets that are only guided, held in some components, say nothing where others are driven or held.
+std::vector<Mover> movers_of(Facts const& facts, std::size_t body) {
+  std::vector<Mover> movers;
+  auto const& name = facts.bodies[body].body->name;
+  int const dim = facts.scene->part.dim();
+  for (auto const& motion : facts.scene->part.motions) {
+    auto const& set = std::visit([](auto const& part) { return part.set; }, motion);
+    if (set.substr(0, set.find('.')) != name)
+      continue;
+    if (auto const* drive = std::get_if<DrivePart>(&motion))
+      movers.push_back({{path_or_rest(drive->times, drive->x), path_or_rest(drive->times, drive->y),
+                         path_or_rest(drive->times, drive->z)}});
+    else if (holds_all(std::get<FixPart>(motion), dim))
+      movers.push_back({});
+  }
+  auto const& velocity = facts.scene->part.bodies.at(name).velocity;
+  if (facts.bodies[body].driven_set.empty() && facts.bodies[body].start_speed > 0) {
+    movers.clear(); // what only guides a flying body does not stop it
+    movers.push_back({});
+    for (std::size_t c = 0; c < velocity.size(); ++c)
+      movers.back().velocity[static_cast<Eigen::Index>(c)] = velocity[c];
+  }
+  if (movers.empty())
+    movers.push_back({});
+  return movers;
+}
+
+std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
+  if (pair.primary)
+    return movers_of(facts, *pair.primary);
+  auto const& rigid = facts.scene->model->rigids[pair.rigid];
+  auto const& part = facts.scene->part.obstacles.at(rigid.name);
+  Mover mover;
+  mover.shift = {path_or_rest(part.times, part.x), path_or_rest(part.times, part.y),
+                 path_or_rest(part.times, part.z)};
+  if (!rigid.free())
+    mover.turning = &rigid;
+  for (std::size_t c = 0; rigid.free() && c < part.velocity.size(); ++c)
+    mover.velocity[static_cast<Eigen::Index>(c)] = part.velocity[c];
+  return {mover};
+}
+
+/// Follows one mover of either side over the schedule.
+class Follower {
+public:
+  Follower(PairFacts& pair, Vec3 place) : pair_(&pair), place_(std::move(place)) {}
+  void follow(SchedulePart const& schedule, Mover const& secondary, Mover const& primary) {
+    double start = 0;
+    closed_ = 0;
+    for (std::size_t s = 0; s < schedule.stages.size(); ++s) {
+      auto const& stage = schedule.stages[s];
+      dt_ = (stage.until - start) / stage.steps;
+      int const samples = std::min(stage.steps, most_samples);
+      for (int k = 0; k < samples; ++k)
+        interval(
+            s,
+            {start + k * (stage.until - start) / samples, start + (k + 1) * (stage.until - start) / samples},
+            {&secondary, &primary});
+      start = stage.until;
+    }
+    if (secondary.prescribed() && primary.prescribed())
+      pair_->motion.closed_time = std::max(pair_->motion.closed_time, closed_);
+  }
+
+private:
+  void interval(std::size_t stage, std::array<double, 2> t, std::array<Mover const*, 2> sides) {
+    auto const apart = [&](double time) {
+      return Vec3(sides[0]->displacement(time, place_) - sides[1]->displacement(time, place_));
+    };
+    Vec3 const end = apart(t[1]), velocity = (end - apart(t[0])) / (t[1] - t[0]);
+    bool const around = pair_->normal.isZero(0);
+    double const along = around ? velocity.norm() : velocity.dot(pair_->normal);
+    double const sliding = around ? velocity.norm() : (velocity - along * pair_->normal).norm();
+    auto& motion = pair_->motion;
+    keep(along, stage, motion.closing, motion.closing_step, motion.closing_stage);
+    keep(around ? along : -along, stage, motion.opening, motion.opening_step, motion.opening_stage);
+    keep(sliding, stage, motion.sliding, motion.sliding_step, motion.sliding_stage);
+    motion.unknown |= around || pair_->gap < 0 || !sides[0]->prescribed() || !sides[1]->prescribed();
+    motion.travel = std::max(motion.travel, (end - end.dot(pair_->normal) * pair_->normal).norm());
+    if (motion.unknown)
+      return;
+    double const approach = end.dot(pair_->normal) - pair_->gap;
+    motion.depth = std::max(motion.depth, approach);
+    closed_ += approach >= 0 ? t[1] - t[0] : 0;
+  }
+  void keep(double speed, std::size_t stage, double& fastest, double& step, std::size_t& where) const {
+    fastest = std::max(fastest, speed);
+    if (speed * dt_ <= step)
+      return;
+    step = speed * dt_;
+    where = stage;
+  }
+
+  PairFacts* pair_;
+  Vec3 place_;
+  double dt_ = 0, closed_ = 0;
+};
+
+Vec3 place_of(dynamics::Model const& model, Index node) {
+  Vec3 place = Vec3::Zero();
+  place.head(model.dim()) = model.reference.row(node).transpose();
+  return place;
+}
+
+/// Mean outward unit normal of a boundary set; 0 where it closes around.
+Vec3 mean_normal(dynamics::Model const& model, std::size_t b, mesh::Set const& set) {
+  Vec3 sum = Vec3::Zero();
+  double size = 0;
+  Index const first = model.first_node[b];
+  for (auto const& facet : set.facets) {
+    Vec3 const a = place_of(model, first + facet.nodes[0]),
+               edge = place_of(model, first + facet.nodes[1]) - a;
+    Vec3 const normal = model.dim() == 2
+                            ? Vec3(edge.y(), -edge.x(), 0)
+                            : Vec3(0.5 * edge.cross(place_of(model, first + facet.nodes[2]) - a));
+    sum += normal;
+    size += normal.norm();
+  }
+  return sum.norm() > 0.3 * size ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());
+}
+
+/// The body and the set behind "body.set".
+struct Side {
+  std::size_t body = 0;
+  mesh::Set const* set = nullptr;
+};
+Side side_of(Scene const& scene, std::string const& name) {
+  auto const dot = name.find('.');
+  Side side;
+  while (scene.bodies[side.body] != name.substr(0, dot))
+    ++side.body;
+  side.set = &scene.model->bodies[side.body]->mesh.sets.find(name.substr(dot + 1))->second;
+  return side;
+}
+
+ShapeFit fit_of(solid::Body const& body, mesh::Set const& set) {
+  Matrix points(static_cast<Eigen::Index>(set.nodes.size()), body.mesh.dim);
+  for (std::size_t i = 0; i < set.nodes.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = body.mesh.nodes.row(set.nodes[i]);
+  return fit_shape(points);
+}
+
+/// 1/m, positive where convex; nothing if not known.
+std::optional<double> curvature(ShapeFit const& fit, Vec3 const& outward, Vec3 const& place) {
+  if (fit.kind == ShapeFit::flat)
+    return 0;
+  if (fit.kind == ShapeFit::none)
+    return {};
+  return (place - fit.centre).dot(outward) >= 0 ? 1 / fit.radius : -1 / fit.radius;
+}
+std::optional<double> curvature(contact::Obstacle const& shape) {
+  return std::visit(
+      [](auto const& part) -> std::optional<double> {
+        using Part = std::decay_t<decltype(part)>;
+        if constexpr (std::is_same_v<Part, contact::RigidPlane>)
+          return 0;
+        else if constexpr (std::is_same_v<Part, contact::RigidCircle> ||
+                           std::is_same_v<Part, contact::RigidSphere>)
+          return (part.side == contact::Side::outside ? 1 : -1) / part.radius;
+        else
+          return {};
+      },
+      shape);
+}
+
+/// Length, or square root of the area, of a facet, m.
+double facet_size(dynamics::Model const& model, Index first, mesh::Facet const& facet) {
+  auto const corner = [&](std::size_t k) { return place_of(model, first + facet.nodes[k]); };
+  Vec3 const edge = corner(1) - corner(0);
+  if (model.dim() == 2)
+    return edge.norm();
+  bool const triangle = mesh::info(mesh::facet_kind(facet)).corners == 3;
+  return std::sqrt(0.5 * (triangle ? edge.cross(corner(2) - corner(0))
+                                   : (corner(2) - corner(0)).cross(corner(3) - corner(1)))
+                             .norm());
+}
+
+double median(std::vector<double> values) {
+  auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The contact point nearest to the primary, the gap there, and the median size of the facets around the
+/// nearest tenth of the points.
+Index find_nearest(dynamics::Model const& model, std::vector<dynamics::ContactState> const& states,
+                   Side const& side, PairFacts& facts) {
+  auto const& nodes = facts.pair->secondary;
+  std::vector<std::size_t> order(states.size());
+  std::iota(order.begin(), order.end(), 0);
+  auto const gap = [&](std::size_t i) {
+    return states[i].foot.found() ? states[i].gap : std::numeric_limits<double>::infinity();
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return gap(a) < gap(b); });
+  bool const found = std::isfinite(gap(order[0]));
+  if (found)
+    facts.gap = std::max(0.0, gap(order[0]));
+  std::vector<bool> near(ix(model.node_count()), !found);
+  for (std::size_t k = 0; k < 1 + order.size() / 10; ++k)
+    near[ix(nodes[order[k]])] = true;
+  Index const first = model.first_node[side.body];
+  std::vector<double> sizes;
+  for (auto const& facet : side.set->facets)
+    if (std::any_of(facet.nodes.begin(), facet.nodes.end(),
+                    [&](Index node) { return near[ix(first + node)]; }))
+      sizes.push_back(facet_size(model, first, facet));
+  facts.size = median(std::move(sizes));
+  return nodes[order[0]];
+}
+
+void add_primary(Facts const& all, PairFacts& facts, Vec3 const& place, std::optional<double>& curved) {
+  auto const& model = *all.scene->model;
+  if (auto const* side = std::get_if<dynamics::RigidSide>(&facts.pair->primary)) {
+    facts.rigid = side->body;
+    curved = curvature(model.rigids[side->body].shape);
+    return;
+  }
+  auto const side = side_of(*all.scene, facts.part->primary);
+  facts.primary = side.body;
+  facts.facets = static_cast<int>(side.set->facets.size());
+  if (auto const* curve = std::get_if<contact::Curve>(&facts.pair->primary))
+    facts.primary_size = curve->segment_length();
+  else if (auto const* cells = std::get_if<contact::CellSurface>(&facts.pair->primary))
+    facts.primary_size = cells->facet_size();
+  else
+    facts.primary_size = std::get<contact::Surface>(facts.pair->primary).facet_size();
+  facts.primary_fit = fit_of(*model.bodies[side.body], *side.set);
+  curved = curvature(facts.primary_fit, mean_normal(model, side.body, *side.set), place);
+}
+
+/// E* and the stiffness of the two bodies as columns along the normal.
+void add_stiffness(Facts const& all, PairFacts& facts) {
+  double compliance = 0, column = 0;
+  auto const add = [&](BodyFacts const& body) {
+    compliance += 1 / body.plane_modulus();
+    double const thickness = facts.normal.isZero(0) ? body.extent() : facts.normal.cwiseAbs().dot(body.sides);
+    column += thickness / body.moduli.young;
+  };
+  add(all.bodies[facts.secondary]);
+  if (facts.primary && *facts.primary != facts.secondary)
+    add(all.bodies[*facts.primary]);
+  facts.modulus = 1 / compliance;
+  facts.column = 1 / column;
+}
+
+/// Of the bodies as columns, depth K_column / E, or beneath a Hertz contact of radius a = sqrt(R depth),
+/// where the strain is about 0.6 p0 / E = 0.4 a/R E*/E (p0 = 2 E* a / (pi R)); the larger.
+void add_strain(Facts const& all, PairFacts& facts) {
+  double const depth = facts.motion.depth;
+  double const slope = facts.radius > 0 ? std::sqrt(std::min(1.0, depth / facts.radius)) : 0;
+  auto const strain = [&](BodyFacts const& body) {
+    return std::max(depth * facts.column, 0.4 * slope * facts.modulus) / body.moduli.young;
+  };
+  facts.strain[0] = strain(all.bodies[facts.secondary]);
+  if (facts.primary)
+    facts.strain[1] = strain(all.bodies[*facts.primary]);
+}
+
+} // namespace
+
+PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& start) {
+  auto const& scene = *all.scene;
+  PairFacts facts;
+  facts.pair = &scene.model->pairs[p];
+  facts.part = &scene.part.pairs.at(scene.pairs[p]);
+  auto const side = side_of(scene, facts.part->secondary);
+  facts.secondary = side.body;
+  facts.normal = mean_normal(*scene.model, side.body, *side.set);
+  Vec3 const place = place_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
+  std::optional<double> curved;
+  add_primary(all, facts, place, curved);
+  facts.secondary_fit = fit_of(*scene.model->bodies[side.body], *side.set);
+  auto const own = curvature(facts.secondary_fit, facts.normal, place);
+  if (own && curved && *own + *curved > 0)
+    facts.radius = 1 / (*own + *curved);
+  add_stiffness(all, facts);
+  Follower follower(facts, place);
+  for (auto const& secondary : movers_of(all, facts.secondary))
+    for (auto const& primary : movers_of(all, facts))
+      follower.follow(scene.part.schedule, secondary, primary);
+  add_strain(all, facts);
+  return facts;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,56 @@
+// Compares what was lost with the limits.
+#include "scene/run/patience.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "scene/run/work.hpp"
+
+namespace stiction::scene {
+
+namespace {
+constexpr double factorizations = 1000; ///< whose work may be lost where it is more than the limit
+} // namespace
+
+Patience::Patience(SchedulePart const& limits, dynamics::Model const& model, dynamics::Stepper const& stepper)
+    : limits_(&limits), model_(&model), stepper_(&stepper) {}
+
+double Patience::operations() const {
+  return scene::operations(*model_, *stepper_);
+}
+
+void Patience::begin_attempt() {
+  before_ = operations();
+}
+
+/// Operations that may be lost on one step.
+double Patience::most() const {
+  return std::max(1e9 * limits_->work, factorizations * stepper_->structure().effort().operations);
+}
+
+std::string Patience::lost() {
+  lost_ += operations() - before_;
+  if (++cuts_ > limits_->cuts)
+    return fmt::format("{} attempts from t = {:g} s on failed, more than schedule.cuts", cuts_, since_);
+  if (lost_ > most())
+    return fmt::format(
+        "{} failed attempts from t = {:g} s on took {:.3g} operations, more than schedule.work", cuts_,
+        since_, lost_);
+  return "";
+}
+
+void Patience::reached(double t) {
+  if (t - since_ < nominal_ * (1 - 1e-9))
+    return;
+  since_ = t;
+  cuts_ = 0;
+  lost_ = 0;
+}
+
+std::string Patience::late(double seconds) const {
+  if (limits_->seconds == 0 || seconds <= limits_->seconds)
+    return "";
+  return fmt::format("longer than schedule.seconds = {:g} s", limits_->seconds);
+}
+
+} // namespace stiction::scene

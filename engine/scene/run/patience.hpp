@@ -1,0 +1,40 @@
+// How long a run tries: the limits of a schedule on what is lost on one step, and on the whole run.
+#pragma once
+#include <string>
+
+#include "dynamics/step/stepper.hpp"
+#include "scene/description/parts.hpp"
+
+namespace stiction::scene {
+
+/// Counts what failed attempts lose until the run has come a nominal step further.
+class Patience {
+public:
+  Patience(SchedulePart const& limits, dynamics::Model const& model, dynamics::Stepper const& stepper);
+
+  /// A stage with steps of that size begins, s.
+  void begin(double nominal) { nominal_ = nominal; }
+  /// Before an attempt.
+  void begin_attempt();
+  /// The attempt failed. Why the run must end, or nothing.
+  [[nodiscard]] std::string lost();
+  /// The attempt has taken more than may be lost.
+  [[nodiscard]] bool spent() const { return lost_ + operations() - before_ > most(); }
+  /// The attempt was accepted and led to t.
+  void reached(double t);
+  /// Why a run of so many seconds must end, or nothing.
+  [[nodiscard]] std::string late(double seconds) const;
+
+private:
+  [[nodiscard]] double operations() const;
+  [[nodiscard]] double most() const;
+
+  SchedulePart const* limits_;
+  dynamics::Model const* model_;
+  dynamics::Stepper const* stepper_;
+  double nominal_ = 0, since_ = 0; ///< s
+  double before_ = 0, lost_ = 0;   ///< operations
+  int cuts_ = 0;
+};
+
+} // namespace stiction::scene

@@ -1,0 +1,114 @@
+// Doubts of single steps put together, and the energy of the scheme.
+#include "scene/run/remarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+/// Parts of the largest energy of a run from which on what its scheme made or lost is told.
+constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
+
+contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked which) {
+  auto const& problem = contact.problem();
+  if (problem.points.empty())
+    return {};
+  return contact::doubts(problem, contact.forces(), contact::displacement(problem, contact.forces()), which);
+}
+
+/// "point 17 of pair floor", counted from one as in the pair's line of points.
+std::string place_of(Scene const& scene, dynamics::ContactSystem const& contact, Index row) {
+  auto const place = contact.point_of(row);
+  return fmt::format("point {} of pair {}", place.index + 1,
+                     scene.pairs[static_cast<std::size_t>(place.pair)]);
+}
+
+/// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
+char const* tamer_scheme(Scene const& scene) {
+  return dynamics::weights(scene.model->scheme).skin
+             ? "a scheme that damps (theta = xi = 1)"
+             : "scheme.theta_xi{contact_inertia = \"cells\"}, which makes none when contact ends";
+}
+
+} // namespace
+
+void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact::Checked which) {
+  ++steps_;
+  auto const found = doubts(contact, which);
+  auto const note = [&](Remark& remark, auto const& doubt) {
+    if (++remark.steps == 1)
+      remark.text = fmt::format("at t = {}, {}: {}", human(t, "s"), place_of(*scene_, contact, doubt.worst),
+                                words(doubt));
+  };
+  if (found.friction.any())
+    note(friction_, found.friction);
+  if (found.softening.any())
+    note(softening_, found.softening);
+}
+
+/// What a snap of quasi-static steps loses is no fault of a scheme.
+void Remarks::weigh(dynamics::Ledger const& ledger) {
+  stabilised_ = ledger.stabilisation_loss;
+  turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
+                           std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond)});
+  if (!dynamics::weights(scene_->model->scheme).inertia)
+    return;
+  lost_ = ledger.scheme_loss();
+  made_ = std::max(made_, -lost_);
+}
+
+/// Where hardly anything acts, as in free flight, an imbalance is small beside the forces of the run.
+void Remarks::balance(dynamics::Outcome const& outcome) {
+  force_ = std::max(force_, outcome.force_scale);
+  if (outcome.out_of_balance > scene_->model->control.force_tolerance)
+    unmet_ = std::max(unmet_, outcome.out_of_balance * outcome.force_scale);
+}
+
+/// Tolerances that rounding did not let the run meet.
+void Remarks::add_rounded(std::vector<std::string>& all) const {
+  double const asked = scene_->model->control.force_tolerance;
+  double const sharp = std::visit([](auto const& solver) { return solver.tolerance; }, scene_->model->solver);
+  auto const add = [&](char const* what, double tolerance, double reached, char const* of) {
+    all.push_back(fmt::format(
+        "{} = {:g} is less than rounding allows and was met as far as that goes, to {:.1e} of the "
+        "largest {}",
+        what, tolerance, reached, of));
+  };
+  if (unmet_ > asked * force_)
+    add("control.force_tolerance", asked, unmet_ / force_, "force");
+  if (contact_ > sharp)
+    add("solver.tolerance", sharp, contact_, "traction");
+}
+
+std::vector<std::string> Remarks::texts() const {
+  std::vector<std::string> all;
+  for (auto const* remark : {&friction_, &softening_})
+    if (remark->steps > 0)
+      all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
+  add_rounded(all);
+  if (made_ > worth_telling_made * turned_over_)
+    all.push_back(
+        fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",
+                    percent(made_ / turned_over_), tamer_scheme(*scene_)));
+  else if (lost_ > worth_telling_lost * turned_over_)
+    all.push_back(
+        fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "
+                    "mesh where bodies land lose less",
+                    percent(lost_ / turned_over_)));
+  if (double const part = dynamics::weights(scene_->part.scheme).stabilisation; part > 0)
+    all.push_back(
+        fmt::format("stabilisation = {:g}: its viscous force took {} of the largest energy of the run{}",
+                    part, percent(turned_over_ > 0 ? stabilised_ / turned_over_ : 0),
+                    stabilised_ > worth_telling_made * turned_over_
+                        ? ": take less of it, or let the end rest for some steps, and see whether the "
+                          "results stay"
+                        : ""));
+  return all;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,41 @@
+// What a run has to say about its own answers: where theory promises no single one, and energy made or lost
+// by the time scheme.
+#pragma once
+#include "contact/problem/uniqueness.hpp"
+#include "dynamics/step/stepper.hpp"
+#include "scene/build/build.hpp"
+
+namespace stiction::scene {
+
+/// Looks at steps; keeps one remark of each kind, of the step that was first, and counts the rest.
+class Remarks {
+public:
+  explicit Remarks(Scene const& scene) : scene_(&scene) {}
+  /// A step to time t, accepted, or without an answer to its contact problem: then all points are looked at.
+  void examine(dynamics::ContactSystem const& contact, double t, contact::Checked which);
+  /// The account of energy after an accepted step.
+  void weigh(dynamics::Ledger const& ledger);
+  /// How well an accepted step meets the balance of forces.
+  void balance(dynamics::Outcome const& outcome);
+  /// residual: the largest that rounding kept the contact solver at.
+  void rounded(double residual) { contact_ = residual; }
+  /// In the order in which they are made; empty where nothing is in doubt.
+  [[nodiscard]] std::vector<std::string> texts() const;
+
+private:
+  void add_rounded(std::vector<std::string>& all) const;
+  struct Remark {
+    std::string text;
+    long steps = 0;
+  };
+  Scene const* scene_;
+  Remark friction_, softening_;
+  long steps_ = 0;
+  double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
+  double contact_ = 0;           ///< residual, of its yardstick
+  double turned_over_ = 0;       ///< largest energy or work so far, J
+  double stabilised_ = 0;        ///< dissipated by the stabilisation of quasi-statics, J
+  double made_ = 0, lost_ = 0;   ///< by the time scheme: the most so far, and in the end, J
+};
+
+} // namespace stiction::scene

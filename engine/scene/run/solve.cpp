@@ -1,0 +1,107 @@
+// Loads a problem, runs the chosen solvers on it, lets the judge speak.
+#include "scene/run/solve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+#include "contact/problem/uniqueness.hpp"
+#include "contact/solvers/solver.hpp"
+#include "core/error.hpp"
+#include "record/problem_file.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+/// The named solvers with this tolerance.
+template<class... T>
+std::vector<std::pair<std::string, contact::SolverChoice>> choices(std::string const& name, double tolerance,
+                                                                   std::type_identity<std::variant<T...>>) {
+  std::vector<std::pair<std::string, contact::SolverChoice>> chosen;
+  std::vector<std::string> const known{T::schema().name...};
+  (((name == "all" || name == T::schema().name) ? (chosen.emplace_back(T::schema().name,
+                                                                       [&] {
+                                                                         T solver;
+                                                                         solver.tolerance = tolerance;
+                                                                         return solver;
+                                                                       }()),
+                                                   0)
+                                                : 0),
+   ...);
+  if (chosen.empty()) {
+    auto const meant = core::nearest(name, known);
+    throw core::InputError(fmt::format("there is no solver \"{}\"; known are all, {}{}", name,
+                                       fmt::join(known, ", "),
+                                       meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
+  }
+  return chosen;
+}
+
+SolverAnswer answer_of(std::string const& name, contact::SolverChoice const& choice,
+                       contact::Problem const& problem) {
+  auto const start = std::chrono::steady_clock::now();
+  auto solution = contact::make_solver(choice)->solve(problem, Vector::Zero(problem.free.size()));
+  std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start;
+  SolverAnswer answer{name,
+                      solution.converged,
+                      solution.iterations,
+                      solution.work,
+                      solution.verdict.residual,
+                      solution.verdict.relative(),
+                      seconds.count(),
+                      {},
+                      contact::displacement(problem, solution.force)};
+  answer.force = std::move(solution.force);
+  return answer;
+}
+
+std::string line_of(SolverAnswer const& answer) {
+  return fmt::format(
+      "{:<14}{:<16}{:>8} iterations  residual {:.3e} Pa, {:.3e} of the largest traction  {:.4f} s\n",
+      answer.solver, answer.converged ? "converged" : "NOT CONVERGED", answer.iterations, answer.residual,
+      answer.relative, answer.seconds);
+}
+
+/// At the first answer; where there is none, at all points.
+std::vector<std::string> doubts_of(contact::Problem const& problem,
+                                   std::vector<SolverAnswer> const& answers) {
+  auto at = std::find_if(answers.begin(), answers.end(), [](auto const& answer) { return answer.converged; });
+  auto const which = at == answers.end() ? contact::Checked::all : contact::Checked::bearing;
+  at = at == answers.end() ? answers.begin() : at;
+  auto const found = contact::doubts(problem, at->force, at->displacement, which);
+  std::vector<std::string> lines;
+  if (found.friction.any())
+    lines.push_back(fmt::format("contact {} ({} such): {}", found.friction.worst + 1,
+                                std::max(found.friction.points, found.friction.together),
+                                words(found.friction)));
+  if (found.softening.any())
+    lines.push_back(fmt::format("contact {} ({} such alone): {}", found.softening.worst + 1,
+                                found.softening.points, words(found.softening)));
+  return lines;
+}
+
+} // namespace
+
+SolveReport solve_file(std::filesystem::path const& path, std::string const& solver, double tolerance) {
+  auto const chosen = choices(solver, tolerance, std::type_identity<contact::SolverChoice>{});
+  auto const problem = record::load_problem(path);
+  SolveReport report;
+  report.converged = true;
+  report.contacts = problem.size();
+  report.components = problem.dim;
+  report.free = problem.free;
+  report.text = fmt::format("{}: {} contacts of {} components, tolerance {:g}\n", path.string(),
+                            problem.size(), problem.dim, tolerance);
+  for (auto const& [name, choice] : chosen) {
+    auto const& answer = report.answers.emplace_back(answer_of(name, choice, problem));
+    report.converged = report.converged && answer.converged;
+    report.text += line_of(answer);
+  }
+  report.doubts = doubts_of(problem, report.answers);
+  for (auto const& doubt : report.doubts)
+    report.text += doubt + "\n";
+  return report;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,12 @@
+// Line figures: curves over one pair of axes.
+#pragma once
+#include "page/picture.hpp"
+#include "spec/spec.hpp"
+
+namespace stiction::postproc {
+
+/// Loads the curves and draws them; throws what load_curve and make_window throw, and core::RunError when no
+/// point lies within the ranges asked for.
+[[nodiscard]] Picture draw_lines(FigureSpec const& figure, LinesSpec const& lines);
+
+} // namespace stiction::postproc

@@ -1,0 +1,25 @@
+// What a field figure shows: one step of a run as a VTK grid, moved, cropped and in the unit wanted.
+#pragma once
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "fields/view.hpp"
+
+namespace stiction::postproc {
+
+struct FieldData {
+  vtkSmartPointer<vtkPolyData> surface; ///< carries the array "shown", in the unit of the figure
+  vtkSmartPointer<vtkPolyData> edges;   ///< cell edges of the mesh, on its surface when it is a solid
+  bool on_cells = false;
+  double low = 0, high = 0;   ///< of the values within the window
+  std::optional<double> time; ///< s, where the files tell it
+  Frame frame;
+  Extent view;                  ///< the window, or everything
+  std::optional<Vector> sphere; ///< its centre
+};
+
+/// Throws core::RunError when file, step or array is missing, empty, or not finite;
+/// core::InputError when the array has no such component or another dimension than the unit wanted.
+[[nodiscard]] FieldData load_field(FieldSpec const& spec);
+
+} // namespace stiction::postproc

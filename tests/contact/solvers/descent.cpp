@@ -1,0 +1,213 @@
+// Softening bonds without friction: the Newton solver stays on the branch of its start.
+#include <doctest/doctest.h>
+
+#include "contact/solvers.hpp"
+#include "contact/solvers/descent.hpp"
+#include "interface/laws.hpp"
+
+using namespace stiction;
+using namespace stiction::contact;
+using namespace stiction::test;
+
+namespace {
+
+constexpr double C = 1e9, w = 1, u0 = 3.1622776601683795e-5; // N/m^3, J/m^2, sqrt(w/C) in m
+
+/// n bonded points of area 1e-6 m^2, each on a spring of its own of the compliance softness/(C area), and
+/// tied to each other by a common compliance.
+Problem bonded(int dim, int n, double softness, double common) {
+  Problem problem;
+  problem.dim = dim;
+  interface::Rcc law;
+  law.w = w;
+  law.C_n = law.C_t = law.C_t2 = C;
+  problem.adhesions = {law};
+  double const unit = 1 / (C * 1e-6);
+  problem.W = softness * unit * Dense::Identity(dim * n, dim * n);
+  problem.W.entries() += common * unit * Dense::Ones(dim * n, dim * n);
+  problem.free.setZero(dim * n);
+  for (int i = 0; i < n; ++i) {
+    ProblemPoint point{1e-6, 0, 0, {}};
+    point.bond.old.beta = 1;
+    point.bond.dt = 1;
+    problem.points.push_back(point);
+  }
+  return problem;
+}
+
+/// The first place downhill of the start where a bonded point on its spring stays, found in small steps; m.
+double downhill(Problem const& problem) {
+  double const small = 1e-3 * interface::scales(problem.adhesions[0]).opening;
+  auto const force = [&](double x) {
+    auto const pull =
+        interface::adhere<1>(problem.adhesions[0], problem.points[0].bond, Local<1>(x)).traction;
+    return (problem.free[0] - x) / problem.W.diagonal(0) + problem.points[0].area * pull[0];
+  };
+  double x = problem.start[0];
+  double const step = force(x) > 0 ? small : -small;
+  while (x + step >= 0 && force(x) * step > 0)
+    x += step;
+  return std::max(x, 0.0);
+}
+
+} // namespace
+
+TEST_SUITE("contact") {
+  TEST_CASE("from anywhere between two answers a bonded point goes to the one that is downhill") {
+    for (auto const& named : adhesions()) {
+      auto const scales = interface::scales(named.law);
+      Problem problem;
+      problem.dim = 1;
+      problem.adhesions = {named.law};
+      problem.points = {{1, 0, 0, {interface::initial_bond(named.law, 0), 0.01, false}}};
+      for (double const softness : {5.0, 10.0, 14.0, 30.0})
+        for (double const start : {0.0, 0.2, 0.63, 0.7, 1.0, 1.5})
+          for (double const load : {0.3, 0.7, 0.95, 1.4}) {
+            CAPTURE(named.name);
+            CAPTURE(softness);
+            CAPTURE(start);
+            CAPTURE(load);
+            problem.W = Dense::Constant(1, 1, softness / scales.softening);
+            problem.start = Vector::Constant(1, start * scales.opening);
+            problem.free = Vector::Constant(1, load * (1 + softness) * scales.opening);
+            auto const found = descend(problem, Vector::Zero(1), 1000);
+            REQUIRE(found.has_value());
+            bool const corners =
+                std::holds_alternative<Bilinear>(named.law) || std::holds_alternative<Dugdale>(named.law);
+            CHECK((found->settled || corners)); // which may stop it
+            if (!found->settled)
+              continue;
+            double const x = displacement(problem, found->force)[0];
+            CHECK(std::abs(x - downhill(problem)) < 2e-3 * scales.opening);
+          }
+    }
+  }
+
+  TEST_CASE("a bond on a soft spring holds up to the fold of its branch and no further") {
+    for (int const dim : {1, 2, 3})
+      for (double const softness :
+           {0.5, 2.0, 20.0}) { // x = f - W p has its fold at x = u0, f = (1 + softness) u0
+        INFO("dim " << dim << ", softness " << softness);
+        auto problem = bonded(dim, 1, softness, 0);
+        double const fold = (1 + softness) * u0;
+        CHECK(may_snap(problem));
+        Vector force = Vector::Zero(dim);
+        for (int step = 1; step <= 100; ++step) {
+          problem.free[0] = 0.011 * step * fold;
+          auto const answer = make_solver(BipotentialNewton{})->solve(problem, force);
+          REQUIRE(answer.converged);
+          force = answer.force;
+          problem.start = displacement(problem, force);
+          double const opening = problem.start[0];
+          if (problem.free[0] < 0.999 * fold)
+            CHECK(opening == doctest::Approx(problem.free[0] / (1 + softness)).epsilon(1e-9));
+          else if (softness > 1)
+            CHECK(opening > 2 * u0);
+        }
+      }
+  }
+
+  TEST_CASE("a row that opens like a wedge breaks from its end, and the answers are those of the judge") {
+    int const n = 30;
+    for (double const common : {0.0, 0.5}) {
+      auto problem = bonded(1, n, 3, common);
+      Vector force = Vector::Zero(n);
+      int broken = 0;
+      for (int step = 1; step <= 60; ++step) {
+        for (int i = 0; i < n; ++i)
+          problem.free[i] = 0.21 * step * u0 * i / n;
+        auto const answer = make_solver(BipotentialNewton{})->solve(problem, force);
+        REQUIRE(answer.converged);
+        CHECK(judge(problem, answer.force).relative() <= 1e-10);
+        force = answer.force;
+        Vector const x = problem.start = displacement(problem, force);
+        int now = 0;
+        for (int i = 0; i < n; ++i) {
+          now += x[i] > u0 ? 1 : 0;
+          CHECK((common > 0 || i == 0 || x[i] >= x[i - 1] - 1e-9 * u0));
+        }
+        if (common == 0) { // each on its own: the branch ends at (1 + softness) u0
+          for (int i = 0; i < n; ++i)
+            CHECK((x[i] > u0) == (problem.free[i] > 4 * u0));
+        }
+        CHECK(now >= broken);
+        broken = now;
+      }
+      CHECK(broken > 10);
+    }
+  }
+
+  TEST_CASE("only what may have several answers is searched downhill") {
+    CHECK_FALSE(may_snap(bonded(2, 4, 0.3, 0)));
+    CHECK(may_snap(bonded(2, 4, 0.4, 0)));
+    auto rubbing = bonded(2, 4, 3, 0);
+    rubbing.points[2].mu = 0.1;
+    CHECK_FALSE(may_snap(rubbing));
+    auto dry = bonded(2, 4, 3, 0);
+    for (auto& point : dry.points)
+      point.law = -1;
+    CHECK_FALSE(may_snap(dry));
+  }
+
+  TEST_CASE("an answer leaps if it carries a bond further than its opening, and only then") {
+    auto problem = bonded(2, 3, 3, 0);
+    problem.start.setZero(6);
+    problem.free[4] = 0.9 * u0;
+    Vector const none = Vector::Zero(6);
+    CHECK_FALSE(leaps(problem, none, none));
+    problem.free[4] = 1.1 * u0;
+    CHECK(leaps(problem, none, none));
+    problem.start[4] = 0.2 * u0;
+    CHECK_FALSE(leaps(problem, none, none));
+    problem.free[5] = -1.1 * u0; // along the surface as well
+    CHECK(leaps(problem, none, none));
+    problem.points[2].law = -1;
+    CHECK_FALSE(leaps(problem, none, none));
+  }
+
+  TEST_CASE("without a start an answer leaps from where its guess lies") {
+    auto problem = bonded(1, 1, 3, 0);
+    problem.free[0] = 2 * u0;
+    Vector const guess = Vector::Constant(1, -2 * u0 / problem.W.diagonal(0));
+    CHECK(leaps(problem, guess, Vector::Zero(1)));
+    CHECK_FALSE(leaps(problem, 0.1 * guess, Vector::Zero(1)));
+  }
+
+  TEST_CASE(
+      "a closed point of a body that softens, W below zero, stays closed from forces that are an answer") {
+    for (int const dim : {1, 2, 3}) {
+      auto problem = bonded(dim, 1, 1, 0);
+      double const unit = problem.W.diagonal(0), force = 2;
+      problem.W.entries()(0, 0) = -unit;
+      problem.free[0] = unit * force;
+      Vector answer = Vector::Zero(dim);
+      answer[0] = force;
+      REQUIRE(displacement(problem, answer)[0] == 0);
+      for (auto const& choice : {SolverChoice(BipotentialNewton{}), SolverChoice(GaussSeidel{})}) {
+        auto const found = make_solver(choice)->solve(problem, answer);
+        REQUIRE(found.converged);
+        CHECK(found.force == answer);
+      }
+    }
+  }
+
+  TEST_CASE("a bonded point that nothing moves and that just touches pulls as its law says") {
+    for (int const dim : {2, 3}) {
+      auto problem = bonded(dim, 1, 0, 0);
+      problem.free[1] = 0.1 * u0;
+      auto const newton = make_solver(BipotentialNewton{})->solve(problem, Vector::Zero(dim));
+      REQUIRE(newton.converged);
+      CHECK(newton.force[0] == 0);
+      CHECK(newton.force[1] == doctest::Approx(-1e-6 * C * 0.1 * u0).epsilon(1e-12));
+      auto const sweeps = make_solver(GaussSeidel{})->solve(problem, Vector::Zero(dim));
+      REQUIRE(sweeps.converged);
+      CHECK((sweeps.force - newton.force).norm() == 0);
+    }
+  }
+
+  TEST_CASE("a singular W has no potential in x") {
+    auto problem = bonded(1, 3, 3, 0);
+    problem.W.entries().setOnes();
+    CHECK_FALSE(descend(problem, Vector::Zero(3), 100).has_value());
+  }
+}

@@ -1,0 +1,283 @@
+// What is wrong with a scene is said once, at its path, with the remedy; several mistakes together.
+#include <doctest/doctest.h>
+
+#include "scene/run/run.hpp"
+#include "scene/scenes.hpp"
+
+using namespace stiction;
+
+namespace {
+
+core::Complaints complaints(test::Input const& table) {
+  try {
+    scene::validate(table);
+  } catch (core::InputError const& error) {
+    return error.complaints();
+  }
+  return {};
+}
+
+std::string all(core::Complaints const& list) {
+  std::string text;
+  for (auto const& complaint : list)
+    text += complaint.message() + "\n";
+  return text;
+}
+
+/// One complaint, at `path`, that has all of `words`.
+void check_only(test::Input const& table, std::string const& path, std::vector<std::string> const& words) {
+  auto const found = complaints(table);
+  INFO(all(found));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].path == path);
+  CHECK(found[0].place == "study.lua:7");
+  for (auto const& word : words) {
+    CAPTURE(word);
+    CHECK(found[0].text.find(word) != std::string::npos);
+  }
+}
+
+} // namespace
+
+TEST_CASE("the scenes of these tests are sound") {
+  CHECK(complaints(test::foot_on_floor()).empty());
+  CHECK(complaints(test::two_blocks()).empty());
+}
+
+TEST_CASE("a set that does not exist is named with what was perhaps meant") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.secondary") = test::text("foot.botom");
+  check_only(table, "pairs.sole.secondary", {"\"foot.botom\"", "did you mean \"foot.bottom\"", "foot.left"});
+  table = test::foot_on_floor();
+  test::at(table, "motions") = test::list({test::fix("fot.top")});
+  auto const found = complaints(table);
+  CHECK(all(found).find("did you mean \"foot.top\"") != std::string::npos);
+}
+
+TEST_CASE("an obstacle that does not exist is a surface that does not exist") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.primary") = test::text("flor");
+  check_only(table, "pairs.sole.primary",
+             {"no obstacle or set \"flor\"", "foot.bottom", "did you mean \"floor\"?"});
+  test::at(table, "pairs.sole.primary") = test::text("foot");
+  check_only(table, "pairs.sole.primary", {"\"foot\" is a whole body, not a set", "foot.top"});
+  table = test::foot_on_floor();
+  test::at(table, "pairs.sole.secondary") = test::text("floor");
+  check_only(table, "pairs.sole.secondary", {"\"floor\" is an obstacle, not a set"});
+}
+
+TEST_CASE("a body that nothing holds in a quasi-static run") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::quasi_static();
+  test::at(table, "motions") = test::list({});
+  check_only(table, "bodies.foot",
+             {"move along x", "move along y", "turn", "no motion holds it", "stabilisation"});
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  CHECK(complaints(table).empty());
+  auto slides = test::fix("foot.top");
+  test::at(slides, "x") = test::flag(false);
+  test::at(table, "motions") = test::list({slides});
+  check_only(table, "bodies.foot", {"move along x"});
+}
+
+TEST_CASE("a free obstacle in a quasi-static run, and what only a free one has") {
+  auto table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  CHECK(complaints(table).empty());
+  test::at(table, "scheme") = test::quasi_static();
+  check_only(table, "obstacles.floor", {"quasi-static", "paths"});
+  table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.inertia") = test::value(1, "kg m^2");
+  check_only(table, "obstacles.floor.inertia", {"mass"});
+}
+
+TEST_CASE("a probe of an unknown pair, set or place") {
+  auto table = test::foot_on_floor();
+  test::at(table, "probes.tip") = test::make("probe.contact", {{"pair", test::text("soul")}});
+  check_only(table, "probes.tip.pair", {"\"soul\"", "did you mean \"sole\""});
+  test::at(table, "probes.tip") = test::make("probe.force", {{"set", test::text("foot.tip")}});
+  check_only(table, "probes.tip.set", {"\"foot.tip\"", "did you mean \"foot.top\""});
+  test::at(table, "probes.tip") = test::make(
+      "probe.contact_point", {{"pair", test::text("sole")}, {"near", test::values({1, 2, 3}, "m")}});
+  check_only(table, "probes.tip.near", {"has 3 numbers", "two are wanted"});
+  test::at(table, "probes.tip") = test::make("probe.contactt", {{"pair", test::text("sole")}});
+  check_only(table, "probes.tip", {"\"contactt\"", "did you mean \"contact\""});
+}
+
+TEST_CASE("names that the series keeps for itself") {
+  for (std::string const name : {"time", "step"}) {
+    auto table = test::foot_on_floor();
+    test::at(table, "probes." + name) = test::make("probe.energy");
+    check_only(table, "probes." + name, {"taken by the series"});
+  }
+}
+
+TEST_CASE("a node driven two ways") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi"); // which need not hold the foot
+  auto motions =
+      core::List{test::drive("foot.top", {0, 2}, {}, {0, -0.01}), test::fix("foot.left", false, true)};
+  test::at(table, "motions") = test::list(motions);
+  check_only(table, "motions[2]",
+             {"foot.left", "motions[1] moves foot.top", "node at (0, 1) m", "in y",
+              "at t = 2 s to 0 m and to -0.01 m"});
+  motions[1] = test::drive("foot.left", {0, 2}, {}, {0, -0.01});
+  test::at(table, "motions") = test::list(motions);
+  CHECK(complaints(table).empty());
+  motions[1] = test::fix("foot.left", true, false);
+  test::at(table, "motions") = test::list(motions);
+  CHECK(complaints(table).empty());
+}
+
+TEST_CASE("two motions may prescribe the same for a node however it is written") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  std::vector<core::List> const agreeing{
+      {test::fix("foot.left", true, false), test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01})},
+      {test::drive("foot.left", {0, 1, 2}, {}, {0, -0.005, -0.01}),
+       test::drive("foot.top", {0, 2}, {}, {0, -0.01})},
+      {test::drive("foot.left", {0, 3}, {}, {0, -0.015}), test::drive("foot.top", {0, 2}, {}, {0, -0.01})},
+      {test::fix("foot.left"), test::fix("foot.left"), test::fix("foot.top")}};
+  for (auto const& motions : agreeing) {
+    test::at(table, "motions") = test::list(motions);
+    INFO(all(complaints(table)));
+    CHECK(complaints(table).empty());
+  }
+  auto near = test::drive("foot.all", {0, 2}, {}, {0, 0.01});
+  test::at(near, "near") = test::values({0, 1}, "m");
+  test::at(table, "motions") = test::list({test::fix("foot.top"), near});
+  check_only(table, "motions[2]", {"foot.all", "foot.top", "(0, 1) m", "at t = 2 s to 0.01 m and to 0 m"});
+  test::at(table, "motions") = test::list({test::drive("foot.left", {0, 1, 2}, {}, {0, 0, -0.01}),
+                                           test::drive("foot.top", {0, 2}, {}, {0, -0.01})});
+  check_only(table, "motions[2]", {"at t = 1 s to -0.005 m and to 0 m", "same path"});
+}
+
+TEST_CASE("paths shorter than the run, unsorted, or of unequal length") {
+  auto table = test::foot_on_floor();
+  test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1}, {}, {0, -0.01})});
+  check_only(table, "motions[1].set", {"ends at 1 s", "before the run does at 2 s"});
+  test::at(table, "motions") = test::list({test::drive("foot.top", {0, 2, 1}, {}, {0, 0, 0})});
+  CHECK(all(complaints(table)).find("must grow; entry 3 does not") != std::string::npos);
+  test::at(table, "motions") = test::list({test::drive("foot.top", {0, 2}, {}, {0, 1, 2})});
+  check_only(table, "motions[1].y", {"3 values for 2 times"});
+
+  table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.times") = test::values({0, 1}, "s");
+  test::at(table, "obstacles.floor.x") = test::values({0, 1}, "m");
+  check_only(table, "obstacles.floor.times", {"ends at 1 s"});
+}
+
+TEST_CASE("surfaces that overlap at the start") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.mesh.origin") = test::values({0, -0.1}, "m");
+  check_only(table, "pairs.sole", {"overlap by 0.1 m", "before the run starts"});
+}
+
+TEST_CASE("bodies deep inside each other where their surfaces do not see each other") {
+  auto table = test::foot_on_floor();
+  auto bed = [](double top) {
+    return test::block({{-1, top - 2}, {3, 2}, {12, 8}}, test::linear_elastic(1000, 0));
+  };
+  test::at(table, "bodies.bed") = bed(0);
+  test::at(table, "pairs.sole") = test::pair("foot.bottom", "bed.top");
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01}), test::fix("bed.bottom")});
+  CHECK(complaints(table).empty());
+  test::at(table, "bodies.bed") = bed(1.9); // the sole is 1.9 m below its top, beyond all search
+  check_only(table, "pairs.sole",
+             {"the bodies of foot.bottom and bed.top overlap by 0.9 m", "before the run"});
+  test::at(table, "bodies.bed") = bed(2.5); // the sole has come out below the bed
+  check_only(table, "pairs.sole", {"the bodies of foot.bottom and bed.top overlap by 0.5 m"});
+  test::at(table, "bodies.bed") = bed(-5);
+  CHECK(complaints(table).empty());
+}
+
+TEST_CASE("an axisymmetric body left of the axis") {
+  auto table = test::foot_on_floor();
+  test::at(table, "kinematics") = test::text("axisymmetric");
+  CHECK(complaints(table).empty());
+  test::at(table, "bodies.foot.mesh.origin") = test::values({-0.5, 0}, "m");
+  check_only(table, "bodies.foot.mesh", {"-0.5 m", "x >= 0"});
+}
+
+TEST_CASE("vectors with too few or too many components") {
+  for (std::string const path : {"gravity", "bodies.foot.velocity"}) {
+    auto table = test::foot_on_floor();
+    std::string const unit = path == "gravity" ? "m/s^2" : "m/s";
+    test::at(table, path) = test::values({1, 2, 3}, unit);
+    check_only(table, path, {"has 3 numbers", "two are wanted"});
+    test::at(table, path) = test::values({1}, unit);
+    check_only(table, path, {"has 1 numbers", "two are wanted"});
+  }
+  auto table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.shape.normal") = test::values({1, 2, 3});
+  check_only(table, "obstacles.floor.shape", {"normal has 3 components", "give 2"});
+  test::at(table, "obstacles.floor.shape.normal") = test::values({0, 0});
+  check_only(table, "obstacles.floor.shape", {"normal"});
+}
+
+TEST_CASE("a run needs bodies, a schedule and stages that follow each other") {
+  auto table = test::foot_on_floor();
+  test::at(table, "schedule.stages") = test::list({});
+  check_only(table, "schedule.stages", {"empty", "at least one stage"});
+  test::remove(table, "schedule");
+  check_only(table, "schedule", {"missing"});
+  test::at(table, "schedule") = test::schedule({{2, 1}, {2, 1}});
+  check_only(table, "schedule.stages", {"stage 2 ends at 2 s"});
+  auto const nothing =
+      test::make("scene", {{"bodies", test::make("")}, {"schedule", test::schedule({{1, 1}})}});
+  check_only(nothing, "bodies", {"at least one body"});
+}
+
+TEST_CASE("mistakes of one table are reported together, each at its path") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.density") = test::value(-1, "kg/m^3");
+  test::at(table, "bodies.foot.material.young") = test::value(1, "kg");
+  test::at(table, "bodies.foot.colour") = test::text("red");
+  test::at(table, "pairs.sole.frictoin") = test::coulomb(0.3);
+  test::at(table, "pairs.sole.smoothing") = test::text("splin");
+  test::at(table, "gravity") = test::values({1}, "m/s^2");
+  test::remove(table, "schedule");
+  auto const found = complaints(table);
+  INFO(all(found));
+  CHECK(found.size() == 7);
+  for (std::string const path : {"bodies.foot.density", "bodies.foot.material.young", "bodies.foot.colour",
+                                 "pairs.sole.frictoin", "pairs.sole.smoothing", "gravity", "schedule"})
+    CHECK(std::ranges::count(found, path, &core::Complaint::path) == 1);
+}
+
+TEST_CASE("contradictions between parts are reported together") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.secondary") = test::text("foot.botom");
+  test::at(table, "probes.a") = test::make("probe.contact", {{"pair", test::text("soul")}});
+  test::at(table, "motions") = test::list({test::fix("foot.tip")});
+  CHECK(complaints(table).size() >= 3);
+}
+
+TEST_CASE("an adhesion that is felt beyond the reach of its pair is said so and without a reach the pair "
+          "takes it") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.potential", {{"w", test::value(1, "J/m^2")}, {"delta", test::value(10, "mm")}});
+  CHECK(complaints(table).empty());
+  CHECK(scene::build(table).model->pairs[0].reach == doctest::Approx(0.3));
+  test::at(table, "pairs.sole.reach") = test::value(200, "mm");
+  check_only(table, "pairs.sole.reach", {"0.2 m", "0.3 m"});
+  test::at(table, "pairs.sole.reach") = test::value(400, "mm");
+  CHECK(complaints(table).empty());
+}
+
+TEST_CASE("parameters of an adhesion law that do not fit together are named") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.bilinear", {{"K", test::value(1e3, "N/m^3")},
+                                       {"sigma_n", test::value(100, "Pa")},
+                                       {"sigma_t", test::value(50, "Pa")},
+                                       {"G_I", test::value(3, "J/m^2")},
+                                       {"G_II", test::value(3, "J/m^2")}});
+  check_only(table, "pairs.sole.adhesion.G_I", {"3 J/m^2", "5 J/m^2", "raise"});
+  test::at(table, "pairs.sole.adhesion") = test::make("adhesion.bilinea");
+  check_only(table, "pairs.sole.adhesion", {"bilinear", "potential"});
+}
