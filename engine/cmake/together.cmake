@@ -1,5 +1,6 @@
-# What makes STICTION_SANITIZE quick; no-ops without it. Clang parses what most files include, and makes its templates, once a
-# target (GCC gains nothing by it); the layers that compute are optimized, and what they share with the tests is theirs.
+# What makes builds quick: files of a layer are compiled together. The rest does nothing without STICTION_SANITIZE: Clang parses
+# what most files include, and makes its templates, once a target (GCC gains nothing by it); the layers that compute are
+# optimized, and what they share with the tests is theirs.
 set(STICTION_COMPUTES linear interface solid contact dynamics)
 set(STICTION_PATIENCE 120) # s, for a test
 if(STICTION_SANITIZE)
@@ -19,17 +20,16 @@ function(optimize target)
   endif()
 endfunction()
 
-# Several files at a time share their templates; those whose local names clash with others' stay alone.
+# Several files at a time share what their headers cost and their templates; those whose local names clash with others' stay
+# alone.
 function(compile_together layer)
-  if(NOT STICTION_SANITIZE)
-    return()
-  endif()
-  if(layer IN_LIST STICTION_COMPUTES)
+  if(STICTION_SANITIZE AND layer IN_LIST STICTION_COMPUTES)
     optimize(stiction_${layer})
   endif()
-  if(NOT layer STREQUAL mesh)
-    set_target_properties(stiction_${layer} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(NOT STICTION_UNITY OR layer STREQUAL mesh)
+    return()
   endif()
+  set_target_properties(stiction_${layer} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   get_target_property(sources stiction_${layer} SOURCES)
   list(FILTER sources INCLUDE REGEX "/(curve|obstacle_3d|search|surface|surface_kinematics|surface_walk|path|explain_scene).cpp$")
   if(sources)
