@@ -13,7 +13,7 @@ test::Input slab(bool large) {
       test::box({{0, 0, 0}, {3, 3, 1}, {14, 14, 4}}, test::linear_elastic(1000, 0.3));
   test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
   test::at(table, "motions") =
-      test::list({test::drive("foot.top", {0, 1, 2}, {{{0, 0, 0.2}, {0, 0.02, 0.1}, {0.02, -0.02, -0.02}}})});
+      test::list({test::drive("foot.top", {0, 1, 2}, {{{0, 0, 0.04}, {0, 0, 0.02}, {0, -0.02, -0.02}}})});
   if (!large)
     return table;
   test::at(table, "obstacles.ball") =
@@ -30,6 +30,7 @@ TEST_CASE("a slab on the floor is where it is whether or not its sides might tou
   std::vector<Vector> ends;
   std::vector<long> columns;
   for (bool const large : {false, true}) {
+    CAPTURE(large);
     auto const scene = scene::build(slab(large));
     dynamics::Stepper stepper(*scene.model);
     auto const& factor = stepper.structure().factor();
