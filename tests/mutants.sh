@@ -98,7 +98,7 @@ plant() {
 # Clang with few optimizations and what makes STICTION_SANITIZE quick takes half of the time that a release does.
 compile() {
   # shellcheck disable=SC2086 # lists of words
-  { cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTICTION_SANITIZE=ON -DCMAKE_C_COMPILER=clang \
+  { cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSTICTION_SANITIZE=ON -DSTICTION_UNITY=OFF -DCMAKE_C_COMPILER=clang \
     -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
     -DCMAKE_CXX_FLAGS="-w -idirafter $tree/tests -include $tree/tests/lint/source_location.hpp" &&
     nice -n "$nice" ninja -C "$build" -k 0 -j "$jobs" $targets; } >"$work/build.log" 2>&1 ||

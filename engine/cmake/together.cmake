@@ -20,8 +20,8 @@ function(optimize target)
   endif()
 endfunction()
 
-# Several files at a time share what their headers cost and their templates; those whose local names clash with others' stay
-# alone.
+# Several files at a time share what their headers cost and their templates; alone stay those whose local names clash with
+# others', and those that tests/exercise compiles anew.
 function(compile_together layer)
   if(STICTION_SANITIZE AND layer IN_LIST STICTION_COMPUTES)
     optimize(stiction_${layer})
@@ -31,7 +31,11 @@ function(compile_together layer)
   endif()
   set_target_properties(stiction_${layer} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   get_target_property(sources stiction_${layer} SOURCES)
-  list(FILTER sources INCLUDE REGEX "/(curve|obstacle_3d|search|surface|surface_kinematics|surface_walk|path|explain_scene).cpp$")
+  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
+  set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
+  list(APPEND clashing ${exercised})
+  list(JOIN clashing "|" alone)
+  list(FILTER sources INCLUDE REGEX "/(${alone}).cpp$")
   if(sources)
     set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()

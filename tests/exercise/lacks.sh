@@ -21,7 +21,7 @@ fail() {
 if "$@" -fsyntax-only "$here/lacks.cpp" 2> "$work/said"; then
   fail "laws that lack something were taken"
 fi
-cat "$engine"/*/owed.hpp | tr -d '\n' | sed 's/" *"//g' | grep -o 'static_assert([^"]*"[^"]*"' | sed 's/^[^"]*"//; s/"$//' > "$work/complaints"
+find "$engine" -name owed.hpp | sort | xargs cat | tr -d '\n' | sed 's/" *"//g' | grep -o 'static_assert([^"]*"[^"]*"' | sed 's/^[^"]*"//; s/"$//' > "$work/complaints"
 [ "$(wc -l < "$work/complaints")" -ge 25 ] || fail "the complaints were not found in owed.hpp"
 while read -r complaint; do
   grep -F "error: " "$work/said" | grep -qF -- "$complaint" || fail "nothing was told: $complaint"

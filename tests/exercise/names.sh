@@ -7,7 +7,7 @@ cd "$1"
 # named FILE...: code of the engine that names an alternative of material, interface or scheme
 named() {
   awk '
-    FNR == NR || FILENAME ~ /^engine\/(interface\/law|dynamics\/scheme)\.hpp$/ { # the lists, read first
+    FNR == NR || FILENAME ~ /^engine\/(interface\/law|dynamics\/scheme\/scheme)\.hpp$/ { # the lists, read first
       if (/^using [A-Za-z]+ =/) in_list = 1
       if (in_list) { list = list " " $0; if (/;/) in_list = 0 }
       next

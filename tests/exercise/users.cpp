@@ -1,7 +1,7 @@
 // What visits interface laws, compiled with the exercise's among them: the list of what scripts can make,
 // error control, the audit, explain.
-#include "dynamics/step_error.cpp"
-#include "dynamics/stepper_audit.cpp"
-#include "scene/catalog.cpp"
-#include "scene/explain_numbers.cpp"
-#include "scene/explain_warnings.cpp"
+#include "dynamics/adaptivity/step_error.cpp"
+#include "dynamics/step/stepper_audit.cpp"
+#include "scene/description/catalog.cpp"
+#include "scene/explain/explain_numbers.cpp"
+#include "scene/explain/explain_warnings.cpp"

@@ -1,5 +1,5 @@
 # Prints for every .cpp among the files given (paths from the root) one line: itself and all project headers it
-# includes, directly or not. Includes are looked up beside the file, then below engine/ and lua/.
+# includes, directly or not. Includes are looked up beside the file, then below engine/, lua/ and postproc/.
 BEGIN {
   for (i = 1; i < ARGC; ++i)
     known[ARGV[i]] = 1
@@ -14,6 +14,7 @@ BEGIN {
   if ((folder name) in known) target = folder name
   else if (("engine/" name) in known) target = "engine/" name
   else if (("lua/" name) in known) target = "lua/" name
+  else if (("postproc/" name) in known) target = "postproc/" name
   if (target != "")
     includes[FILENAME] = includes[FILENAME] " " target
 }

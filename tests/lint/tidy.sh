@@ -8,28 +8,31 @@ stamps=$build/lint
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$stamps"
 cd "$root"
+database=$build/lint/database # of commands, one for each file, whatever is compiled together
+cmake -S "$root" -B "$database" -G Ninja -DSTICTION_UNITY=OFF -DBUILD_TESTING=OFF >"$stamps/database.log" 2>&1 ||
+  { cat "$stamps/database.log"; exit 1; }
 
 common=$({
   clang-tidy --version
   cat .clang-tidy "$here/source_location.hpp" "$here/tidy_batch.sh"
-  sed -n 's/.*"command": *//p' "$build/compile_commands.json" | sed 's/ -o .*//' | sort -u # flags, each kind once
+  sed -n 's/.*"command": *//p' "$database/compile_commands.json" | sed 's/ -o .*//' | sort -u # flags, each kind once
 } | sha256sum)
 todo=$(mktemp)
 trap 'rm -f "$todo"' EXIT
 find engine lua postproc \( -name '*.hpp' -o -name '*.cpp' \) | sort | xargs awk -f "$here/closure.awk" |
   while read -r source headers; do
-    grep -q "\"file\": \".*/$source\"" "$build/compile_commands.json" || continue
+    grep -q "\"file\": \".*/$source\"" "$database/compile_commands.json" || continue
     # shellcheck disable=SC2086 # headers is a list
     hash=$({ echo "$common $source"; cat "$source" $headers; } | sha256sum | cut -c1-32)
     [ -e "$stamps/$hash" ] || echo "$source $stamps/$hash"
   done > "$todo"
 
-batches=$(awk '{ # up to 8 of a folder
-    folder = $1
-    sub(/\/[^\/]*$/, "", folder)
+batches=$(awk '{ # up to 8 of a layer
+    split($1, part, "/")
+    folder = part[1] "/" part[2]
     if (NR == 1 || folder != last || count == 8) { separator = NR == 1 ? "" : "\n"; count = 0 } else separator = " "
     printf "%s%s", separator, $0
     ++count
     last = folder
   }' "$todo")
-echo "$batches" | xargs -r -P2 -L1 sh "$here/tidy_batch.sh" "$build"
+echo "$batches" | xargs -r -P2 -L1 sh "$here/tidy_batch.sh" "$database"

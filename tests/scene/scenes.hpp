@@ -45,7 +45,10 @@ inline Input rcc(double w, double C, double b) {
                                {"C_t", value(C, "N/m^3")},
                                {"b", value(b, "N s/m")}});
 }
+/// With both, all components of the set, in space too.
 inline Input fix(std::string set, bool x = true, bool y = true) {
+  if (x && y)
+    return make("motion.fix", {{"set", text(std::move(set))}});
   return make("motion.fix", {{"set", text(std::move(set))}, {"x", flag(x)}, {"y", flag(y)}});
 }
 /// Displacements at times; an empty list leaves its component free.

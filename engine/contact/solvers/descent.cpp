@@ -10,11 +10,11 @@ namespace stiction::contact {
 
 namespace {
 
-constexpr double enough = 1e-11;       // projected gradient over the largest force
-constexpr double least_descent = 1e-4; // of the descent that the gradient foretells
-constexpr double longest = 0.5;        // stride of a step, see `stride`
-constexpr double harmless = 1e-5;      // step over the least opening of a law
-constexpr int panels = 4;              // of Simpson's rule for the work of a bond in one step
+constexpr double enough = 1e-11;          // projected gradient over the largest force
+constexpr double least_descent = 1e-4;    // of the descent that the gradient foretells
+constexpr double longest_descent = 0.5;   // stride of a step, see `stride`
+constexpr double harmless_descent = 1e-5; // step over the least opening of a law
+constexpr int panels = 4;                 // of Simpson's rule for the work of a bond in one step
 
 /// The unknown is x; the gradient of the potential is p - A rtilde(x) with p = W^-1 (x - free).
 template<int D> class Descent {
@@ -154,12 +154,12 @@ private:
   /// Goes along the direction, stopped at the bounds, as far as the potential falls; a step too small to leap
   /// over anything is taken at once, as rounding would judge it.
   bool walk() {
-    double length = std::min(1.0, longest / stride(direction_));
+    double length = std::min(1.0, longest_descent / stride(direction_));
     while (length > 1e-6) {
       Vector next = x_ + length * direction_;
       for (Index i = 0; i < problem_.size(); ++i)
         next[D * i] = std::max(next[D * i], shift(i));
-      if (length * direction_.template lpNorm<Eigen::Infinity>() < harmless * opening_ ||
+      if (length * direction_.template lpNorm<Eigen::Infinity>() < harmless_descent * opening_ ||
           gain(next) <= least_descent * gradient_.dot(next - x_)) {
         x_ = next;
         return true;

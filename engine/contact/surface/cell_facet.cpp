@@ -56,7 +56,7 @@ FacetShape tri6(Vec2 const& at) {
       s.by[ix(a)][k] = (4 * L.N[k] - 1) * slope(a, k);
       s.by[ix(a)][m] = 4 * (L.N[k] * slope(a, next) + L.N[next] * slope(a, k));
     }
-    for (auto const [a, b] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
+    for (auto const& [a, b] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
       s.by2[ix(a + b)][k] = 4 * slope(a, k) * slope(b, k);
       s.by2[ix(a + b)][m] = 4 * (slope(a, k) * slope(b, next) + slope(a, next) * slope(b, k));
     }

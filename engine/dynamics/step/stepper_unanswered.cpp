@@ -12,7 +12,7 @@ namespace stiction::dynamics {
 std::string Stepper::held_and_pressed() const {
   auto const& problem = contact_->problem();
   for (Index row = 0; row < problem.size(); ++row) {
-    auto const place = contact_->place(row);
+    auto const place = contact_->point_of(row);
     auto const& pair = model_->pairs[ix(place.pair)];
     auto const* side = std::get_if<RigidSide>(&pair.primary);
     double const gap = problem.free[problem.dim * row];
@@ -47,14 +47,16 @@ std::string Stepper::unanswered() const {
   std::string const failed = "the contact solver did not reach its tolerance";
   if (problem.points.empty() || !forces.allFinite())
     return failed;
-  if (auto const held = held_and_pressed(); !held.empty())
-    return failed + ": " + held;
+  auto const held = held_and_pressed();
+  std::string const why = held.empty() ? held : ": " + held;
   if (problem.dim > 2)
-    return failed;
+    return failed + why;
   auto const found = contact::pivot(problem, forces, contact::From::nothing);
-  return found && found->none ? failed + ": pivoting shows that its problem, linear about the last forces, "
-                                         "has no answer"
-                              : failed;
+  return failed +
+         (found && found->none
+              ? ": pivoting shows that its problem, linear about the last forces, has no answer"
+              : "") +
+         why;
 }
 
 } // namespace stiction::dynamics

@@ -305,7 +305,7 @@ void inertia(Facts const& all, Warnings& warnings) {
          "scheme.theta_xi{}"});
 }
 
-/// Below the critical step of single cells (dynamics/critical_step.hpp).
+/// Below the critical step of single cells (dynamics/bulk/critical_step.hpp).
 void critical_steps(Facts const& all, Warnings& warnings) {
   auto const& model = *all.scene->model;
   if (!dynamics::weights(model.scheme).explicit_forces)

@@ -79,7 +79,8 @@ void Remarks::add_rounded(std::vector<std::string>& all) const {
         "largest {}",
         what, tolerance, reached, of));
   };
-  if (unmet_ > asked * force_)
+  bool const acts = unmet_ < 0.5 * force_; // else nothing does but rounding, as in free flight
+  if (acts && unmet_ > asked * force_)
     add("control.force_tolerance", asked, unmet_ / force_, "force");
   if (contact_ > sharp)
     add("solver.tolerance", sharp, contact_, "traction");

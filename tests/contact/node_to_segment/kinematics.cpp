@@ -77,7 +77,7 @@ TEST_SUITE("contact") {
         continue; // differences would leave the segment
       ++checked;
       int const n = at.unknowns();
-      auto const which = [&](Vector const& move) {
+      auto const look = [&](Vector const& move) {
         return kinematics(curve, node, at.foot, at.foot, moved(x, at, move));
       };
       Vector const here = Vector::Zero(n);

@@ -153,7 +153,7 @@ TEST_SUITE("contact") {
       Vec3 const place = turn * Vec3(0.37, 0.55, 0.0);
       auto const x = shell.with(place);
       auto const point = kinematics(surface, shell.free_node(), {}, {}, x);
-      auto const which = [&](Vector const& m) {
+      auto const look = [&](Vector const& m) {
         auto const k = kinematics(surface, shell.free_node(), point.foot, point.foot, moved(x, point, m));
         return Vector(Vec3(k.gap, k.slip[0], k.slip[1]));
       };

@@ -99,7 +99,7 @@ template<int D> void check_objectivity(Encounter<D> const& met) {
   auto const placed = [&](Pose<D> const& p, Vec<D> const& X) -> Vec<D> {
     return p.place + p.rotation * (X - p.pivot);
   };
-  auto const which = [&](Pose<D> const& p, Vec<D> const& X, Foot start) {
+  auto const look = [&](Pose<D> const& p, Vec<D> const& X, Foot start) {
     PosedObstacle<D> const obstacle{&met.shape, p, {1, 0.2, -0.3}};
     return kinematics(obstacle, 2, start, {}, with<D>(placed(p, X)));
   };

@@ -21,7 +21,7 @@ template<int D> ObstacleView<D> seen(Obstacle const& shape, Vec<D> const& point,
 template<int D> void check_derivatives(Encounter<D> const& met) {
   auto const at = seen<D>(met.shape, met.point);
   REQUIRE(at.found);
-  auto const which = [&](Vector const& x) { return view<D>(met.shape, x, at.foot, at.foot, direction); };
+  auto const look = [&](Vector const& x) { return view<D>(met.shape, x, at.foot, at.foot, direction); };
   Vector const here = met.point;
   auto const gap = [&](Vector const& x) { return Vector(Vector::Constant(1, look(x).gap)); };
   check_rate(rate(gap, Dense(at.by_x.row(0)), here, 1e-3, 1), "gap");

@@ -125,7 +125,7 @@ TEST_SUITE("contact") {
   TEST_CASE("points that just touch and slide are solved as far as rounding lets them be") {
     Problem problem = one_point(Dense(4, 4), Vector::Zero(4), 0.3);
     problem.points.push_back(problem.points[0]);
-    // the wall of tests/dynamics/audit.cpp at the step that ends where it is met
+    // the wall of tests/dynamics/step/audit.cpp at the step that ends where it is met
     problem.W.entries() << 12, -32, -4, -32, -32, 176.7, 32, 175.3, -4, 32, 12, 32, -32, 175.3, 32, 176.7;
     int seed = 0;
     for (double const touch : {1.3e-18, -1.2e-17, 6.9e-17, -6.1e-17, 0.0, -3.3e-18})

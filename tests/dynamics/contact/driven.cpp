@@ -43,4 +43,5 @@ TEST_CASE("driven nodes pressed into an obstacle have no answer and say so") {
   CHECK(outcome.verdict == dynamics::StepVerdict::contact_failed);
   CHECK(outcome.reason.find("pivoting shows that its problem, linear about the last forces, has no answer") !=
         std::string::npos);
+  CHECK(outcome.reason.find("nothing can give way") != std::string::npos);
 }

@@ -203,7 +203,7 @@ double stands_for(Case const& c, double x, double h) {
 TEST_CASE("pressures: areas are the integrals of the points' functions") {
   for (auto const& c : cases()) {
     if (c.kind == "tet4" || c.kind == "tet10" || (c.kind == "hex20" && !c.mortar()))
-      continue; // in mesh/hats.cpp
+      continue; // in mesh/topology/hats.cpp
     INFO(c.name());
     auto scene = released(block_on_floor(c, 1));
     auto const state = press_layer(scene, [](auto const&) { return 10.0; });

@@ -201,7 +201,7 @@ TEST_SUITE("mesh") {
     if (no_mesher())
       return;
     OwnCache const cache;
-    auto const data = std::filesystem::path(__FILE__).parent_path() / "data";
+    auto const data = std::filesystem::path(__FILE__).parent_path().parent_path() / "data";
     for (auto const& [name, kind] : {std::pair{"plate_quad8_v41.msh", CellKind::quad8},
                                      std::pair{"plate_quad4_binary.msh", CellKind::quad4}}) {
       CAPTURE(name);

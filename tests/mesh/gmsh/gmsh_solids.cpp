@@ -39,7 +39,7 @@ std::vector<Case> const cases{
     {SolidShape::half_ball, {1e-3}, 2 * pi / 3 * 1e-9, {{"cap", 2 * pi * 1e-6}, {"flat", pi * 1e-6}}}};
 
 std::string data(std::string const& name) {
-  return (std::filesystem::path(__FILE__).parent_path() / "data" / name).string();
+  return (std::filesystem::path(__FILE__).parent_path().parent_path() / "data" / name).string();
 }
 
 std::string tetrahedron(std::string const& elements) {
