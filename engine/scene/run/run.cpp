@@ -13,13 +13,11 @@
 #include "linear/recycling.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
-#include "record/problem_file.hpp"
-#include "record/step_log.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/probes.hpp"
-#include "scene/run/frame.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/patience.hpp"
+#include "scene/run/recorder.hpp"
 #include "scene/run/remarks.hpp"
 #include "scene/run/remesh.hpp"
 #include "scene/run/work.hpp"
@@ -49,66 +47,11 @@ double peak_memory() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-/// Everything a case writes.
-class Recorder {
-public:
-  Recorder(Scene const& scene, RunOptions const& options)
-      : scene_(&scene), folder_(options.out), series_(options.out / "series.h5"), fields_(options.out),
-        log_(options.out) {
-    add_step_columns(scene, series_);
-    samplers_ = add_probes(scene, series_);
-  }
-  void step(dynamics::State const& state, double dt, int iterations, dynamics::StepError const& error = {}) {
-    row_.clear();
-    row_.insert(row_.end(), {dt, static_cast<double>(iterations)});
-    if (controlled())
-      row_.insert(row_.end(),
-                  {error.displacement, error.bond, error.beta_change, static_cast<double>(error.events)});
-    for (auto const& sampler : samplers_)
-      sampler(state, row_);
-    series_.append(state.t, row_);
-  }
-  void frame(dynamics::State const& state) { fields_.write(frame_of(*scene_, state)); }
-  /// Returns the file, for messages; "" when there is no contact.
-  std::string problem(contact::Problem const& problem, std::string const& name) {
-    if (problem.points.empty())
-      return "";
-    auto const folder = folder_ / "problems";
-    record::prepare_output(folder);
-    record::save_problem(folder / (name + ".h5"), problem);
-    return (folder / (name + ".h5")).string();
-  }
-  void change(record::StepChange const& change) {
-    log_.add(change);
-    ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
-  }
-  /// How often the step was changed, and why it was cut.
-  [[nodiscard]] std::map<std::string, double> const& changes() const { return changes_; }
-  void close() {
-    series_.flush();
-    log_.write();
-  }
-
-private:
-  [[nodiscard]] bool controlled() const { return scene_->part.schedule.accuracy.has_value(); }
-
-  Scene const* scene_;
-  std::filesystem::path folder_;
-  record::Series series_;
-  record::FieldSeries fields_;
-  record::StepLog log_;
-  std::map<std::string, double> changes_ = {
-      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0}, {"cut_event", 0}, {"grown", 0},
-      {"at_floor", 0},          {"aimed", 0}};
-  std::vector<Sampler> samplers_;
-  std::vector<double> row_;
-};
-
 /// The case as it runs.
 class Run {
 public:
   Run(Scene const& scene, RunOptions const& options)
-      : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options),
+      : scene_(&scene), options_(&options), stepper_(*scene.model), recorder_(scene, options.out),
         patience_(scene.part.schedule, *scene.model, stepper_), state_(stepper_.initial()), remarks_(scene),
         meshes_(scene, state_) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
@@ -363,7 +306,7 @@ private:
     recorder_.step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;
     if (every > 0 && result_.steps % every == 0)
-      recorder_.problem(stepper_.contact().problem(), fmt::format("{:06}", result_.steps));
+      static_cast<void>(recorder_.problem(stepper_.contact().problem(), fmt::format("{:06}", result_.steps)));
     report(dt, outcome.iterations);
   }
 

@@ -1,0 +1,41 @@
+// Everything that a case writes while it runs: histories, fields, the log of its steps, saved problems.
+#pragma once
+#include <filesystem>
+#include <map>
+
+#include "dynamics/adaptivity/step_error.hpp"
+#include "record/fields.hpp"
+#include "record/series.hpp"
+#include "record/step_log.hpp"
+#include "scene/probes/probes.hpp"
+
+namespace stiction::scene {
+
+class Recorder {
+public:
+  /// Into this folder, which exists. The scene must outlive it.
+  Recorder(Scene const& scene, std::filesystem::path const& folder);
+  /// A row of histories; dt in s.
+  void step(dynamics::State const& state, double dt, int iterations, dynamics::StepError const& error = {});
+  void frame(dynamics::State const& state);
+  /// Returns the file, for messages; "" when there is no contact.
+  [[nodiscard]] std::string problem(contact::Problem const& problem, std::string const& name) const;
+  void change(record::StepChange const& change);
+  /// How often the step was changed, and why it was cut.
+  [[nodiscard]] std::map<std::string, double> const& changes() const { return changes_; }
+  void close();
+
+private:
+  Scene const* scene_;
+  std::filesystem::path folder_;
+  record::Series series_;
+  record::FieldSeries fields_;
+  record::StepLog log_;
+  std::map<std::string, double> changes_ = {
+      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0}, {"cut_event", 0}, {"grown", 0},
+      {"at_floor", 0},          {"aimed", 0}};
+  std::vector<Sampler> samplers_;
+  std::vector<double> row_;
+};
+
+} // namespace stiction::scene
