@@ -12,6 +12,7 @@ namespace {
 
 constexpr double bearing_part = 0.01; // of the strength, above which a bond counts as pulled
 constexpr int rounds = 30;            // of the power iteration
+constexpr double no_pivot = 1e-12;    // over the largest: of a singular matrix
 
 /// A point that friction pushes: unit direction of the push.
 template<int D> struct Pushed {
@@ -79,7 +80,9 @@ private:
     }
     Eigen::PartialPivLU<Dense> const factor(matrix);
     auto const pivots = factor.matrixLU().diagonal().array();
-    if ((pivots == 0).any() || ((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
+    if (pivots.abs().minCoeff() <= no_pivot * pivots.abs().maxCoeff()) // singular: its sign is rounding's
+      return;
+    if (((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
       return;
     auto const& first = pushed_.front();
     auto const row = problem_.W.block<D>(first.point).row(0).eval();
