@@ -12,6 +12,7 @@
 #include <new>
 #include <sstream>
 #include <sys/file.h>
+#include <thread>
 #include <unistd.h>
 
 #include "bind/engine.hpp"
@@ -105,23 +106,43 @@ int open_high(std::string const& path) {
   return high;
 }
 
+/// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is, one
+/// that gives it up says so no more: both get a second.
+int wait_for_words(int descriptor, std::string const& path, Holder& holder) {
+  constexpr int looks = 50;
+  constexpr std::chrono::milliseconds between{20};
+  for (int look = 0; look < looks; ++look) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+      return 0;
+    int const failed = errno;
+    if (failed != EWOULDBLOCK && failed != EINTR)
+      return failed;
+    holder = read_holder(path);
+    if (holder.id != 0)
+      return failed;
+    std::this_thread::sleep_for(between);
+  }
+  return EWOULDBLOCK;
+}
+
 /// lock(path, command) -> lock (and, where the file system has no locks, why), or nil and who holds it
 int lock(lua_State* lua) {
   auto const path = text_at(lua, 1);
   int const descriptor = open_high(path);
   if (descriptor < 0)
     throw core::RunError(fmt::format("cannot open {}: {}", path, std::strerror(errno)));
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+  Holder holder;
+  int const failed = wait_for_words(descriptor, path, holder);
+  if (failed == 0) {
     held().push_back(descriptor);
     write_holder(descriptor, text_at(lua, 2));
     push_lock(lua, descriptor);
     return 1;
   }
-  int const failed = errno;
   close(descriptor);
   if (failed == EWOULDBLOCK || failed == EINTR) {
     lua_pushnil(lua);
-    push(lua, words_on(read_holder(path)));
+    push(lua, words_on(holder));
     return 2;
   }
   push_lock(lua, -1);
