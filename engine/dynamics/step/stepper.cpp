@@ -229,13 +229,13 @@ bool Stepper::converged(Outcome& outcome) {
   double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
   double const rounded = 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
   double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
-  double const worst = std::max(imbalance(), contact_->residual());
+  double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   outcome.force_scale = force_scale_;
   double const places = 1e-15 * extent_ * bulk_.stiffness_scale();
   bool const stalls =
       worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
-  return worst <= tolerance || (stalls && worst <= tolerance + places);
+  return forces <= tolerance && contact <= tolerance + (stalls ? places : 0.0);
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh

@@ -273,9 +273,11 @@ core::Schema const& SchedulePart::schema() {
                    "how often a step may be halved before the run stops")
           .integer("cuts", &SchedulePart::cuts, {1, 1e6, false, false}, Need::optional,
                    "attempts at one step and at parts of it that may fail before the run stops")
-          .number("work", &SchedulePart::work, "1", core::positive, Need::optional,
-                  "1e9 operations (about a second for two) that attempts at one step and at parts of it may "
-                  "lose before the run stops; where it is more, a thousand factorizations")
+          .number(
+              "work", &SchedulePart::work, "1", core::positive, Need::optional,
+              "1e9 operations (about a second for two) that attempts at one step and at parts of it may "
+              "lose before the run stops, and a hundredth of what one attempt may take; where it is more, a "
+              "thousand factorizations")
           .number("seconds", &SchedulePart::seconds, "s", core::non_negative, Need::optional,
                   "time of the machine after which the run stops, the one limit that depends on the machine; "
                   "0: none")

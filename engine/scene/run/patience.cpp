@@ -10,6 +10,7 @@ namespace stiction::scene {
 
 namespace {
 constexpr double factorizations = 1000; ///< whose work may be lost where it is more than the limit
+constexpr double hopeless = 100;        ///< times the limit, in one attempt
 } // namespace
 
 Patience::Patience(SchedulePart const& limits, dynamics::Model const& model, dynamics::Stepper const& stepper)
@@ -26,6 +27,11 @@ void Patience::begin_attempt() {
 /// Operations that may be lost on one step.
 double Patience::most() const {
   return std::max(1e9 * limits_->work, factorizations * stepper_->structure().effort().operations);
+}
+
+bool Patience::spent() const {
+  double const limit = std::max(hopeless * 1e9 * limits_->work, most());
+  return operations() - before_ > limit;
 }
 
 std::string Patience::lost() {

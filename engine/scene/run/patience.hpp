@@ -18,8 +18,8 @@ public:
   void begin_attempt();
   /// The attempt failed. Why the run must end, or nothing.
   [[nodiscard]] std::string lost();
-  /// The attempt has taken more than may be lost.
-  [[nodiscard]] bool spent() const { return lost_ + operations() - before_ > most(); }
+  /// Has the present attempt, which may yet succeed, taken so much that it is as good as lost?
+  [[nodiscard]] bool spent() const;
   /// The attempt was accepted and led to t.
   void reached(double t);
   /// Why a run of so many seconds must end, or nothing.

@@ -38,7 +38,7 @@ test::Input crushed() {
 }
 
 /// A soft block pressed on another and, in one step, far over its edge: iterations go on for ever.
-test::Input overhung() {
+test::Input overhung(double work) {
   auto table = test::two_blocks();
   test::at(table, "bodies.upper") = test::block({{0.1, 0}, {1, 1}, {5, 4}}, test::linear_elastic(1000, 0));
   for (char const* body : {"lower", "upper"})
@@ -49,7 +49,7 @@ test::Input overhung() {
       {test::fix("lower.bottom"), test::drive("upper.top", {0, 1, 2}, {0, 0, 0.61}, {0, -0.2, -0.2})});
   test::at(table, "schedule") = test::schedule({{1, 4}, {2, 1}});
   test::at(table, "schedule.halvings") = test::value(0);
-  test::at(table, "schedule.work") = test::value(1e-9);
+  test::at(table, "schedule.work") = test::value(work);
   test::at(table, "control") = test::make("control", {{"iterations", test::value(1000)}});
   return table;
 }
@@ -95,7 +95,7 @@ TEST_CASE("a case ends when the attempts at one step have lost so many operation
 }
 
 TEST_CASE("a single attempt that loses too many operations is left off before its iterations end") {
-  auto const result = run(overhung());
+  auto const result = run(overhung(1e-9));
   CAPTURE(result.reason);
   CHECK(result.verdict == "not converged");
   CHECK(result.steps == 4);
@@ -103,6 +103,13 @@ TEST_CASE("a single attempt that loses too many operations is left off before it
   CHECK(says(result.reason, "left off after"));
   CHECK(says(result.reason, "more than schedule.work"));
   CHECK(result.iterations < 1000);
+}
+
+TEST_CASE("an attempt that has taken more than may be lost may yet succeed, and goes on") {
+  auto const result = run(overhung(0.02));
+  CAPTURE(result.reason);
+  CHECK(result.counters.at("work") > 2 * 0.02e9);
+  CHECK_FALSE(says(result.reason, "left off"));
 }
 
 TEST_CASE("a case that is given seconds is stopped after them") {
