@@ -64,6 +64,7 @@ private:
   [[nodiscard]] double search_radius(std::size_t pair) const;
   void place_nodes(Vector const& u);
   void place_rigid_bodies(Vector const& u);
+  [[nodiscard]] bool beneath(Point const& point) const;
   void choose_active(Point& point) const;
   void limit_rates(Point& point, ContactState const& old, double dt) const;
   void gather(linear::BulkFactor const& bulk);
@@ -78,8 +79,8 @@ private:
   StepWeights weights_;
   std::unique_ptr<contact::Solver> solver_;
   std::vector<Point> points_;
-  std::vector<Index> active_; ///< into points_
-  Vector positions_;
+  std::vector<Index> active_;                               ///< into points_
+  Vector positions_, moved_;                                ///< moved_: within the step
   std::vector<contact::Pose<D>> poses_;                     ///< [rigids]
   std::vector<std::optional<contact::Search<D>>> searches_; ///< [pairs]; none against rigid bodies
   std::vector<std::optional<contact::Mortar<D>>> mortars_;  ///< [pairs]; none for node to segment
@@ -234,6 +235,22 @@ template<int D, int C> void System<D, C>::see_all_nodes() {
       means->settle();
 }
 
+/// Has the point come in past a border of the surface, well beneath it? Then it is in the counterpart's side,
+/// which is no part of the pair: nothing holds it until it is out.
+template<int D, int C> bool System<D, C>::beneath(Point const& point) const {
+  auto const& kinematics = point.kinematics;
+  auto const& pair = model_->pairs[ix(point.pair)];
+  if (!searches_[ix(point.pair)] || mortars_[ix(point.pair)] || !kinematics.found || !(kinematics.gap < 0))
+    return false;
+  ContactState const& old = old_->contacts[ix(point.pair)][ix(point.index)];
+  if (old.foot.found())
+    return old.beneath;
+  double before = kinematics.gap;
+  for (int a = 0; a < kinematics.count; ++a)
+    before -= kinematics.H.template block<1, D>(0, D * a).dot(moved_.segment<D>(D * kinematics.nodes[ix(a)]));
+  return before < -0.2 * pair.reach;
+}
+
 template<int D, int C> void System<D, C>::choose_active(Point& point) const {
   auto const& pair = model_->pairs[ix(point.pair)];
   bool const bonded = point.law.bond.old.beta > 0 && pair.law.lasts();
@@ -241,7 +258,8 @@ template<int D, int C> void System<D, C>::choose_active(Point& point) const {
   double const gap = point.kinematics.gap;
   // what lay deeper than that before the step is on the far side of a body, not in contact with this one
   double const old_gap = old_->contacts[ix(point.pair)][ix(point.index)].gap;
-  bool const near = gap < pair.reach && std::max(gap, old_gap) > -6 * pair.reach && !point.waits;
+  bool const near =
+      gap < pair.reach && std::max(gap, old_gap) > -6 * pair.reach && !point.waits && !beneath(point);
   bool const was = point.active;
   point.active = point.kinematics.found && (held || near);
   if (!point.active)
@@ -256,6 +274,7 @@ template<int D, int C> void System<D, C>::place_nodes(Vector const& u) {
 
 template<int D, int C> void System<D, C>::locate(Vector const& u, bool settle) {
   place_nodes(u);
+  moved_ = u - old_->u;
   place_rigid_bodies(u);
   each_mortar([&](auto& mortar, auto const* obstacle) { mortar.locate(positions(), obstacle); });
   see_all_nodes();
@@ -443,6 +462,7 @@ template<int D, int C> void System<D, C>::finish(State const& old, double, State
     after.foot = point.kinematics.foot;
     after.gap = point.kinematics.gap;
     after.in_reach = point.active;
+    after.beneath = beneath(point);
     if (weights_.velocity_level())
       set_rates(model_->pairs[ix(point.pair)], *model_, point.kinematics, next, after);
     if (!point.active)

@@ -21,6 +21,7 @@ struct ContactState {
   interface::Bond bond;
   interface::Status status = interface::Status::open;
   bool in_reach = false; ///< took part in the last step's contact problem
+  bool beneath = false;  ///< came in past a border of the surface, and is not out yet
   /// Of gap and slip, (n, t1, t2), m/s, and with accelerations their own rate, m/s^2; kept where contact is
   /// at the velocity level.
   contact::Vec3 rate = contact::Vec3::Zero(), second = contact::Vec3::Zero();

@@ -22,10 +22,13 @@ contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked 
 }
 
 /// "point 17 of pair floor", counted from one as in the pair's line of points.
+std::string words_for(Scene const& scene, std::size_t pair, Index point) {
+  return fmt::format("point {} of pair {}", point + 1, scene.pairs[pair]);
+}
+
 std::string place_of(Scene const& scene, dynamics::ContactSystem const& contact, Index row) {
   auto const place = contact.point_of(row);
-  return fmt::format("point {} of pair {}", place.index + 1,
-                     scene.pairs[static_cast<std::size_t>(place.pair)]);
+  return words_for(scene, static_cast<std::size_t>(place.pair), place.index);
 }
 
 /// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
@@ -49,6 +52,23 @@ void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact:
     note(friction_, found.friction);
   if (found.softening.any())
     note(softening_, found.softening);
+}
+
+void Remarks::seek_beneath(dynamics::State const& state) {
+  for (std::size_t pair = 0; pair < state.contacts.size(); ++pair) {
+    auto const& points = state.contacts[pair];
+    auto const lost =
+        std::find_if(points.begin(), points.end(), [](auto const& point) { return point.beneath; });
+    if (lost == points.end())
+      continue;
+    if (++beneath_.steps == 1)
+      beneath_.text = fmt::format(
+          "at t = {}, {} came in past a border of its counterpart's surface and lies {} beneath it, where no "
+          "contact holds it: let the primary go on round the corner, or make the finer side the secondary "
+          "one",
+          human(state.t, "s"), words_for(*scene_, pair, lost - points.begin()), human(-lost->gap, "m"));
+    return;
+  }
 }
 
 /// What a snap of quasi-static steps loses is no fault of a scheme.
@@ -88,7 +108,7 @@ void Remarks::add_rounded(std::vector<std::string>& all) const {
 
 std::vector<std::string> Remarks::texts() const {
   std::vector<std::string> all;
-  for (auto const* remark : {&friction_, &softening_})
+  for (auto const* remark : {&friction_, &softening_, &beneath_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   add_rounded(all);

@@ -17,6 +17,8 @@ public:
   void weigh(dynamics::Ledger const& ledger);
   /// How well an accepted step meets the balance of forces.
   void balance(dynamics::Outcome const& outcome);
+  /// Points of an accepted state that lie in the side of their counterpart.
+  void seek_beneath(dynamics::State const& state);
   /// residual: the largest that rounding kept the contact solver at.
   void rounded(double residual) { contact_ = residual; }
   /// In the order in which they are made; empty where nothing is in doubt.
@@ -29,7 +31,7 @@ private:
     long steps = 0;
   };
   Scene const* scene_;
-  Remark friction_, softening_;
+  Remark friction_, softening_, beneath_;
   long steps_ = 0;
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick

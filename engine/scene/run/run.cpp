@@ -300,6 +300,7 @@ private:
     if (++result_.steps == 1)
       blocks_ = linear::blocks_from_system();
     remarks_.examine(stepper_.contact(), state_.t, contact::Checked::bearing);
+    remarks_.seek_beneath(state_);
     remarks_.weigh(state_.ledger);
     remarks_.balance(outcome);
     Timed const timed(*this);
