@@ -50,8 +50,9 @@ bool write(hid_t file, char const* name, std::vector<hsize_t> const& shape,
 std::vector<double> flatten(std::vector<contact::ProblemPoint> const& points) {
   std::vector<double> rows;
   for (auto const& p : points)
-    rows.insert(rows.end(), {p.area, p.mu, static_cast<double>(p.law), p.bond.old.beta, p.bond.old.stretch[0],
-                             p.bond.old.stretch[1], p.bond.dt, p.bond.closed ? 1.0 : 0.0});
+    rows.insert(rows.end(),
+                {p.area, p.mu, static_cast<double>(p.adhesion), p.bond.old.beta, p.bond.old.stretch[0],
+                 p.bond.old.stretch[1], p.bond.dt, p.bond.closed ? 1.0 : 0.0});
   return rows;
 }
 
@@ -126,7 +127,7 @@ contact::ProblemPoint point_of(double const* row, ProblemReader const& reader, s
   contact::ProblemPoint point;
   point.area = row[0];
   point.mu = row[1];
-  point.law = reader.index(row[2], laws);
+  point.adhesion = reader.index(row[2], laws);
   point.bond = {{row[3], {row[4], row[5]}}, row[6], row[7] != 0};
   reader.require(point.area > 0 && point.mu >= 0 && point.bond.old.beta >= 0 && point.bond.old.beta <= 1 &&
                      point.bond.dt >= 0,

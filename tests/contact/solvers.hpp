@@ -78,7 +78,7 @@ inline void add_adhesion(Problem& problem, double softness, unsigned seed) {
   problem.adhesions = {law, damaged};
   for (std::size_t i = 0; i < problem.points.size(); i += 2) {
     auto& point = problem.points[i];
-    point.law = static_cast<int>(i / 2 % 2);
+    point.adhesion = static_cast<int>(i / 2 % 2);
     point.bond = {{0.3 + 0.7 * uniform(random), {0, 0}}, 2e-4, uniform(random) < 0.5};
     for (int k = 0; k < problem.dim - 1; ++k)
       point.bond.old.stretch[k] = length * (uniform(random) - 0.5);

@@ -22,7 +22,7 @@ contact::Problem with_all_laws() {
   for (std::size_t i = 0; i < adhesions.size(); ++i) {
     problem.adhesions.push_back(adhesions[i].law);
     auto& point = problem.points[i];
-    point.law = static_cast<int>(i);
+    point.adhesion = static_cast<int>(i);
     point.friction = static_cast<int>(i % (problem.frictions.size() + 1)) - 1;
     point.bond = {{0.7, {1e-3, -2e-3}}, 0.01, i % 2 == 0};
     point.shift = {1e-5, -2e-5, 3e-5};

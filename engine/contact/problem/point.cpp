@@ -15,8 +15,8 @@ PointState<D> evaluate(Problem const& problem, ProblemPoint const& data, Local<D
   double factor = 1;
   Local<D> factor_by_x = Local<D>::Zero();
   state.dry = p;
-  if (data.law >= 0) {
-    auto const adhesion = interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, x);
+  if (data.adhesion >= 0) {
+    auto const adhesion = interface::adhere<D>(problem.adhesions[ix(data.adhesion)], data.bond, x);
     state.dry -= data.area * adhesion.traction;
     state.adhesion_by_x = data.area * adhesion.traction_by_x;
     factor = adhesion.friction;

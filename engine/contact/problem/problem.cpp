@@ -12,9 +12,9 @@ namespace {
 /// Of a point that nothing can move: the stiffness of its bond, so that no unit is preferred, N/m.
 double scale_of_law(Problem const& problem, Index point) {
   auto const& own = problem.points[ix(point)];
-  if (own.law < 0)
+  if (own.adhesion < 0)
     return 1;
-  auto const scales = interface::scales(problem.adhesions[ix(own.law)]);
+  auto const scales = interface::scales(problem.adhesions[ix(own.adhesion)]);
   double const stiffness = own.area * scales.strength / scales.opening;
   return stiffness > 0 && std::isfinite(stiffness) ? stiffness : 1;
 }
@@ -53,8 +53,8 @@ template<int D> void start_open_in(Problem const& problem, Index point, Vector& 
   if (!(at[0] >= data.shift[0])) // one that just touches needs no push either
     return;
   Local<D> own = Local<D>::Zero();
-  if (data.law >= 0)
-    own = data.area * interface::adhere<D>(problem.adhesions[ix(data.law)], data.bond, at).traction;
+  if (data.adhesion >= 0)
+    own = data.area * interface::adhere<D>(problem.adhesions[ix(data.adhesion)], data.bond, at).traction;
   force.segment<D>(D * point) = own;
   problem.W.add_column<D>(point, own - old, x);
 }

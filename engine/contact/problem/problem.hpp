@@ -15,8 +15,8 @@ using interface::LocalMatrix;
 struct ProblemPoint {
   double area = 1;          ///< tributary reference area A, m^2 (m in plane strain)
   double mu = 0;            ///< friction coefficient
-  int law = -1;             ///< index into Problem::adhesions; -1: dry
-  interface::BondStep bond; ///< bond used only with a law
+  int adhesion = -1;        ///< index into Problem::adhesions; -1: dry
+  interface::BondStep bond; ///< bond used only with an adhesion
   int friction = -1;        ///< index into Problem::frictions; -1: the coefficient is mu
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< (n, t1, t2), m: the cone sees x - shift, the bond x
 };

@@ -39,7 +39,7 @@ public:
         look_at_friction(i, state.mu);
       if (state.mu > 0 && !state.dry.template tail<D - 1>().isZero(0))
         pushed_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
-      if (problem_.points[ix(i)].law >= 0)
+      if (problem_.points[ix(i)].adhesion >= 0)
         look_at_bond(i, (p - state.dry)[0]);
     }
     if (doubts_.friction.points == 0)
@@ -92,7 +92,7 @@ private:
   /// `pull`: the bond's normal force, negative where it pulls, N.
   void look_at_bond(Index i, double pull) {
     auto const& point = problem_.points[ix(i)];
-    auto const& law = problem_.adhesions[ix(point.law)];
+    auto const& law = problem_.adhesions[ix(point.adhesion)];
     if (which_ == Checked::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
       return;
     double const fall = point.area * interface::steepest_fall(law, point.bond),

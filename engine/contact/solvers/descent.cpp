@@ -49,8 +49,8 @@ private:
   [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
   [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
     auto const& data = problem_.points[ix(point)];
-    return data.law < 0 ? interface::Adhesion<D>{}
-                        : interface::adhere<D>(problem_.adhesions[ix(data.law)], data.bond, x);
+    return data.adhesion < 0 ? interface::Adhesion<D>{}
+                             : interface::adhere<D>(problem_.adhesions[ix(data.adhesion)], data.bond, x);
   }
 
   /// Forces, gradient, the bonds' stiffness, and which components are held at their bound.
@@ -125,9 +125,9 @@ private:
     double largest = 0;
     for (Index i = 0; i < problem_.size(); ++i) {
       auto const& data = problem_.points[ix(i)];
-      if (data.law < 0 || (x_[D * i] > shift(i) && bond(i, x_.segment<D>(D * i)).traction.isZero(0)))
+      if (data.adhesion < 0 || (x_[D * i] > shift(i) && bond(i, x_.segment<D>(D * i)).traction.isZero(0)))
         continue;
-      double const opening = interface::scales(problem_.adhesions[ix(data.law)]).opening;
+      double const opening = interface::scales(problem_.adhesions[ix(data.adhesion)]).opening;
       largest = std::max(largest, step.segment<D>(D * i).norm() / opening);
     }
     return largest;
@@ -139,7 +139,7 @@ private:
     double sum = d.dot(p_) + 0.5 * d.dot(stiffness_ * d);
     for (Index i = 0; i < problem_.size(); ++i) {
       Local<D> const from = x_.segment<D>(D * i), change = d.segment<D>(D * i);
-      if (problem_.points[ix(i)].law < 0 || change.isZero(0))
+      if (problem_.points[ix(i)].adhesion < 0 || change.isZero(0))
         continue;
       double work = 0;
       for (int k = 0; k <= 2 * panels; ++k) {
@@ -185,7 +185,7 @@ bool leaps(Problem const& problem, Vector const& guess, Vector const& force) {
   Vector const start = problem.start.size() > 0 ? problem.start : displacement(problem, guess);
   Vector const moved = displacement(problem, force) - start;
   for (Index i = 0; i < problem.size(); ++i) {
-    int const law = problem.points[ix(i)].law;
+    int const law = problem.points[ix(i)].adhesion;
     double const way = moved.segment(problem.dim * i, problem.dim).lpNorm<Eigen::Infinity>();
     if (law >= 0 && !(way <= interface::scales(problem.adhesions[ix(law)]).opening))
       return true;
@@ -203,9 +203,9 @@ bool may_snap(Problem const& problem) {
     return false;
   double steepest = 0;
   for (auto const& point : problem.points)
-    if (point.law >= 0)
+    if (point.adhesion >= 0)
       steepest =
-          std::max(steepest, point.area * interface::scales(problem.adhesions[ix(point.law)]).softening);
+          std::max(steepest, point.area * interface::scales(problem.adhesions[ix(point.adhesion)]).softening);
   return steepest > 0 && steepest * problem.W.dense().cwiseAbs().rowwise().sum().maxCoeff() > 1;
 }
 

@@ -16,7 +16,7 @@ Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free
   Local<D> const x = free + W * p;
   auto const state = evaluate<D>(problem, point, p, x, rho);
   Local<D> const dry = state.dry - state.residual; // Proj(...)
-  if (problem.points[ix(point)].law < 0)
+  if (problem.points[ix(point)].adhesion < 0)
     return dry;
   // p' = dry + A rtilde(x'), x' = free + W p', linearised about x
   LocalMatrix<D> const I = LocalMatrix<D>::Identity();

@@ -119,15 +119,15 @@ private:
   [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
   [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
     auto const& data = problem_.points[ix(point)];
-    return data.law < 0 ? interface::Adhesion<D>{}
-                        : interface::adhere<D>(problem_.adhesions[ix(data.law)], data.bond, x);
+    return data.adhesion < 0 ? interface::Adhesion<D>{}
+                             : interface::adhere<D>(problem_.adhesions[ix(data.adhesion)], data.bond, x);
   }
 
   /// z of the problem's start, of the guess where it has none.
   void
   start_from(Vector const& guess) {
     quadratic_ = std::none_of(problem_.points.begin(), problem_.points.end(),
-                              [](auto const& point) { return point.law >= 0; });
+                              [](auto const& point) { return point.adhesion >= 0; });
     if (problem_.start.size() == 0) {
       z_ = root_.F.transpose() * guess;
     } else {
@@ -147,7 +147,7 @@ private:
     bonds_.setZero(x_.size());
     stiffness_.assign(ix(problem_.size()), LocalMatrix<D>::Zero());
     for (Index i = 0; i < problem_.size(); ++i) {
-      if (problem_.points[ix(i)].law < 0)
+      if (problem_.points[ix(i)].adhesion < 0)
         continue;
       double const area = problem_.points[ix(i)].area;
       Local<D> at = x_.segment<D>(D * i);
@@ -210,10 +210,10 @@ private:
   [[nodiscard]] double stride() const {
     double largest = 0;
     for (Index i = 0; i < problem_.size(); ++i)
-      if (problem_.points[ix(i)].law >= 0 && !bonds_.segment<D>(D * i).isZero(0))
-        largest = std::max(largest,
-                           moved_.segment<D>(D * i).norm() /
-                               interface::scales(problem_.adhesions[ix(problem_.points[ix(i)].law)]).opening);
+      if (problem_.points[ix(i)].adhesion >= 0 && !bonds_.segment<D>(D * i).isZero(0))
+        largest = std::max(
+            largest, moved_.segment<D>(D * i).norm() /
+                         interface::scales(problem_.adhesions[ix(problem_.points[ix(i)].adhesion)]).opening);
     return largest;
   }
 
@@ -223,7 +223,7 @@ private:
     for (Index i = 0; i < problem_.size(); ++i) {
       Local<D> const from = x_.segment<D>(D * i), change = length * moved_.segment<D>(D * i);
       sum -= pressure_[i] * change[0];
-      if (problem_.points[ix(i)].law < 0)
+      if (problem_.points[ix(i)].adhesion < 0)
         continue;
       double work = 0;
       for (int k = 0; k <= 2 * work_panels; ++k) {

@@ -31,7 +31,7 @@ template<int D> Linear linear_about(Problem const& problem, Vector const& x, Vec
     Local<D> at = x.segment<D>(D * i);
     auto const state = evaluate<D>(problem, i, force.segment<D>(D * i), at, natural_scale(problem, i));
     linear.mu.push_back(state.mu);
-    if (problem.points[ix(i)].law < 0)
+    if (problem.points[ix(i)].adhesion < 0)
       continue;
     bonded = true;
     linear.slope.middleRows<D>(D * i) = state.adhesion_by_x;

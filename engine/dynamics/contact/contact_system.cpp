@@ -117,7 +117,7 @@ System<D, C>::System(Model const& model, BulkSystem const& structure)
       Point point;
       point.pair = static_cast<int>(pair);
       point.index = i;
-      point.law = {described.areas[ix(i)], described.law.mu(), law, {}, friction, Vec3::Zero()};
+      point.data = {described.areas[ix(i)], described.law.mu(), law, {}, friction, Vec3::Zero()};
       points_.push_back(point);
     }
   }
@@ -172,11 +172,11 @@ template<int D, int C> void System<D, C>::begin(State const& old, double t1, dou
   for (auto& point : points_) {
     ContactState const& state = old.contacts[ix(point.pair)][ix(point.index)];
     if (auto const& mortar = mortars_[ix(point.pair)])
-      point.law.area = mortar->area(point.index);
-    point.force = point.law.area * (state.dry + state.adhesion).template head<C>();
+      point.data.area = mortar->area(point.index);
+    point.force = point.data.area * (state.dry + state.adhesion).template head<C>();
     point.rho = 0;
-    point.law.bond = {state.bond, dt, state.status != interface::Status::open};
-    point.law.mu = model_->pairs[ix(point.pair)].law.mu(state.status);
+    point.data.bond = {state.bond, dt, state.status != interface::Status::open};
+    point.data.mu = model_->pairs[ix(point.pair)].law.mu(state.status);
     point.kinematics.foot = state.foot;
     if (weights_.velocity_level())
       limit_rates(point, state, dt);
@@ -189,10 +189,10 @@ void System<D, C>::limit_rates(Point& point, ContactState const& old, double dt)
   auto const condition = rate_condition(old, weights_, dt);
   double const reach = model_->pairs[ix(point.pair)].reach;
   point.waits = condition.arrest > 1e-6 * reach;
-  point.law.shift = condition.shift;
+  point.data.shift = condition.shift;
   if (!point.waits)
     return;
-  point.law.shift[0] = -1e6 * reach; // the cone never closes
+  point.data.shift[0] = -1e6 * reach; // the cone never closes
   if (!(old.bond.beta > 0))
     point.force.setZero();
 }
@@ -253,7 +253,7 @@ template<int D, int C> bool System<D, C>::beneath(Point const& point) const {
 
 template<int D, int C> void System<D, C>::choose_active(Point& point) const {
   auto const& pair = model_->pairs[ix(point.pair)];
-  bool const bonded = point.law.bond.old.beta > 0 && pair.law.lasts();
+  bool const bonded = point.data.bond.old.beta > 0 && pair.law.lasts();
   bool const held = bonded || !point.force.isZero(0);
   double const gap = point.kinematics.gap;
   // what lay deeper than that before the step is on the far side of a body, not in contact with this one
@@ -287,13 +287,13 @@ template<int D, int C> void System<D, C>::locate(Vector const& u, bool settle) {
     if (!point.active)
       continue;
     active_.push_back(static_cast<Index>(k));
-    if (point.law.law < 0 || point.rho == 0 || settle)
+    if (point.data.adhesion < 0 || point.rho == 0 || settle)
       continue;
     // a point touches if its dry reaction presses; the adhesion at a closed point has no normal part
-    auto const state = contact::evaluate<C>(problem_, point.law, point.force, point.x(), point.rho);
+    auto const state = contact::evaluate<C>(problem_, point.data, point.force, point.x(), point.rho);
     bool const closed = state.status != interface::Status::open;
-    bonding_changed_ = bonding_changed_ || closed != point.law.bond.closed;
-    point.law.bond.closed = closed;
+    bonding_changed_ = bonding_changed_ || closed != point.data.bond.closed;
+    point.data.bond.closed = closed;
   }
 }
 
@@ -318,12 +318,12 @@ template<int D, int C> double System<D, C>::residual() const {
     auto const& point = points_[ix(k)];
     auto const x = point.x();
     if (point.rho == 0) { // no problem has seen this point
-      if (x[0] < std::max(point.law.shift[0], model_->pairs[ix(point.pair)].law.range()) ||
-          point.law.bond.old.beta > 0)
+      if (x[0] < std::max(point.data.shift[0], model_->pairs[ix(point.pair)].law.range()) ||
+          point.data.bond.old.beta > 0)
         return std::numeric_limits<double>::infinity();
       continue;
     }
-    auto const state = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho);
+    auto const state = contact::evaluate<C>(problem_, point.data, point.force, x, point.rho);
     largest = std::max(largest, state.residual.norm());
   }
   return largest;
@@ -349,7 +349,7 @@ template<int D, int C> void System<D, C>::gather(linear::BulkFactor const& bulk)
     if (model_->held_by_bonds || bulk.hold() > 0)
       condensation_.add_stiffness(
           unknowns_of(kinematics.nodes),
-          bond_grip(model_->pairs[ix(point.pair)].law, point.law, {kinematics.gap, kinematics.H}));
+          bond_grip(model_->pairs[ix(point.pair)].law, point.data, {kinematics.gap, kinematics.H}));
   }
   for (std::size_t p = 0; p < mortars_.size(); ++p)
     if (turning_ && (mortars_[p] || means_[p]))
@@ -412,7 +412,7 @@ Vector System<D, C>::pose_problem(linear::BulkFactor& bulk, Vector const& y, dou
     auto& point = points_[ix(active_[row])];
     auto const first = C * static_cast<Index>(row);
     problem_.free.segment<C>(first) += point.x();
-    problem_.points.push_back(point.law);
+    problem_.points.push_back(point.data);
     guess.segment<C>(first) = point.force;
     problem_.start[first] = old_->contacts[ix(point.pair)][ix(point.index)].gap;
     if (model_->pairs[ix(point.pair)].self)
@@ -454,7 +454,7 @@ template<int D, int C> void System<D, C>::finish(State const& old, double, State
     ContactState const& before = old.contacts[ix(point.pair)][ix(point.index)];
     ContactState& after = next.contacts[ix(point.pair)][ix(point.index)];
     after = {};
-    after.area = point.law.area;
+    after.area = point.data.area;
     if (!point.kinematics.found) {
       after.gap = search_radius(ix(point.pair));
       continue;
@@ -473,11 +473,11 @@ template<int D, int C> void System<D, C>::finish(State const& old, double, State
     after.slip.head<D - 1>() = point.kinematics.slip;
     after.path = before.path + after.slip;
     auto const x = point.x();
-    after.dry.head<C>() = point.force / point.law.area;
-    if (point.law.law >= 0)
-      settle_bond<C>(problem_.adhesions[ix(point.law.law)], point.law, x, after, next.ledger);
+    after.dry.head<C>() = point.force / point.data.area;
+    if (point.data.adhesion >= 0)
+      settle_bond<C>(problem_.adhesions[ix(point.data.adhesion)], point.data, x, after, next.ledger);
     if (point.rho > 0)
-      after.status = contact::evaluate<C>(problem_, point.law, point.force, x, point.rho).status;
+      after.status = contact::evaluate<C>(problem_, point.data, point.force, x, point.rho).status;
   }
 }
 

@@ -13,7 +13,7 @@ template<int D, int C> struct StepPoint {
   contact::PointKinematics<D> kinematics;
   contact::Local<C> force = contact::Local<C>::Zero(); ///< p = A r, N
   double rho = 0;                                      ///< of the last problem, N/m; 0 before
-  contact::ProblemPoint law;                           ///< area, mu, bond
+  contact::ProblemPoint data;                          ///< area, mu, bond
   bool active = false;
   bool waits = false; ///< at the velocity level: its gap will not close in this step
   [[nodiscard]] contact::Local<C> x() const {

@@ -53,8 +53,8 @@ template<int D> Judged judged_at(Problem const& problem, Index i, Vector const& 
   auto const& point = problem.points[ix(i)];
   Local<D> dry = force.segment<D>(D * i), at = x.segment<D>(D * i);
   double mu = point.mu, factor = 1;
-  if (point.law >= 0) {
-    auto const bond = interface::adhere<D>(problem.adhesions[ix(point.law)], point.bond, at);
+  if (point.adhesion >= 0) {
+    auto const bond = interface::adhere<D>(problem.adhesions[ix(point.adhesion)], point.bond, at);
     dry -= point.area * bond.traction;
     factor = bond.friction;
   }

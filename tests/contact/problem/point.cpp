@@ -25,7 +25,7 @@ Problem on_springs(double k_n, double k_t, double mu, interface::BondFriction fr
   Problem problem =
       one_point(Eigen::Vector2d(1 / (k_n * C), 1 / (k_t * C)).asDiagonal(), Vector::Zero(2), mu);
   problem.adhesions = {joint(friction)};
-  problem.points[0].law = 0;
+  problem.points[0].adhesion = 0;
   problem.points[0].bond = {{1, {0, 0}}, 1e-3, false};
   return problem;
 }

@@ -43,7 +43,7 @@ TEST_SUITE("contact") {
           if (bonded)
             add_adhesion(problem, 0.2, seed);
           if (bonded && seed % 2 == 0)
-            problem.points[0].law = 1; // damaged friction
+            problem.points[0].adhesion = 1; // damaged friction
           for (double const size : {-60.0, 20.0, 150.0}) {
             if (dim == 2)
               check_map<2>(problem, {size, 37});

@@ -50,7 +50,7 @@ void bond(Problem& problem, std::mt19937& random) {
   problem.adhesions = {law};
   for (auto& point : problem.points)
     if (uniform(random) < 0.67) {
-      point.law = 0;
+      point.adhesion = 0;
       point.bond = {{1, {0, 0}}, 1e-3, false};
     }
 }

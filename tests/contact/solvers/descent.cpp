@@ -145,7 +145,7 @@ TEST_SUITE("contact") {
     CHECK_FALSE(may_snap(rubbing));
     auto dry = bonded(2, 4, 3, 0);
     for (auto& point : dry.points)
-      point.law = -1;
+      point.adhesion = -1;
     CHECK_FALSE(may_snap(dry));
   }
 
@@ -161,7 +161,7 @@ TEST_SUITE("contact") {
     CHECK_FALSE(leaps(problem, none, none));
     problem.free[5] = -1.1 * u0; // along the surface as well
     CHECK(leaps(problem, none, none));
-    problem.points[2].law = -1;
+    problem.points[2].adhesion = -1;
     CHECK_FALSE(leaps(problem, none, none));
   }
 
