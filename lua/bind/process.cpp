@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -71,6 +72,10 @@ std::vector<std::string> environment_with(std::vector<std::string> const& variab
   return all;
 }
 
+double seconds(timeval const& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> list;
   list.reserve(words.size() + 1);
@@ -124,15 +129,19 @@ void Process::Stream::read() {
 
 void Process::collect() {
   int status = 0;
-  if (!code_ && waitpid(id_, &status, WNOHANG) == id_)
+  rusage usage{};
+  if (!code_ && wait4(id_, &status, WNOHANG, &usage) == id_) {
     code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    cpu_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    peak_memory_ = 1024.0 * static_cast<double>(usage.ru_maxrss);
+  }
   messages_.read();
   prints_.read();
 }
 
 void Process::signal(int number) const {
-  if (!code_)
-    kill(id_, number);
+  if (!code_) // who is not asked takes those with him that he started
+    kill(number == SIGKILL ? -id_ : id_, number);
 }
 
 std::vector<int> Process::descriptors() const {

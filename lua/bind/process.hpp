@@ -25,6 +25,10 @@ public:
   [[nodiscard]] std::string take_text();               ///< what it printed since the last call
   /// Exit code, or 128 + signal number; nothing while it runs.
   [[nodiscard]] std::optional<int> code() const { return code_; }
+  /// Processor time of it and of those it waited for, s, and the memory of the largest of them, bytes; once
+  /// it has ended.
+  [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
+  [[nodiscard]] double peak_memory() const { return peak_memory_; }
 
 private:
   struct Stream {
@@ -36,6 +40,7 @@ private:
   pid_t id_ = 0;
   Stream messages_, prints_;
   std::optional<int> code_;
+  double cpu_seconds_ = 0, peak_memory_ = 0;
 };
 
 } // namespace stiction::bind

@@ -55,17 +55,21 @@ int await(lua_State* lua) {
   return 0;
 }
 
-/// collect(process) -> messages (list of lines), what it printed, exit code or nil
+/// collect(process) -> messages (list of lines), what it printed, exit code or nil; once it has ended also
+/// its processor time, s, and its peak memory, bytes, of those that it started too
 int collect(lua_State* lua) {
   auto& process = process_at(lua, 1);
   process.collect();
   push(lua, process.take_lines());
   push(lua, process.take_text());
-  if (process.code())
-    push(lua, *process.code());
-  else
+  if (!process.code()) {
     lua_pushnil(lua);
-  return 3;
+    return 3;
+  }
+  push(lua, *process.code());
+  push(lua, process.cpu_seconds());
+  push(lua, process.peak_memory());
+  return 5;
 }
 
 /// terminate(process), kill(process)

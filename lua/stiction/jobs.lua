@@ -168,15 +168,16 @@ function jobs.run(cases, options, on_end)
   pool.display:finish()
 end
 
---- Runs a program to its end and returns its exit code and what it printed.
-function jobs.program(words)
-  local process, printed = engine.spawn(words, {}), {}
+--- Runs a program to its end and returns its exit code, what it printed, its processor time in s and its peak memory in
+--- bytes. variables: {"NAME=value", ...} or nil.
+function jobs.program(words, variables)
+  local process, printed = engine.spawn(words, variables or {}), {}
   while true do
     engine.await({ process }, 0.2)
-    local _, text, code = engine.collect(process)
+    local _, text, code, seconds, memory = engine.collect(process)
     printed[#printed + 1] = text
     if code then
-      return code, table.concat(printed)
+      return code, table.concat(printed), seconds, memory
     elseif engine.stopped() then
       engine.terminate(process)
       fault.run("stopped by the user")

@@ -2,7 +2,7 @@
 #include "scene/run/solve.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <fmt/format.h>
 
 #include "contact/problem/uniqueness.hpp"
@@ -40,16 +40,16 @@ std::vector<std::pair<std::string, contact::SolverChoice>> choices(std::string c
 
 SolverAnswer answer_of(std::string const& name, contact::SolverChoice const& choice,
                        contact::Problem const& problem) {
-  auto const start = std::chrono::steady_clock::now();
+  auto const start = std::clock();
   auto solution = contact::make_solver(choice)->solve(problem, Vector::Zero(problem.free.size()));
-  std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start;
+  double const seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   SolverAnswer answer{name,
                       solution.converged,
                       solution.iterations,
                       solution.work,
                       solution.verdict.residual,
                       solution.verdict.relative(),
-                      seconds.count(),
+                      seconds,
                       {},
                       contact::displacement(problem, solution.force)};
   answer.force = std::move(solution.force);
