@@ -60,6 +60,7 @@ private:
   void add_run();
   void add_trade();
   void add_extremes();
+  void add_peers();
   void add_others();
   void add_internal();
 
@@ -111,6 +112,19 @@ void Commands::add_extremes() {
   flag(extremes, "no-figures", "Draw no map");
 }
 
+void Commands::add_peers() {
+  auto& peers = command("peers", "Run cases that other programs have run, side by side with them");
+  value<std::vector<std::string>>(peers, "cases", "CASE",
+                                  "Folders of studies/peers: block3d, slide2d, friction (default: all)");
+  value<std::string>(peers, "--size", "SIZE", "Up to small, medium (default), large or largest");
+  flag(peers, "quick", "The same as --size small");
+  flag(peers, "stored", "Run no peers: compare results with those stored");
+  value<std::string>(peers, "--problems", "DIR", "Folder of the friction problems, also of larger ones");
+  value<double>(peers, "--turns", "N", "Runs of each side, in turns; times are medians (default: 1)")
+      ->check(CLI::Range(1, 99).description(""));
+  out(peers);
+}
+
 void Commands::add_others() {
   auto& figures = command("figures", "Draw a study's figures again from its output");
   study(figures)->required();
@@ -155,6 +169,7 @@ void Commands::add_all() {
   add_run();
   add_trade();
   add_extremes();
+  add_peers();
   add_others();
   add_internal();
 }

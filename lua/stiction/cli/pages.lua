@@ -3,8 +3,8 @@ local pages = {}
 
 pages.overview = [[
 stiction run STUDY        run a study's cases, checks and figures
-stiction help TOPIC       topics: commands, study, results, figure, columns (of probes), units, solve, trade, any part
-                          below or any of its kinds
+stiction help TOPIC       topics: commands, study, results, figure, columns (of probes), units, solve, trade, peers,
+                          any part below or any of its kinds
 ]]
 
 pages.commands = [[
@@ -14,6 +14,7 @@ trade STUDY    what accuracy costs: a ladder of settings, errors against work; '
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
 bench [STUDY]  time one case, phase by phase
+peers [CASE]   run cases that other programs have run, side by side with them; 'stiction help peers'
 extremes       drive small scenes to extremes; a map of how each ends
 help [TOPIC]   this help; help --html DIR: all of it as one page to search
 test [--all]   build and run the tests
@@ -120,6 +121,23 @@ solver converged, its iterations, its work in products W p and the residual, whi
 stands where theory promises no single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one
 did not; 2: no such file or solver. A study may do the same in place of a scene: problem = function(p) return { file =
 "...h5", solver = "newton", tolerance = 1e-8 } end.]]
+
+pages.peers = [[
+stiction peers [CASE...] [--size SIZE] [--quick] [--stored] [--turns N] [--problems DIR] [--out DIR]
+
+Runs the cases of studies/peers as a user would and the same cases in GetFEM, CalculiX or Siconos (Debian packages; scripts
+for /usr/bin/python3), pair by pair and in turns, each side in a process with one thread, and prints two tables: processor
+time, peak memory, unknowns, iterations, and the ratio of the times, peer over Stiction; and results with their difference.
+They also stand in peers.json and peers.csv below out/peers or --out. A peer that is missing is named with its package; then,
+or with --stored, results are compared with what it gave when the case was written down, and no time is. Each quantity has a
+largest difference that is allowed; the exit code is 1 if one is above it, or if Stiction has no answer.
+
+block3d    an elastic block pressed onto a plane and dragged, in space (GetFEM, CalculiX)
+slide2d    a rubber plate drawn across a half disc, in plane strain (GetFEM, CalculiX)
+friction   Coulomb problems W, q, mu alone, to 1e-8 of Siconos' measure, by the default solver (the best of Siconos' for each)
+
+--size: all up to small (seconds; --quick), medium (minutes; the default), large or largest (hours). --turns N takes medians.
+--problems DIR takes the friction problems from there; those of the size largest stand nowhere else.]]
 
 pages.trade = [[
 trade = {                                             -- a key of a study
