@@ -1,0 +1,158 @@
+// Positions, poses, searches, mortar samples and means of all pairs.
+#include "dynamics/contact/contact_geometry.hpp"
+
+#include "contact/tunnelling/obstacle_tunnelling.hpp"
+#include "dynamics/model/poses.hpp"
+
+namespace stiction::dynamics {
+
+using contact::Foot;
+using contact::Local;
+using contact::PointKinematics;
+
+template<int D>
+ContactGeometry<D>::ContactGeometry(Model const& model) : model_(&model), poses_(model.rigids.size()) {
+  for (auto const& pair : model.pairs) {
+    add_search(pair);
+    add_means(pair);
+  }
+}
+
+template<int D> void ContactGeometry<D>::add_search(Pair const& pair) {
+  auto& search = searches_.emplace_back();
+  auto const* primary = std::get_if<Deformable>(&pair.primary);
+  if (primary == nullptr)
+    return;
+  search.emplace(*primary, contact::most_depth * pair.reach);
+  if constexpr (D == 2)
+    if (pair.self)
+      search->allow_self({model_->reference.data(), ix(model_->dofs())});
+}
+
+template<int D> void ContactGeometry<D>::add_means(Pair const& pair) {
+  auto& mortar = mortars_.emplace_back();
+  auto& means = means_.emplace_back();
+  if (!pair.means.empty())
+    means.emplace(pair.means);
+  bool const around = model_->kinematics == solid::Kinematics::axisymmetric;
+  if (pair.mortar)
+    mortar.emplace(*pair.mortar, std::get_if<contact::CellSurface>(&pair.primary),
+                   contact::MortarSettings{pair.secondary, pair.reach, around});
+}
+
+/// Calls act(mortar, obstacle) for every mortar pair; obstacle: where it is, null if the primary is a body.
+template<int D> template<class Act> void ContactGeometry<D>::each_mortar(Act const& act) {
+  for (std::size_t p = 0; p < mortars_.size(); ++p) {
+    if (!mortars_[p])
+      continue;
+    auto const* side = std::get_if<RigidSide>(&model_->pairs[p].primary);
+    auto const obstacle = side != nullptr ? posed(*side) : contact::PosedObstacle<D>{};
+    act(*mortars_[p], side != nullptr ? &obstacle : nullptr);
+  }
+}
+
+template<int D> void ContactGeometry<D>::begin(State const& old, double t1) {
+  old_ = &old;
+  t1_ = t1;
+  take_positions(old.u, old.t);
+  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.begin(positions(), obstacle); });
+  for (auto& search : searches_)
+    if (search)
+      search->update(positions());
+}
+
+template<int D> void ContactGeometry<D>::take_positions(Vector const& u, double t) {
+  positions_ = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + u;
+  for (std::size_t r = 0; r < poses_.size(); ++r)
+    poses_[r] = pose_of<D>(*model_, r, t, u, *old_);
+}
+
+template<int D> void ContactGeometry<D>::locate(Vector const& u) {
+  take_positions(u, t1_);
+  moved_ = u - old_->u;
+  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.locate(positions(), obstacle); });
+}
+
+template<int D> contact::PosedObstacle<D> ContactGeometry<D>::posed(RigidSide const& side) const {
+  return {&model_->rigids[side.body].shape, poses_[side.body], side.direction};
+}
+
+template<int D> void ContactGeometry<D>::see(PointId point, Foot guess) {
+  if (auto& means = means_[ix(point.pair)])
+    means->seen()[ix(point.index)] = of_node(point, guess);
+}
+
+template<int D> void ContactGeometry<D>::settle() {
+  for (auto& means : means_)
+    if (means)
+      means->settle();
+}
+
+template<int D> PointKinematics<D> ContactGeometry<D>::kinematics(PointId point, Foot guess) const {
+  if (auto const& mortar = mortars_[ix(point.pair)])
+    return mortar->point(point.index);
+  if (auto const& means = means_[ix(point.pair)])
+    return means->point(point.index);
+  return of_node(point, guess);
+}
+
+template<int D> PointKinematics<D> ContactGeometry<D>::of_node(PointId point, Foot guess) const {
+  auto const& pair = model_->pairs[ix(point.pair)];
+  Index const node = pair.secondary[ix(point.index)];
+  Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
+  if (auto const& search = searches_[ix(point.pair)])
+    return contact::kinematics(*search, node, start, guess, positions());
+  return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start, guess, positions());
+}
+
+template<int D> bool ContactGeometry<D>::beneath(PointId point, PointKinematics<D> const& now) const {
+  if (!searches_[ix(point.pair)] || mortars_[ix(point.pair)] || !now.found || !(now.gap < 0))
+    return false;
+  ContactState const& old = old_->contacts[ix(point.pair)][ix(point.index)];
+  if (old.foot.found())
+    return old.beneath;
+  double before = now.gap;
+  for (int a = 0; a < now.count; ++a)
+    before -= now.H.template block<1, D>(0, D * a).dot(moved_.segment<D>(D * now.nodes[ix(a)]));
+  return before < -0.2 * model_->pairs[ix(point.pair)].reach;
+}
+
+template<int D> std::optional<double> ContactGeometry<D>::mortar_area(PointId point) const {
+  auto const& mortar = mortars_[ix(point.pair)];
+  return mortar ? std::optional(mortar->area(point.index)) : std::nullopt;
+}
+
+template<int D> double ContactGeometry<D>::search_radius(int pair) const {
+  double const searched = searches_[ix(pair)] ? searches_[ix(pair)]->radius() : 0;
+  return mortars_[ix(pair)] ? mortars_[ix(pair)]->radius() : searched;
+}
+
+template<int D>
+void ContactGeometry<D>::stiffness(int pair, PointKinematics<D> const& point, Local<D> const& force,
+                                   Add const& add) const {
+  if (force.isZero(0))
+    return;
+  auto const& primary = model_->pairs[ix(pair)].primary;
+  if (auto const* surface = std::get_if<Deformable>(&primary))
+    add(point.nodes, geometric_stiffness(*surface, point, positions(), force));
+  else
+    add(point.nodes, geometric_stiffness(posed(std::get<RigidSide>(primary)), point, positions(), force));
+}
+
+template<int D>
+void ContactGeometry<D>::shared_stiffness(int pair, std::vector<Local<D>> const& forces,
+                                          Add const& add) const {
+  if (auto const& mortar = mortars_[ix(pair)]) {
+    auto const [nodes, K] = mortar->stiffness(forces, positions());
+    return add(nodes, K);
+  }
+  auto const& means = *means_[ix(pair)];
+  auto const on_nodes = means.at_nodes(forces);
+  for (std::size_t i = 0; i < on_nodes.size(); ++i)
+    stiffness(pair, means.seen()[i], on_nodes[i], add);
+}
+
+template class ContactGeometry<2>;
+template class ContactGeometry<3>;
+
+} // namespace stiction::dynamics

@@ -1,0 +1,206 @@
+// Activation of contact points and their state within and after a step.
+#include "dynamics/contact/contact_points.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "contact/tunnelling/obstacle_tunnelling.hpp"
+#include "dynamics/contact/settle_bond.hpp"
+#include "dynamics/model/contact_level.hpp"
+#include "dynamics/model/rigid_load.hpp"
+
+namespace stiction::dynamics {
+
+template<int D, int C>
+ContactPoints<D, C>::ContactPoints(Model const& model, contact::Problem& problem)
+    : model_(&model), problem_(&problem), weights_(weights(model.scheme)), geometry_(model) {
+  for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
+    auto const& described = model.pairs[pair];
+    int adhesion = -1, friction = -1;
+    if (described.law.adhesion) {
+      adhesion = static_cast<int>(problem.adhesions.size());
+      problem.adhesions.push_back(*described.law.adhesion);
+    }
+    if (described.law.mu_follows()) {
+      friction = static_cast<int>(problem.frictions.size());
+      problem.frictions.push_back(*described.law.friction);
+    }
+    for (Index i = 0; i < described.size(); ++i) {
+      auto& point = points_.emplace_back();
+      point.id = {static_cast<int>(pair), i};
+      point.data = {described.areas[ix(i)], described.law.mu(), adhesion, {}, friction, Vec3::Zero()};
+    }
+  }
+}
+
+template<int D, int C> void ContactPoints<D, C>::begin(State const& old, double t1, double dt) {
+  old_ = &old;
+  bonding_changed_ = false;
+  geometry_.begin(old, t1);
+  for (auto& point : points_) {
+    ContactState const& state = before(point);
+    if (auto const area = geometry_.mortar_area(point.id))
+      point.data.area = *area;
+    point.force = point.data.area * (state.dry + state.adhesion).template head<C>();
+    point.rho = 0;
+    point.data.bond = {state.bond, dt, state.status != interface::Status::open};
+    point.data.mu = pair_of(point).law.mu(state.status);
+    point.kinematics.foot = state.foot;
+    if (weights_.velocity_level())
+      limit_rates(point, dt);
+  }
+}
+
+/// A point whose gap does not close is left to its bond, if it has one.
+template<int D, int C> void ContactPoints<D, C>::limit_rates(Point& point, double dt) const {
+  auto const condition = rate_condition(before(point), weights_, dt);
+  double const reach = pair_of(point).reach;
+  point.waits = condition.arrest > 1e-6 * reach;
+  point.data.shift = condition.shift;
+  if (!point.waits)
+    return;
+  point.data.shift[0] = -1e6 * reach; // the cone never closes
+  if (!(before(point).bond.beta > 0))
+    point.force.setZero();
+}
+
+template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool settle) {
+  geometry_.locate(u);
+  for (auto const& point : points_)
+    geometry_.see(point.id, point.kinematics.foot);
+  geometry_.settle();
+  active_.clear();
+  bonding_changed_ = false;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    auto& point = points_[k];
+    point.kinematics = geometry_.kinematics(point.id, point.kinematics.foot);
+    choose_active(point);
+    if (!point.active)
+      continue;
+    active_.push_back(static_cast<Index>(k));
+    if (!settle)
+      settle_closing(point);
+  }
+}
+
+template<int D, int C> void ContactPoints<D, C>::choose_active(Point& point) const {
+  auto const& pair = pair_of(point);
+  bool const bonded = point.data.bond.old.beta > 0 && pair.law.lasts();
+  bool const held = bonded || !point.force.isZero(0);
+  double const gap = point.kinematics.gap;
+  // what lay deeper than that before the step is on the far side of a body, not in contact with this one
+  double const deepest = std::max(gap, before(point).gap);
+  bool const near = gap < pair.reach && deepest > -contact::most_depth * pair.reach && !point.waits &&
+                    !geometry_.beneath(point.id, point.kinematics);
+  bool const was = point.active;
+  point.active = point.kinematics.found && (held || near);
+  if (!point.active)
+    point.force.setZero();
+  if (!was)
+    point.rho = 0;
+}
+
+/// A point touches if its dry reaction presses; the adhesion at a closed point has no normal part.
+template<int D, int C> void ContactPoints<D, C>::settle_closing(Point& point) {
+  if (point.data.adhesion < 0 || point.rho == 0)
+    return;
+  auto const state = contact::evaluate<C>(*problem_, point.data, point.force, point.x(), point.rho);
+  bool const closed = state.status != interface::Status::open;
+  bonding_changed_ = bonding_changed_ || closed != point.data.bond.closed;
+  point.data.bond.closed = closed;
+}
+
+template<int D, int C> void ContactPoints<D, C>::reaction(Vector& force, int pair) const {
+  force.setZero(static_cast<Index>(geometry_.positions().size()));
+  for (Index const k : active_) {
+    auto const& kinematics = points_[ix(k)].kinematics;
+    auto const& p = points_[ix(k)].force;
+    if (p.isZero(0) || (pair >= 0 && points_[ix(k)].id.pair != pair))
+      continue;
+    for (int a = 0; a < kinematics.count; ++a)
+      force.segment<D>(D * kinematics.nodes[ix(a)]) +=
+          kinematics.H.template block<C, D>(0, D * a).transpose() * p;
+  }
+}
+
+template<int D, int C> void ContactPoints<D, C>::take(Vector const& forces) {
+  for (std::size_t row = 0; row < active_.size(); ++row) {
+    auto& point = points_[ix(active_[row])];
+    point.force = forces.segment<C>(C * static_cast<Index>(row));
+    point.rho = contact::natural_scale(*problem_, static_cast<Index>(row));
+  }
+}
+
+template<int D, int C> double ContactPoints<D, C>::residual() const {
+  if (bonding_changed_)
+    return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (Index const k : active_) {
+    auto const& point = points_[ix(k)];
+    auto const x = point.x();
+    if (point.rho == 0) { // no problem has seen this point
+      if (x[0] < std::max(point.data.shift[0], pair_of(point).law.range()) || point.data.bond.old.beta > 0)
+        return std::numeric_limits<double>::infinity();
+      continue;
+    }
+    auto const state = contact::evaluate<C>(*problem_, point.data, point.force, x, point.rho);
+    largest = std::max(largest, state.residual.norm());
+  }
+  return largest;
+}
+
+template<int D, int C> double ContactPoints<D, C>::force_scale() const {
+  double largest = 0;
+  for (Index const k : active_)
+    largest = std::max(largest, points_[ix(k)].force.norm());
+  return largest;
+}
+
+template<int D, int C> void ContactPoints<D, C>::finish(State& next) const {
+  auto const& poses = geometry_.poses();
+  if constexpr (D == 3)
+    for (std::size_t r = 0; r < poses.size(); ++r)
+      next.turned[r] = poses[r].rotation;
+  next.on_rigid.assign(poses.size(), {});
+  for (auto const& point : points_) {
+    ContactState& after = next.contacts[ix(point.id.pair)][ix(point.id.index)];
+    after = {};
+    after.area = point.data.area;
+    if (!point.kinematics.found) {
+      after.gap = geometry_.search_radius(point.id.pair);
+      continue;
+    }
+    after.foot = point.kinematics.foot;
+    after.gap = point.kinematics.gap;
+    after.in_reach = point.active;
+    after.beneath = geometry_.beneath(point.id, point.kinematics);
+    if (weights_.velocity_level())
+      set_rates(pair_of(point), *model_, point.kinematics, next, after);
+    if (!point.active)
+      continue;
+    after.slip.template head<D - 1>() = point.kinematics.slip;
+    after.path = before(point).path + after.slip;
+    finish(point, after, next);
+  }
+}
+
+/// What the force of an active point leaves.
+template<int D, int C>
+void ContactPoints<D, C>::finish(Point const& point, ContactState& after, State& next) const {
+  if (auto const* side = std::get_if<RigidSide>(&pair_of(point).primary))
+    add_load<D>(point.kinematics, full<D>(point.force), geometry_.positions(), model_->first_node.back(),
+                next.on_rigid[side->body]);
+  auto const x = point.x();
+  after.dry.template head<C>() = point.force / point.data.area;
+  if (point.data.adhesion >= 0)
+    settle_bond<C>(problem_->adhesions[ix(point.data.adhesion)], point.data, x, after, next.ledger);
+  if (point.rho > 0)
+    after.status = contact::evaluate<C>(*problem_, point.data, point.force, x, point.rho).status;
+}
+
+template class ContactPoints<2, 1>;
+template class ContactPoints<2, 2>;
+template class ContactPoints<3, 1>;
+template class ContactPoints<3, 3>;
+
+} // namespace stiction::dynamics

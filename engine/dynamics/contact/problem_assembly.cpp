@@ -1,0 +1,91 @@
+// Gathering of rows and stiffnesses over the surface unknowns, and what the condensed problem holds.
+#include "dynamics/contact/problem_assembly.hpp"
+
+#include "dynamics/contact/bond_grip.hpp"
+#include "dynamics/contact/twin_points.hpp"
+
+namespace stiction::dynamics {
+
+template<int D, int C> void ProblemAssembly<D, C>::begin(bool turning) {
+  turning_ = turning;
+  turned_ = false;
+}
+
+template<int D, int C>
+Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bulk, Vector const& y,
+                                   double weight, contact::Problem& problem) {
+  gather(points, model_->held_by_bonds || bulk.hold() > 0);
+  condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
+  // there might be no answer; with inertia a shorter step has one
+  if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
+    turning_ = false;
+    return pose(points, bulk, y, weight, problem);
+  }
+  turned_ = turned_ || (turning_ && condensation_.turns());
+  problem.dim = C;
+  problem.points.clear();
+  std::size_t const count = points.active().size();
+  Vector guess(C * static_cast<Index>(count));
+  problem.start.setZero(guess.size());
+  for (std::size_t row = 0; row < count; ++row) {
+    auto const& point = points.active(row);
+    auto const first = C * static_cast<Index>(row);
+    problem.free.segment<C>(first) += point.x();
+    problem.points.push_back(point.data);
+    guess.segment<C>(first) = point.force;
+    problem.start[first] = points.before(point).gap;
+    if (points.pair_of(point).self)
+      separate_twins<C>(problem, first, point.force);
+  }
+  return guess;
+}
+
+/// held: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by
+/// their bonds.
+template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points, bool held) {
+  auto const& geometry = points.geometry();
+  condensation_.clear();
+  for (Index const k : points.active()) {
+    auto const& point = points.all()[ix(k)];
+    auto const& kinematics = point.kinematics;
+    condensation_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
+    if (turning_ && !geometry.shared(point.id.pair))
+      geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
+                         [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
+    if (held)
+      add_stiffness(kinematics.nodes,
+                    bond_grip(points.pair_of(point).law, point.data, {kinematics.gap, kinematics.H}));
+  }
+  for (std::size_t pair = 0; pair < model_->pairs.size(); ++pair)
+    if (turning_ && geometry.shared(static_cast<int>(pair)))
+      add_shared_stiffness(points, static_cast<int>(pair));
+}
+
+template<int D, int C> void ProblemAssembly<D, C>::add_shared_stiffness(Points const& points, int pair) {
+  std::vector<contact::Local<D>> forces(ix(model_->pairs[ix(pair)].size()), contact::Local<D>::Zero());
+  for (Index const k : points.active())
+    if (auto const& point = points.all()[ix(k)]; point.id.pair == pair)
+      forces[ix(point.id.index)] = full<D>(point.force);
+  points.geometry().shared_stiffness(pair, forces,
+                                     [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
+}
+
+template<int D, int C>
+void ProblemAssembly<D, C>::add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K) {
+  condensation_.add_stiffness(unknowns_of(nodes), K);
+}
+
+template<int D, int C> Indices const& ProblemAssembly<D, C>::unknowns_of(Indices const& nodes) {
+  unknowns_.assign(D * nodes.size(), -1);
+  for (std::size_t a = 0; a < unknowns_.size(); ++a)
+    if (Index const u = bulk_->unknown_of(D * nodes[a / D] + static_cast<Index>(a % D)); u >= 0)
+      unknowns_[a] = u - bulk_->first_contact_unknown();
+  return unknowns_;
+}
+
+template class ProblemAssembly<2, 1>;
+template class ProblemAssembly<2, 2>;
+template class ProblemAssembly<3, 1>;
+template class ProblemAssembly<3, 3>;
+
+} // namespace stiction::dynamics

@@ -1,0 +1,39 @@
+// The contact problem of the present kinematics: bulk, turning normals and grip of bonds condensed onto
+// points.
+#pragma once
+#include "dynamics/contact/condensation.hpp"
+#include "dynamics/contact/contact_points.hpp"
+
+namespace stiction::dynamics {
+
+/// Components C of forces in D dimensions: C = D, or 1 where nothing acts along the surface.
+template<int D, int C> class ProblemAssembly {
+public:
+  using Points = ContactPoints<D, C>;
+  ProblemAssembly(Model const& model, BulkSystem const& bulk) : model_(&model), bulk_(&bulk) {}
+
+  /// As ContactSystem::begin and turned.
+  void begin(bool turning);
+  [[nodiscard]] bool turned() const { return turned_; }
+  /// The linear problem of the active points, with the laws that it holds; returns their present forces.
+  [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
+                            contact::Problem& problem);
+  /// Of the problem last posed: c += weight (K_geo du + H^T p) for its forces p.
+  void add_forces(Vector const& forces, double weight, Vector& c) const {
+    condensation_.push(forces, weight, c);
+  }
+
+private:
+  void gather(Points const& points, bool held);
+  void add_shared_stiffness(Points const& points, int pair);
+  void add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K);
+  [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);
+
+  Model const* model_;
+  BulkSystem const* bulk_;
+  bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
+  Indices unknowns_;                     ///< surface unknowns of one point
+  Condensation condensation_;
+};
+
+} // namespace stiction::dynamics
