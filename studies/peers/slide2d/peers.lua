@@ -17,6 +17,7 @@ local function neo_hookean(mu, cells) return { material = "neo_hookean", mu = mu
 
 --- Of Stiction with the default settings, every iteration of which is a solve; no step is cut.
 local function counts(set, iterations, factorizations, contact_iterations)
+  set.secondary, set.discretisation = "plate.bottom", "node_to_segment"
   return { set = set, counts = { iterations = iterations, solves = iterations, factorizations = factorizations,
     contact_iterations = contact_iterations, cuts = 0 } }
 end
@@ -32,8 +33,8 @@ return {
     pair(getfem, "medium", blatz_ko(0.2, 16), { 28.3, 78.6, 8770, 290 }, { 24.051326, 4.776070, 23.907666 }, 1e-3),
     pair(getfem, "medium", neo_hookean(0.5, 16), { 28.7, 79.5, 8770, 275 }, { 20.146991, 9.952695, 20.051418 }, 2e-3),
     pair(calculix, "large", neo_hookean(0.5, 16), { 81.8, 90.0, 8676, 185 }, { 19.96495, 10.06001, 19.84255 }, 2e-2),
-    pair(getfem, "large", blatz_ko(0.2, 24), { 85.1, 104.0, 19298, 340 }, { 24.058511, 4.774351, 23.920859 }, 1e-3),
-    pair(getfem, "large", blatz_ko(0.5, 24), { 73.0, 104.9, 19298, 295 }, { 24.079140, 12.781169, 25.627561 }, 1e-3),
+    pair(getfem, "large", blatz_ko(0.2, 24), { 85.1, 104.0, 19298, 340 }, { 24.058511, 4.774351, 23.920859 }, 2e-3),
+    pair(getfem, "large", blatz_ko(0.5, 24), { 73.0, 104.9, 19298, 295 }, { 24.079140, 12.781169, 25.627561 }, 2e-3),
   },
   counts = {
     counts(blatz_ko(0.2, 8), 290, 20, 359), counts(blatz_ko(0.5, 8), 302, 23, 385),
