@@ -106,8 +106,8 @@ int open_high(std::string const& path) {
   return high;
 }
 
-/// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is, one
-/// that gives it up says so no more: both get a second.
+/// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is,
+/// one that gives it up says so no more: both get a second.
 int wait_for_words(int descriptor, std::string const& path, Holder& holder) {
   constexpr int looks = 50;
   constexpr std::chrono::milliseconds between{20};

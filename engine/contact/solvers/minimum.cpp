@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "contact/solvers/complementarity.hpp"
+#include "contact/solvers/kept_hessian.hpp"
 
 namespace stiction::contact {
 
@@ -91,10 +92,9 @@ Root root_of(Dense const& W) {
 
 template<int D> class Minimum {
 public:
-  Minimum(Problem const& problem, Root root) : problem_(problem), root_(std::move(root)) {
+  Minimum(Problem const& problem, Root root) : problem_(problem), root_(std::move(root)), hessian_(root_.F) {
     for (auto const& law : problem.adhesions)
       opening_ = std::min(opening_, interface::scales(law).opening);
-    normal_ = root_.F(Eigen::seqN(0, problem.size(), D), Eigen::all);
     active_.assign(ix(problem.size()), false);
   }
   [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
@@ -160,48 +160,35 @@ private:
     gradient_ = z_ - root_.F.transpose() * bonds_;
   }
 
-  /// 1 + F^T K F, with a part of what softens.
-  [[nodiscard]] Dense hessian(double part) const {
-    Eigen::Index const n = root_.F.cols();
-    if (quadratic_ || n == 0)
-      return Dense::Identity(n, n);
-    Dense scaled(root_.F.rows(), n);
-    for (Index i = 0; i < problem_.size(); ++i) {
-      LocalMatrix<D> K = part * stiffness_[ix(i)];
-      K.diagonal() = K.diagonal().cwiseMax(stiffness_[ix(i)].diagonal());
-      scaled.template middleRows<D>(D * i).noalias() = K * root_.F.template middleRows<D>(D * i);
+  /// Of the bonds, with a part of what softens.
+  [[nodiscard]] std::vector<LocalMatrix<D>> softened(double part) const {
+    auto blocks = stiffness_;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      blocks[i] = part * stiffness_[i];
+      blocks[i].diagonal() = blocks[i].diagonal().cwiseMax(stiffness_[i].diagonal());
     }
-    Dense H = Dense::Identity(n, n);
-    H.template triangularView<Eigen::Lower>() += root_.F.transpose() * scaled;
-    return H;
+    return blocks;
   }
 
   /// The minimum of the quadratic model, less and less softened until it is convex; false if no x is
   /// admitted.
   bool find_step() {
-    for (double const part : {1.0, 0.5, 0.25, 0.1, 0.0}) {
-      Eigen::LLT<Dense> const factor(hessian(part));
-      if (factor.info() == Eigen::Success)
-        return solve_model(factor);
-    }
+    for (double const part : {1.0, 0.5, 0.25, 0.1, 0.0})
+      if (hessian_.set(softened(part)))
+        return solve_model();
     return false;
   }
 
-  bool solve_model(Eigen::LLT<Dense> const& factor) {
-    Dense const G = factor.matrixL().solve(normal_.transpose());
-    Vector const g = factor.matrixL().solve(gradient_);
-    Dense M(problem_.size(), problem_.size());
-    M.setZero();
-    M.selfadjointView<Eigen::Lower>().rankUpdate(G.transpose());
-    M.triangularView<Eigen::StrictlyUpper>() = M.transpose();
-    Vector q = -(G.transpose() * g);
+  bool solve_model() {
+    Vector const free = hessian_.solve(gradient_);
+    Vector q = -(hessian_.normal() * free);
     for (Index i = 0; i < problem_.size(); ++i)
       q[i] += x_[D * i] - shift(i);
-    auto const answer = solve_convex(M, q, active_);
+    auto const answer = solve_convex(hessian_.normal_compliance(), q, active_);
     if (!answer)
       return false;
     pressure_ = *answer;
-    step_ = factor.matrixU().solve(G * pressure_ - g);
+    step_ = hessian_.solve(hessian_.normal().transpose() * pressure_) - free;
     moved_ = root_.F * step_;
     return step_.allFinite();
   }
@@ -237,7 +224,7 @@ private:
 
   /// As far as the potential falls; a step too small to leap over anything is taken at once.
   bool walk() {
-    double const foretold = step_.dot(gradient_) - pressure_.dot(Vector(normal_ * step_));
+    double const foretold = step_.dot(gradient_) - pressure_.dot(Vector(hessian_.normal() * step_));
     double const longest = quadratic_ ? 0 : stride();
     double length = std::min(1.0, longest_stride / longest);
     while (length > 1e-6) {
@@ -263,7 +250,7 @@ private:
 
   Problem const& problem_;
   Root root_;
-  Dense normal_;                                             ///< rows of F along the normals
+  KeptHessian<D> hessian_;
   bool quadratic_ = false;                                   ///< without bonds
   double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m
   Vector z_, x_, bonds_, gradient_, step_, moved_;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "contact/solvers/minimum.hpp"
+#include "contact/solvers/mixed_sweeps.hpp"
 #include "contact/solvers/pivoting.hpp"
 #include "contact/solvers/rounding.hpp"
 #include "contact/solvers/solver.hpp"
@@ -14,7 +15,9 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
+constexpr long many = 60;     // rows, from which on sweeps come first
 constexpr int quick = 12;     // iterations, before what is sure takes over
+constexpr int proximals = 15; // in which the residual has to halve
 constexpr int pivotings = 12; // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
@@ -139,8 +142,9 @@ public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
     spent_ = {};
-    Solution solution =
-        frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
+    auto solution = swept(problem, guess);
+    if (!solution.converged)
+      solution = frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
     solution.iterations = spent_.iterations;
     solution.work = spent_.work;
     return solution;
@@ -149,6 +153,48 @@ public:
 private:
   [[nodiscard]] bool solved(Problem const& problem, Vector const& force) const {
     return judge(problem, force).relative() <= settings_.tolerance;
+  }
+
+  /// Many plain points by sweeps, which cost less than one factorization while they take hold; then Newton
+  /// from where they end, and where it stagnates too, with more compliance, less and less of it.
+  [[nodiscard]] Solution swept(Problem const& problem, Vector const& guess) {
+    if (static_cast<long>(problem.free.size()) < many || !plain(problem))
+      return {};
+    auto solution = sweep_and_polish(problem, guess, settings_.tolerance);
+    return solution.converged ? solution : proximal(problem, std::move(solution));
+  }
+
+  [[nodiscard]] Solution sweep_and_polish(Problem const& problem, Vector const& guess, double tolerance) {
+    auto const rows = static_cast<long>(problem.free.size());
+    auto solution = mix_sweeps(problem, guess, tolerance, std::max(100L, rows / 2));
+    spend(solution.iterations, solution.work);
+    return solution.converged ? solution : polish(problem, solution.force, Stuck::give_up);
+  }
+
+  /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
+  [[nodiscard]] Solution proximal(Problem const& problem, Solution solution) {
+    Problem nearby = problem;
+    Vector const diagonal = problem.W.dense().diagonal();
+    double part = 0.1 * diagonal.mean();
+    double halved = solution.verdict.residual;
+    for (int idle = 0; idle < proximals && !solution.converged && part > 0; ++idle) {
+      nearby.W.entries().diagonal() = (diagonal.array() + part).matrix();
+      nearby.free = problem.free - part * solution.force;
+      double const close = std::max(settings_.tolerance, 1e-2 * solution.verdict.relative());
+      auto const inner = sweep_and_polish(nearby, solution.force, close);
+      part *= inner.converged ? 0.4 : 2;
+      auto const verdict = judge(problem, inner.force);
+      if (!inner.converged && !(verdict.residual < solution.verdict.residual))
+        continue;
+      solution.force = inner.force;
+      solution.verdict = verdict;
+      solution.converged = verdict.relative() <= settings_.tolerance;
+      if (verdict.residual < 0.5 * halved) {
+        halved = verdict.residual;
+        idle = 0;
+      }
+    }
+    return solution;
   }
 
   /// There is a potential: downhill first where a root might be on another branch, else where Newton fails.

@@ -26,7 +26,7 @@ public:
 };
 
 /// Semismooth Newton on the bi-potential's natural map, with a line search and Gauss-Seidel sweeps to restart
-/// where it stagnates.
+/// where it stagnates; after mixed sweeps where there are many points without bonds.
 struct BipotentialNewton {
   double tolerance = 1e-10;
   int iterations = 60;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "contact/solvers.hpp"
+#include "contact/solvers/mixed_sweeps.hpp"
 #include "record/problem_file.hpp"
 
 using namespace stiction;
@@ -33,7 +34,7 @@ TEST_SUITE("contact") {
         CHECK(answer.verdict.relative() <= 1e-10);
         CHECK((answer.force - newton.force).norm() <= 1e-6 * newton.force.norm());
       }
-      CHECK(newton.iterations <= 10);
+      CHECK(newton.iterations <= (plain(problem) && problem.free.size() >= 60 ? 40 : 10)); // sweeps, steps
     }
   }
 

@@ -1,0 +1,165 @@
+// Gauss-Seidel with Anderson's mixing.
+#include "contact/solvers/mixed_sweeps.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stiction::contact {
+
+namespace {
+
+constexpr Index memory = 10;       // sweeps that are mixed
+constexpr double astray = 10;      // times the least change of a sweep: forget what was before
+constexpr double refined = 1e-4;   // of the last change: x anew in double precision
+constexpr long enough_sweeps = 50; // in which the change has to halve
+
+template<int D> class MixedSweeps {
+public:
+  MixedSweeps(Problem const& problem, Vector const& guess)
+      : problem_(problem), W_(problem.W.dense().template cast<float>()), p_(open_where_given(problem, guess)),
+        x_(displacement(problem, p_)) {
+    for (Index i = 0; i < problem.size(); ++i) {
+      LocalMatrix<D> const W = problem.W.block<D>(i);
+      blocks_.push_back({W, W.inverse(), natural_scale(problem, i)});
+      double const pressed = std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i]);
+      yardstick_ = std::max(yardstick_, pressed * blocks_.back().rho / problem.points[ix(i)].area);
+    }
+  }
+
+  Solution run(double tolerance, long most) {
+    Solution solution;
+    double refine_at = std::numeric_limits<double>::infinity(), least = refine_at, halved = refine_at;
+    for (long since = 0; solution.iterations < most && since < enough_sweeps; ++since) {
+      double const change = sweep();
+      ++solution.iterations;
+      if (!std::isfinite(change))
+        break;
+      if (change <= tolerance || change < refine_at) {
+        x_ = displacement(problem_, p_);
+        solution.work += 1;
+        forget();
+        refine_at = refined * change;
+      }
+      if (change <= tolerance) {
+        solution.verdict = judge(problem_, p_);
+        solution.work += 1;
+        if ((solution.converged = solution.verdict.relative() <= tolerance))
+          break;
+      }
+      if (change > astray * least)
+        forget();
+      least = std::min(least, change);
+      if (least < 0.5 * halved) {
+        halved = least;
+        since = 0;
+      }
+      mix();
+    }
+    solution.work += static_cast<double>(solution.iterations);
+    solution.force = p_;
+    if (!solution.converged)
+      solution.verdict = judge(problem_, p_);
+    return solution;
+  }
+
+private:
+  struct Block {
+    LocalMatrix<D> W, inverse; ///< not finite where W is singular
+    double rho;
+  };
+
+  /// Nothing, or what makes the point stick, or one projection (28).
+  [[nodiscard]] Local<D> answer(Index i, Local<D> const& x, Local<D> const& old) const {
+    auto const& block = blocks_[ix(i)];
+    Local<D> const free = x - block.W * old - problem_.points[ix(i)].shift.template head<D>();
+    if (free[0] >= 0)
+      return Local<D>::Zero();
+    double const mu = problem_.points[ix(i)].mu;
+    if (Local<D> const stick = -(block.inverse * free);
+        stick.allFinite() && stick.template tail<D - 1>().norm() <= mu * stick[0])
+      return stick;
+    Local<D> v = free + block.W * old;
+    v[0] += mu * v.template tail<D - 1>().norm();
+    return interface::project<D>(old - block.rho * v, mu).value;
+  }
+
+  /// p_ and x_ after one sweep; the largest change of a traction, of the yardstick.
+  double sweep() {
+    before_ = p_;
+    moved_.setZero(x_.size());
+    double largest = 0, scale = yardstick_;
+    for (Index i = 0; i < problem_.size(); ++i) {
+      double const area = problem_.points[ix(i)].area;
+      Local<D> const old = p_.segment<D>(D * i);
+      Local<D> const x = x_.segment<D>(D * i) + moved_.segment<D>(D * i).template cast<double>();
+      Local<D> const next = answer(i, x, old), change = next - old;
+      scale = std::max(scale, next.norm() / area);
+      if (change.isZero(0))
+        continue;
+      p_.segment<D>(D * i) = next;
+      moved_.noalias() += W_.middleCols<D>(D * i) * change.template cast<float>();
+      largest = std::max(largest, change.norm() / area);
+    }
+    x_ += moved_.template cast<double>();
+    return scale > 0 ? largest / scale : largest;
+  }
+
+  void forget() {
+    kept_ = 0;
+    has_last_ = false;
+  }
+
+  /// p_ and x_ as the combination of the last sweeps' results whose changes cancel best.
+  void mix() {
+    Vector const change = p_ - before_;
+    if (has_last_) {
+      Index const at = next_++ % memory;
+      changes_.col(at) = change - last_change_;
+      forces_.col(at) = p_ - last_force_;
+      places_.col(at) = x_ - last_place_;
+      kept_ = std::min(kept_ + 1, memory);
+    } else {
+      changes_.resize(p_.size(), memory);
+      forces_.resize(p_.size(), memory);
+      places_.resize(p_.size(), memory);
+      next_ = 0;
+    }
+    has_last_ = true;
+    last_change_ = change;
+    last_force_ = p_;
+    last_place_ = x_;
+    if (kept_ == 0)
+      return;
+    Vector const part = changes_.leftCols(kept_).colPivHouseholderQr().solve(change);
+    p_ -= forces_.leftCols(kept_) * part;
+    x_ -= places_.leftCols(kept_) * part;
+  }
+
+  Problem const& problem_;
+  Eigen::MatrixXf W_;
+  std::vector<Block> blocks_;
+  Vector p_, x_, before_;
+  Eigen::VectorXf moved_; ///< by the present sweep, m
+  double yardstick_ = 0;  ///< Pa
+  bool has_last_ = false;
+  Index kept_ = 0, next_ = 0;
+  Dense changes_, forces_, places_; ///< differences of successive sweeps, [dim n, memory]
+  Vector last_change_, last_force_, last_place_;
+};
+
+} // namespace
+
+bool plain(Problem const& problem) {
+  return std::none_of(problem.points.begin(), problem.points.end(),
+                      [](auto const& point) { return point.adhesion >= 0 || point.friction >= 0; });
+}
+
+Solution mix_sweeps(Problem const& problem, Vector const& guess, double tolerance, long most) {
+  return by_dimension(problem.dim,
+                      [&]<int D>() { return MixedSweeps<D>(problem, guess).run(tolerance, most); });
+}
+
+} // namespace stiction::contact
