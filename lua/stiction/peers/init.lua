@@ -85,7 +85,7 @@ local function compare(row)
     row.allowed[name] = allowed(row.pair, quantity)
     row.agrees = row.agrees and (not row.allowed[name] or (row.differences[name] or math.huge) <= row.allowed[name])
   end
-  if not row.theirs.stored and row.ours.seconds then
+  if row.agrees and not row.theirs.stored then
     row.ratio = row.theirs.seconds / row.ours.seconds
   end
 end
