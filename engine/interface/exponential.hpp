@@ -76,17 +76,17 @@ template<int D> [[nodiscard]] Local<D> initial_stiffness(Exponential const& law)
 }
 
 /// Opening in the scales of the law: u = d_n / delta_n, v = |d_t|^2 / delta_t^2.
-struct ExponentialPlace {
+struct ScaledOpening {
   double u = 0, v = 0;
 };
-template<int D> [[nodiscard]] ExponentialPlace place_of(Exponential const& law, Local<D> const& d) {
+template<int D> [[nodiscard]] ScaledOpening scaled(Exponential const& law, Local<D> const& d) {
   return {d[0] / law.delta_n(), d.template tail<D - 1>().squaredNorm() / (law.delta_t * law.delta_t)};
 }
 
 /// exp(-u - v): in pure modes the secant of the potential; in mixed mode both tractions soften alike, so that
 /// energy is never gained.
 template<int D> [[nodiscard]] Secant<D> secant(Exponential const& law, Local<D> const& d) {
-  auto const [u, v] = place_of<D>(law, d);
+  auto const [u, v] = scaled<D>(law, d);
   double const value = std::exp(-u - v);
   Local<D> by_d = -2 * value / (law.delta_t * law.delta_t) * d;
   by_d[0] = -value / law.delta_n();
@@ -94,7 +94,7 @@ template<int D> [[nodiscard]] Secant<D> secant(Exponential const& law, Local<D> 
 }
 
 /// The potential over phi_n, 0 at rest: phi = 1 + e^-u ((1 - r + u) A - (q + C u) e^-v).
-[[nodiscard]] inline double potential_part(Exponential const& law, ExponentialPlace const& at) {
+[[nodiscard]] inline double potential_part(Exponential const& law, ScaledOpening const& at) {
   double const A = (1 - law.q) / (law.r - 1), C = (law.r - law.q) / (law.r - 1);
   return 1 + std::exp(-at.u) * ((1 - law.r + at.u) * A - (law.q + C * at.u) * std::exp(-at.v));
 }
@@ -104,7 +104,7 @@ template<int D>
 [[nodiscard]] Adhesion<D> potential_traction(Exponential const& law, BondStep const& step,
                                              Local<D> const& x) {
   Local<D> const d = opening<D>(x, step.old), d_by_x = opening_by_x<D>(x, step.old);
-  auto const [u, v] = place_of<D>(law, d);
+  auto const [u, v] = scaled<D>(law, d);
   double const A = (1 - law.q) / (law.r - 1), C = (law.r - law.q) / (law.r - 1), r_A = law.r * A;
   double const eu = law.phi_n * std::exp(-u), ev = std::exp(-v), n = 1 / law.delta_n();
   double const t = 2 / (law.delta_t * law.delta_t);
@@ -144,11 +144,11 @@ template<int D> [[nodiscard]] Bond advance(Exponential const& law, BondStep cons
   Local<3> const d = opening_of(bond, x_n);
   if (law.lasts())
     return 0.5 * bond.beta * initial_stiffness<3>(law).dot(d.cwiseProduct(d));
-  return bond.beta > 0 ? law.phi_n * (potential_part(law, place_of<3>(law, d)) - 1) : 0;
+  return bond.beta > 0 ? law.phi_n * (potential_part(law, scaled<3>(law, d)) - 1) : 0;
 }
 
 /// int of (K_n d_n^2 + K_t d_t^2) / 2 over the loss of beta along the ray to the opening of the step's end,
-/// where u goes with the place y on the ray and v with y^2; Gauss' rule of five points.
+/// where u goes with the part y on the ray and v with y^2; Gauss' rule of five points.
 template<int D>
 [[nodiscard]] double dissipation(Exponential const& law, BondStep const& step, Local<D> const& x) {
   static constexpr std::array<double, 5> points{0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
@@ -159,7 +159,7 @@ template<int D>
   if (beta >= step.old.beta)
     return 0;
   Local<D> const d = opening<D>(x, step.old);
-  auto const [u, v] = place_of<D>(law, d);
+  auto const [u, v] = scaled<D>(law, d);
   double const stored = 0.5 * initial_stiffness<D>(law).dot(d.cwiseProduct(d));
   double sum = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {

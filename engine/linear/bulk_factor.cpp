@@ -43,8 +43,8 @@ public:
     b.array() /= diagonal_.array();
     return b.tail(surface());
   }
-  void expand(Vector const& push, Vector& b) override {
-    b.tail(surface()).array() += push.array() / diagonal_.tail(surface()).array();
+  void expand(Vector const& surface_load, Vector& b) override {
+    b.tail(surface()).array() += surface_load.array() / diagonal_.tail(surface()).array();
   }
   void compliance(Indices const& used, Dense& C) override {
     auto const n = static_cast<Index>(used.size());

@@ -55,8 +55,8 @@ public:
 
   /// b[n] becomes what `expand` wants; returns the motion of the surface that b alone gives.
   [[nodiscard]] virtual Vector condense(Vector& b) = 0;
-  /// From what `condense` left the motion of all with `push` on the surface beside b.
-  virtual void expand(Vector const& push, Vector& b) = 0;
+  /// From what `condense` left the motion of all with `surface_load` on the surface beside b.
+  virtual void expand(Vector const& surface_load, Vector& b) = 0;
   /// C(i, j): motion of surface unknown used[i] per load on used[j]. Only columns that have not been asked
   /// for since the matrix was factored take work; the numbers do not depend on what was asked for before.
   virtual void compliance(Indices const& used, Dense& C) = 0;

@@ -30,11 +30,11 @@ Vector SkewColumns::condense(Cholesky& factor, Vector const& z) const {
   return inverse_ * (factor.trailing_factor().triangularView<Eigen::Lower>() * z.tail(inverse_.rows()));
 }
 
-void SkewColumns::expand(Cholesky& factor, Vector const& push, Vector& z) {
+void SkewColumns::expand(Cholesky& factor, Vector const& surface_load, Vector& z) {
   Dense const& L = factor.trailing_factor();
   auto const first = z.size() - inverse_.rows();
   Vector const force = L.triangularView<Eigen::Lower>() * z.tail(inverse_.rows());
-  Vector const motion = inverse_ * (force + push);
+  Vector const motion = inverse_ * (force + surface_load);
   interior_.setZero(z.size());
   for (auto const& [row, column, value] : entries_)
     if (row < first)

@@ -15,8 +15,8 @@ public:
   [[nodiscard]] Dense const& inverse() const { return inverse_; }
   /// From z = L^-1 b the surface unknowns of (S + B)^-1 b.
   [[nodiscard]] Vector condense(Cholesky& factor, Vector const& z) const;
-  /// From z = L^-1 b what L^-T makes the solution for b + push; push: on the surface.
-  void expand(Cholesky& factor, Vector const& push, Vector& z);
+  /// From z = L^-1 b what L^-T makes the solution for b + surface_load; surface_load: on the surface.
+  void expand(Cholesky& factor, Vector const& surface_load, Vector& z);
 
 private:
   std::vector<ColumnEntry> entries_;

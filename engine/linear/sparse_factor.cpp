@@ -75,11 +75,11 @@ public:
     return y;
   }
 
-  void expand(Vector const& push, Vector& z) override {
+  void expand(Vector const& surface_load, Vector& z) override {
     if (skew_) {
-      skew_->expand(factor(), push, z);
-    } else if (!push.isZero(0)) {
-      Vector const own = factor().trailing_factor().triangularView<Eigen::Lower>().solve(push);
+      skew_->expand(factor(), surface_load, z);
+    } else if (!surface_load.isZero(0)) {
+      Vector const own = factor().trailing_factor().triangularView<Eigen::Lower>().solve(surface_load);
       z.tail(surface()) += own;
     }
     factor().backward(z);
@@ -148,11 +148,11 @@ public:
     factor().solve(b);
     return b.tail(surface());
   }
-  void expand(Vector const& push, Vector& b) override {
-    if (push.isZero(0))
+  void expand(Vector const& surface_load, Vector& b) override {
+    if (surface_load.isZero(0))
       return;
     Vector more = Vector::Zero(b.size());
-    more.tail(surface()) = push;
+    more.tail(surface()) = surface_load;
     factor().solve(more);
     b += more;
   }

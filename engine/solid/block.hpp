@@ -9,14 +9,15 @@ namespace stiction::solid {
 
 class BlockPasses;
 
-/// Cells of one kind with everything that stays: gradients and weights at the quadrature points.
+/// Cells of one kind with everything that stays: gradients and volumes at the quadrature points.
 struct PreparedBlock {
   mesh::CellKind kind;
   int nodes, points;
   Indices connectivity;          ///< [cells, nodes]
   std::vector<double> gradients; ///< [cells, points, width, nodes], 1/m; width as in Geometry
-  std::vector<double> weights;   ///< [cells, points], m^2 (m^3 when axisymmetric or in 3D)
-  BlockPasses const* passes;     ///< the code for this kind
+  std::vector<double>
+      volumes; ///< that the points stand for, [cells, points], m^2 (m^3 when axisymmetric or in 3D)
+  BlockPasses const* passes; ///< the code for this kind
   [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
 };
 

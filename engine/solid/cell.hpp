@@ -29,7 +29,7 @@ public:
 
   [[nodiscard]] Index const* connectivity() const { return &block_.connectivity[ix(number_ * nodes)]; }
   [[nodiscard]] int points() const { return block_.points; }
-  [[nodiscard]] double weight(int q) const { return block_.weights[ix(number_ * points() + q)]; }
+  [[nodiscard]] double volume(int q) const { return block_.volumes[ix(number_ * points() + q)]; }
 
   /// Takes the displacements of cell `number`; false if a point has det F <= 0.
   bool deform(Index number, std::span<double const> u) {
@@ -59,7 +59,7 @@ public:
                           {responses_.data(), at(points())});
     double energy = 0;
     for (int q = 0; q < points(); ++q)
-      energy += weight(q) * responses_[at(q)].energy;
+      energy += volume(q) * responses_[at(q)].energy;
     return energy;
   }
 
@@ -71,12 +71,12 @@ public:
     for (int q = 0; q < points(); ++q) {
       strains_[at(q)] = G::strain_rate(points_[at(q)].F, gradient(q));
       if (mean_)
-        tau_rate += weight(q) / mean_volume_ * dilatations_[at(q)].volume_gradient().dot(strains_[at(q)]);
+        tau_rate += volume(q) / mean_volume_ * dilatations_[at(q)].volume_gradient().dot(strains_[at(q)]);
     }
     for (int q = 0; q < points(); ++q) {
       Voigt const rate = mean_ ? dilatations_[at(q)].mean_rate(strains_[at(q)], tau_rate) : strains_[at(q)];
       responses_[at(q)].stress.noalias() = D * rate;
-      power += weight(q) * rate.dot(responses_[at(q)].stress);
+      power += volume(q) * rate.dot(responses_[at(q)].stress);
     }
     return power;
   }
@@ -103,7 +103,7 @@ public:
     for (int q = 0; q < points(); ++q) {
       typename G::Gradient P;
       for (int i = 0; i < dim; ++i)
-        P.col(i) = weight(q) * G::pull(points_[at(q)].F, i, responses_[at(q)].stress);
+        P.col(i) = volume(q) * G::pull(points_[at(q)].F, i, responses_[at(q)].stress);
       f += gradients(q).lazyProduct(P);
     }
     return f;
@@ -116,7 +116,7 @@ public:
     if (mean_)
       add_mean_terms(factor, K);
     for (int q = 0; q < points(); ++q)
-      add_point(q, factor * weight(q), K);
+      add_point(q, factor * volume(q), K);
   }
 
 private:
@@ -143,14 +143,14 @@ private:
   }
 
   void average_dilatation() {
-    double volume = 0, sum = 0;
+    double whole = 0, sum = 0;
     for (int q = 0; q < points(); ++q) {
       Voigt const& E = strains_[at(q)];
-      volume += weight(q);
-      sum += weight(q) * (finite_ ? points_[at(q)].jacobian : E.template head<3>().sum());
+      whole += volume(q);
+      sum += volume(q) * (finite_ ? points_[at(q)].jacobian : E.template head<3>().sum());
     }
-    mean_ratio_ = sum / volume;
-    mean_volume_ = finite_ ? sum : volume;
+    mean_ratio_ = sum / whole;
+    mean_volume_ = finite_ ? sum : whole;
     for (int q = 0; q < points(); ++q) {
       dilatations_[at(q)] = Dilatation<voigt>(strains_[at(q)], points_[at(q)].jacobian, finite_);
       strains_[at(q)] = dilatations_[at(q)].mean_strain(strains_[at(q)], mean_ratio_);
@@ -161,7 +161,7 @@ private:
   [[nodiscard]] double tau_stress() const {
     double sum = 0;
     for (int q = 0; q < points(); ++q)
-      sum += weight(q) * dilatations_[at(q)].by_tau(responses_[at(q)].stress);
+      sum += volume(q) * dilatations_[at(q)].by_tau(responses_[at(q)].stress);
     return sum;
   }
   /// Turns the stress conjugate to Ebar into the one that B^T S wants.
@@ -173,10 +173,10 @@ private:
     }
   }
 
-  /// f += weight B^T S at a point.
-  void add_pulled(int q, double weight, Voigt const& S, Nodal& f) const {
+  /// f += factor B^T S at a point.
+  void add_pulled(int q, double factor, Voigt const& S, Nodal& f) const {
     for (int i = 0; i < dim; ++i)
-      f.col(i) += gradients(q).lazyProduct((weight * G::pull(points_[at(q)].F, i, S)).eval());
+      f.col(i) += gradients(q).lazyProduct((factor * G::pull(points_[at(q)].F, i, S)).eval());
   }
 
   /// Adds the terms of grad tau, and replaces the responses by those that B^T D B + G S G^T wants.
@@ -189,9 +189,9 @@ private:
       auto& response = responses_[at(q)];
       auto const second = dilatation.second(response.stress, response.tangent);
       Voigt const volume_gradient = dilatation.volume_gradient();
-      by_tau += weight(q) * second.by_tau;
-      add_pulled(q, weight(q) / mean_volume_, volume_gradient, slope);
-      add_pulled(q, weight(q), second.mixed, mixed);
+      by_tau += volume(q) * second.by_tau;
+      add_pulled(q, volume(q) / mean_volume_, volume_gradient, slope);
+      add_pulled(q, volume(q), second.mixed, mixed);
       response.stress = (dilatation.by_strain(response.stress) + pressure * volume_gradient).eval();
       response.tangent = second.by_strain + pressure * dilatation.volume_hessian();
     }
@@ -203,30 +203,30 @@ private:
   }
 
   /// Adds the share of a point to the blocks between all components.
-  void add_point(int q, double weight, Stiffness& K) const {
+  void add_point(int q, double factor, Stiffness& K) const {
     [&]<int... j>(std::integer_sequence<int, j...>) {
-      (add_column<j>(q, weight, K, std::make_integer_sequence<int, dim - j>()), ...);
+      (add_column<j>(q, factor, K, std::make_integer_sequence<int, dim - j>()), ...);
     }
     (std::make_integer_sequence<int, dim>());
   }
   /// K_ij += G (L_i^T D L_j + delta_ij S) G^T for i = j + k, where L_i^T is G::pull.
   template<int j, int... k>
-  void add_column(int q, double weight, Stiffness& K, std::integer_sequence<int, k...>) const {
+  void add_column(int q, double factor, Stiffness& K, std::integer_sequence<int, k...>) const {
     auto const& D = responses_[at(q)].tangent;
     Eigen::Matrix<double, voigt, G::active(j)> T;
     for (int v = 0; v < voigt; ++v)
-      T.row(v) = weight * G::pull(points_[at(q)].F, j, D.col(v)).template head<G::active(j)>();
-    (add_block<j + k, j>(q, weight, T, K), ...);
+      T.row(v) = factor * G::pull(points_[at(q)].F, j, D.col(v)).template head<G::active(j)>();
+    (add_block<j + k, j>(q, factor, T, K), ...);
   }
   template<int i, int j, class Pulled>
-  void add_block(int q, double weight, Pulled const& T, Stiffness& K) const {
+  void add_block(int q, double factor, Pulled const& T, Stiffness& K) const {
     constexpr int rows = G::active(i), columns = G::active(j);
     Eigen::Matrix<double, rows, columns> A;
     for (int c = 0; c < columns; ++c)
       A.col(c) = G::pull(points_[at(q)].F, i, T.col(c)).template head<rows>();
     if constexpr (i == j)
       if (finite_)
-        A += weight * G::initial_stress(responses_[at(q)].stress, i).template topLeftCorner<rows, rows>();
+        A += factor * G::initial_stress(responses_[at(q)].stress, i).template topLeftCorner<rows, rows>();
     Gradients const g = gradients(q);
     Eigen::Matrix<double, Nodes, columns> const left = g.template leftCols<rows>().lazyProduct(A);
     K[at(G::pair(i, j))] += left.lazyProduct(g.template leftCols<columns>().transpose());

@@ -96,7 +96,7 @@ PreparedBlock Cells::prepare(mesh::Block const& block) const {
       prepared.gradients.insert(prepared.gradients.end(), gradients.data(),
                                 gradients.data() + gradients.size());
       double const R = rule.shape.row(q).dot(X.col(0));
-      prepared.weights.push_back(rule.weights[q] * determinant * circumference(kinematics_, R));
+      prepared.volumes.push_back(rule.weights[q] * determinant * circumference(kinematics_, R));
       if (kinematics_ == Kinematics::axisymmetric)
         for (int a = 0; a < nodes; ++a)
           prepared.gradients.push_back(rule.shape(q, a) / R);

@@ -60,8 +60,8 @@ private:
     auto const cauchy = material::stress_vector<Element::voigt>(cell.cauchy(q));
     for (int a = 0; a < Nodes; ++a) {
       Index const node = cell.connectivity()[a];
-      sums.cauchy.row(node) += cell.weight(q) * cauchy.transpose();
-      sums.volume[node] += cell.weight(q);
+      sums.cauchy.row(node) += cell.volume(q) * cauchy.transpose();
+      sums.volume[node] += cell.volume(q);
     }
   }
 

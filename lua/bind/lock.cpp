@@ -109,9 +109,9 @@ int open_high(std::string const& path) {
 /// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is,
 /// one that gives it up says so no more: both get a second.
 int wait_for_words(int descriptor, std::string const& path, Holder& holder) {
-  constexpr int looks = 50;
+  constexpr int most_asked = 50;
   constexpr std::chrono::milliseconds between{20};
-  for (int look = 0; look < looks; ++look) {
+  for (int asked = 0; asked < most_asked; ++asked) {
     if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
       return 0;
     int const failed = errno;

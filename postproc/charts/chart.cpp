@@ -58,7 +58,7 @@ void lay_out_across(Chart& chart) {
   chart.picture.width = chart.figure.width;
 }
 
-void place_marks(Chart& chart) {
+void lay_out_marks(Chart& chart) {
   std::vector<double> row_ends; // right end of the last label in each row
   auto marks = chart.spec.marks;
   std::sort(marks.begin(), marks.end(), [](auto const& a, auto const& b) { return a.x < b.x; });
@@ -124,14 +124,14 @@ void settle_legend(Chart& chart) {
 
 std::vector<Point> Chart::pixels(std::vector<Point> const& given) const {
   // far outside stays outside, within what single precision holds
-  auto place = [](double fraction, double start, double length) {
+  auto pixel = [](double fraction, double start, double length) {
     return start + std::clamp(fraction, -20.0, 20.0) * length;
   };
   std::vector<Point> line;
   line.reserve(given.size());
   for (auto const& point : given)
-    line.push_back({place(x.fraction(point.x), plot.left, plot.width),
-                    place(y.fraction(point.y), plot.bottom, plot.height)});
+    line.push_back({pixel(x.fraction(point.x), plot.left, plot.width),
+                    pixel(y.fraction(point.y), plot.bottom, plot.height)});
   return line;
 }
 
@@ -145,7 +145,7 @@ Chart make_chart(FigureSpec const& figure, LinesSpec const& spec) {
   Chart chart{figure, spec, std::move(curves), inside, below, x, y, {}, {}, {}, {}, {}, 0, {}};
   check_visible(chart);
   lay_out_across(chart);
-  place_marks(chart);
+  lay_out_marks(chart);
   settle_legend(chart);
   return chart;
 }

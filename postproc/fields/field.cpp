@@ -50,7 +50,7 @@ Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
 }
 
 /// The mesh as large as the width allows, at most as high as given (or 1.2 times as high as wide).
-void place_mesh(FieldLayout& layout, FieldData const& data) {
+void lay_out_mesh(FieldLayout& layout, FieldData const& data) {
   double const pad = points(edge), room = layout.figure.width - 2 * pad;
   double const width = data.view.width(), height = data.view.height();
   double const heading_room = heading_height(heading(layout.figure));
@@ -81,7 +81,7 @@ FieldLayout lay_out(FigureSpec const& figure, FieldSpec const& spec, FieldData c
   double const scale_bar_room = spec.scale_bar ? line_height(tick_size) + points(5) : 0;
   double const triad_room = spec.view ? triad_box(data.frame).height + points(3) : 0;
   layout.mesh.bottom = std::round(layout.bar.top() + points(5) + std::max(scale_bar_room, triad_room));
-  place_mesh(layout, data);
+  lay_out_mesh(layout, data);
   if (spec.scale_bar) {
     double const length = spec.scale_bar->length * spec.scale_bar->unit.si.value;
     layout.scale_bar = length / data.view.width() * layout.mesh.width;
@@ -222,8 +222,8 @@ void aim(vtkRenderer& renderer, FieldData const& data) {
   double const size = std::max(view.width(), view.height());
   auto* camera = renderer.GetActiveCamera();
   camera->ParallelProjectionOn();
-  camera->SetFocalPoint(data.frame.place(middle, view.depth[1]).data());
-  camera->SetPosition(data.frame.place(middle, view.depth[1] + size).data());
+  camera->SetFocalPoint(data.frame.in_space(middle, view.depth[1]).data());
+  camera->SetPosition(data.frame.in_space(middle, view.depth[1] + size).data());
   camera->SetViewUp(data.frame.up.data());
   camera->SetParallelScale(view.height() / 2);
   camera->SetClippingRange(0.5 * size, 1.5 * size + view.depth[1] - view.depth[0]);
@@ -236,8 +236,8 @@ void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const
   double const lift = 1e-3 * data.view.width();
   add_surface(renderer, data, layout);
   if (layout.spec.mesh)
-    add_lines(renderer, data.edges, points(mesh_width), data.frame.place({0, 0}, lift));
-  add_outline(renderer, data, layout.spec.view.has_value(), data.frame.place({0, 0}, 2 * lift));
+    add_lines(renderer, data.edges, points(mesh_width), data.frame.in_space({0, 0}, lift));
+  add_outline(renderer, data, layout.spec.view.has_value(), data.frame.in_space({0, 0}, 2 * lift));
   if (data.sphere)
     add_sphere(renderer, layout.spec, *data.sphere, 3 * lift);
   aim(renderer, data);

@@ -28,7 +28,7 @@ vtkSmartPointer<vtkPolyData> circle(Frame const& frame, Vector const& centre, do
   lines->InsertNextCell(corners + 1);
   for (int i = 0; i <= corners; ++i) {
     double const angle = 2 * std::numbers::pi * i / corners;
-    auto p = frame.place({radius * std::cos(angle), radius * std::sin(angle)}, 0);
+    auto p = frame.in_space({radius * std::cos(angle), radius * std::sin(angle)}, 0);
     for (std::size_t k = 0; k < 3; ++k)
       p[k] += centre[k];
     lines->InsertCellPoint(points->InsertNextPoint(p.data()));
@@ -130,7 +130,7 @@ void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& cen
   bool const whole = is_whole(field, centre);
   auto const shape = field.view ? ball(field, centre) : vtkSmartPointer<vtkPolyData>();
   auto const line = actor_of(whole ? circle(frame, centre, field.sphere->radius) : rim_of(shape), mark_grey);
-  auto const shift = frame.place({0, 0}, lift);
+  auto const shift = frame.in_space({0, 0}, lift);
   line->SetPosition(shift[0], shift[1], shift[2]);
   line->GetProperty()->LightingOff();
   line->GetProperty()->SetLineWidth(static_cast<float>(points(0.8)));
@@ -138,11 +138,11 @@ void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& cen
   if (!field.view)
     return;
   auto const body = actor_of(shape, Colour{150, 150, 150});
-  auto* look = body->GetProperty();
-  look->SetOpacity(0.3);
-  look->SetAmbient(0.6);
-  look->SetDiffuse(0.4);
-  look->SetBackfaceCulling(whole ? 1 : 0); // one layer of grey; an opened ball shows its inside
+  auto* property = body->GetProperty();
+  property->SetOpacity(0.3);
+  property->SetAmbient(0.6);
+  property->SetDiffuse(0.4);
+  property->SetBackfaceCulling(whole ? 1 : 0); // one layer of grey; an opened ball shows its inside
   renderer.AddActor(body);
 }
 

@@ -8,7 +8,7 @@
 
 namespace stiction::postproc {
 
-Vector Frame::place(Point at, double depth) const {
+Vector Frame::in_space(Point at, double depth) const {
   Vector result;
   for (std::size_t i = 0; i < 3; ++i)
     result[i] = at.x * right[i] + at.y * up[i] + depth * toward[i];

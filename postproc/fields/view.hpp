@@ -16,7 +16,7 @@ struct Frame {
 
   [[nodiscard]] Point project(Vector const& p) const { return {dot(p, right), dot(p, up)}; }
   /// The point at (x, y) of the picture plane, `depth` toward the eye.
-  [[nodiscard]] Vector place(Point at, double depth) const;
+  [[nodiscard]] Vector in_space(Point at, double depth) const;
 };
 
 /// Without a view: seen along z.

@@ -80,8 +80,8 @@ inline Vec3 moment(scene::Scene const& scene, State const& state, Vector const& 
   auto const& model = *scene.model;
   Vec3 sum = Vec3::Zero();
   for (Index i = 0; i < model.first_node.back(); ++i) {
-    Vec3 const place = model.reference.row(i).transpose() + state.u.segment<3>(3 * i);
-    sum += place.cross(Vec3(force.segment<3>(3 * i)));
+    Vec3 const position = model.reference.row(i).transpose() + state.u.segment<3>(3 * i);
+    sum += position.cross(Vec3(force.segment<3>(3 * i)));
   }
   return sum;
 }
@@ -91,7 +91,7 @@ inline Vec3 mass_mean(scene::Scene const& scene, Stepper const& stepper, Vector 
   int const dim = scene.model->dim();
   Vector ones = Vector::Zero(v.size()), weighted;
   ones.head(dim * scene.model->first_node.back()).setOnes();
-  stepper.structure().mass().times(ones, weighted);
+  stepper.bulk().mass().times(ones, weighted);
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index i = 0; i < ones.size(); i += dim)
     sum.head(dim) += v.segment(i, dim) * weighted[i];

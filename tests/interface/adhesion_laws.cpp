@@ -192,7 +192,7 @@ TEST_SUITE("interface") {
     }
   }
 
-  TEST_CASE("reversible laws: the traction depends on the place alone, nothing is dissipated") {
+  TEST_CASE("reversible laws: the traction depends on the opening alone, nothing is dissipated") {
     for (auto const& named : adhesions()) {
       if (!reversible(named.law))
         continue;

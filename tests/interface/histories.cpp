@@ -85,7 +85,7 @@ double imbalance(int steps) {
   Rcc law = bond_law(0.1);
   law.C_t = law.C_t2 = 3e9;
   double const duration = 2e-3, dt = duration / steps;
-  auto const place = [&](int k) -> Eigen::Vector3d {
+  auto const position = [&](int k) -> Eigen::Vector3d {
     double const t = static_cast<double>(k) / steps;
     return Eigen::Vector3d(2 * t * t, std::sin(2 * t), 0.7 * t) * u0;
   };
@@ -94,9 +94,9 @@ double imbalance(int steps) {
   double work = 0, dissipated = 0;
   Local<3> before = Local<3>::Zero();
   for (int k = 1; k <= steps; ++k) {
-    Eigen::Vector3d const move = place(k) - place(k - 1);
+    Eigen::Vector3d const move = position(k) - position(k - 1);
     BondStep const step{bond, dt, false};
-    Local<3> const x(place(k)[0], move[1], move[2]);
+    Local<3> const x(position(k)[0], move[1], move[2]);
     Local<3> const pull = -adhere<3>(law, step, x).traction;
     Bond const next = advance<3>(law, step, x);
     work += 0.5 * (before + pull).dot(move);
@@ -104,7 +104,7 @@ double imbalance(int steps) {
     before = pull;
     bond = next;
   }
-  return (work - (bond_energy(law, bond, place(steps)[0]) - start) - dissipated) / w;
+  return (work - (bond_energy(law, bond, position(steps)[0]) - start) - dissipated) / w;
 }
 
 } // namespace

@@ -114,10 +114,10 @@ inline bool reversible(AdhesionLaw const& law) {
   return !std::visit([](auto const& l) { return l.lasts(); }, law);
 }
 
-/// One walk of a bond: places x(t) in space, t in [0, 1], in equal steps.
-template<class Place> struct Walk {
+/// One walk of a bond: positions x(t) in space, t in [0, 1], in equal steps.
+template<class Position> struct Walk {
   AdhesionLaw law;
-  Place place;         ///< Eigen::Vector3d(double t), m
+  Position position;   ///< Eigen::Vector3d(double t), m
   double duration = 1; ///< s
 };
 
@@ -131,19 +131,21 @@ struct Account {
   Local<3> traction = Local<3>::Zero();
 };
 
-template<class Place> Account account(Walk<Place> const& walk, int steps) {
-  auto const place = [&](int k) -> Eigen::Vector3d { return walk.place(static_cast<double>(k) / steps); };
+template<class Position> Account account(Walk<Position> const& walk, int steps) {
+  auto const position = [&](int k) -> Eigen::Vector3d {
+    return walk.position(static_cast<double>(k) / steps);
+  };
   Account result;
-  result.bond = initial_bond(walk.law, place(0)[0]);
-  double const start = bond_energy(walk.law, result.bond, place(0)[0]);
+  result.bond = initial_bond(walk.law, position(0)[0]);
+  double const start = bond_energy(walk.law, result.bond, position(0)[0]);
   for (int k = 1; k <= steps; ++k) {
-    Eigen::Vector3d const move = place(k) - place(k - 1);
+    Eigen::Vector3d const move = position(k) - position(k - 1);
     BondStep const step{result.bond, walk.duration / steps, false};
-    Local<3> const x(place(k)[0], move[1], move[2]);
+    Local<3> const x(position(k)[0], move[1], move[2]);
     Local<3> const pull = -adhere<3>(walk.law, step, x).traction;
     double const taken = dissipation<3>(walk.law, step, x);
     Local<3> const to = opening<3>(x, result.bond);
-    Local<3> const from(std::max(place(k - 1)[0], 0.0), to[1] - move[1], to[2] - move[2]);
+    Local<3> const from(std::max(position(k - 1)[0], 0.0), to[1] - move[1], to[2] - move[2]);
     result.predicted +=
         integration_loss(walk.law, {from, to, result.bond.beta, adhere<3>(walk.law, step, x).beta, step.dt});
     result.work += 0.5 * (result.traction + pull).dot(move);
@@ -153,11 +155,11 @@ template<class Place> Account account(Walk<Place> const& walk, int steps) {
     result.traction = pull;
     result.bond = advance<3>(walk.law, step, x);
   }
-  result.stored = bond_energy(walk.law, result.bond, place(steps)[0]) - start;
+  result.stored = bond_energy(walk.law, result.bond, position(steps)[0]) - start;
   return result;
 }
-template<class Place> Account account(AdhesionLaw const& law, Place const& place, int steps) {
-  return account(Walk<Place>{law, place}, steps);
+template<class Position> Account account(AdhesionLaw const& law, Position const& position, int steps) {
+  return account(Walk<Position>{law, position}, steps);
 }
 
 /// Along a straight line from contact.

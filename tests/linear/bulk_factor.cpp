@@ -20,17 +20,17 @@ Indices all_of(Index count) {
   return all;
 }
 
-/// condense and expand with a push on the surface, and the compliance, of the matrix A.
+/// condense and expand with a load on the surface, and the compliance, of the matrix A.
 void check_against(BulkFactor& factor, Dense const& A) {
   Index const n = factor.pattern().size(), m = factor.surface();
   Dense const inverse = A.inverse();
-  Vector b = Vector::LinSpaced(n, -1, 2), push = Vector::LinSpaced(m, 3, 1);
+  Vector b = Vector::LinSpaced(n, -1, 2), surface_load = Vector::LinSpaced(m, 3, 1);
   Vector loads = b;
   Vector const alone = inverse * loads;
   Vector const y = factor.condense(b);
   CHECK((y - alone.tail(m)).norm() <= 1e-12 * alone.norm());
-  factor.expand(push, b);
-  loads.tail(m) += push;
+  factor.expand(surface_load, b);
+  loads.tail(m) += surface_load;
   Vector const both = inverse * loads;
   CHECK((b - both).norm() <= 1e-12 * both.norm());
   Dense C;
@@ -44,14 +44,14 @@ void check_against(BulkFactor& factor, Dense const& A) {
 /// The same by products with the matrix, for the unknowns `used` of its surface.
 void check_by_products(BulkFactor& factor, std::vector<double> const& values, Indices const& used) {
   Index const n = factor.pattern().size(), m = factor.surface();
-  Vector b = Vector::LinSpaced(n, -1, 2), push = Vector::LinSpaced(m, 3, 1), product;
+  Vector b = Vector::LinSpaced(n, -1, 2), surface_load = Vector::LinSpaced(m, 3, 1), product;
   Vector loads = b, alone = b;
   factor.solve(alone);
   multiply(factor.pattern(), values, alone, product);
   CHECK((product - loads).norm() <= 1e-12 * loads.norm());
   CHECK((factor.condense(b) - alone.tail(m)).norm() <= 1e-12 * alone.norm());
-  factor.expand(push, b);
-  loads.tail(m) += push;
+  factor.expand(surface_load, b);
+  loads.tail(m) += surface_load;
   multiply(factor.pattern(), values, b, product);
   CHECK((product - loads).norm() <= 1e-12 * loads.norm());
   Dense C;

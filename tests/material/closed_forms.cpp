@@ -80,7 +80,7 @@ TEST_SUITE("material") {
           doctest::Approx(lame / 2 * strain.trace() * strain.trace() + G * strain.squaredNorm()));
   }
 
-  TEST_CASE("each script parameter reaches its own place") {
+  TEST_CASE("each script parameter reaches its own member") {
     auto const check = [](auto const& law) {
       CHECK(law.moduli().young == 7e6);
       CHECK(law.moduli().poisson == 0.2);

@@ -39,11 +39,11 @@ inline double volume(Mesh const& mesh) {
     auto const& rule = mass_rule(block.kind);
     auto const n = static_cast<std::size_t>(info(block.kind).nodes);
     for (std::size_t first = 0; first < block.nodes.size(); first += n) {
-      Matrix places(static_cast<Eigen::Index>(n), 3);
+      Matrix positions(static_cast<Eigen::Index>(n), 3);
       for (std::size_t i = 0; i < n; ++i)
-        places.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(block.nodes[first + i]);
+        positions.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(block.nodes[first + i]);
       for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-        Matrix3 const jacobian = places.transpose() * rule.gradients[ix(static_cast<Index>(q))];
+        Matrix3 const jacobian = positions.transpose() * rule.gradients[ix(static_cast<Index>(q))];
         sum += jacobian.determinant() * rule.weights[q];
       }
     }
@@ -64,19 +64,19 @@ template<class Make> void check_units(Make const& make) {
   }
 }
 
-/// Integral over facets of a function of place and outward normal times area, f(x, n dA).
+/// Integral over facets of a function of position and outward normal times area, f(x, n dA).
 template<class Function>
 double over_facets(Mesh const& mesh, std::vector<Facet> const& facets, Function const& f) {
   double sum = 0;
   for (auto const& facet : facets) {
     auto const& rule = mass_rule(facet_kind(facet));
-    Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), 3);
-    for (Eigen::Index i = 0; i < places.rows(); ++i)
-      places.row(i) = mesh.nodes.row(facet.nodes[ix(static_cast<Index>(i))]);
+    Matrix positions(static_cast<Eigen::Index>(facet.nodes.size()), 3);
+    for (Eigen::Index i = 0; i < positions.rows(); ++i)
+      positions.row(i) = mesh.nodes.row(facet.nodes[ix(static_cast<Index>(i))]);
     for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-      Eigen::Matrix<double, 3, 2> const t = places.transpose() * rule.gradients[ix(static_cast<Index>(q))];
-      Eigen::Vector3d const place = places.transpose() * rule.shape.row(q).transpose();
-      sum += f(place, Eigen::Vector3d(t.col(0).cross(t.col(1)) * rule.weights[q]));
+      Eigen::Matrix<double, 3, 2> const t = positions.transpose() * rule.gradients[ix(static_cast<Index>(q))];
+      Eigen::Vector3d const position = positions.transpose() * rule.shape.row(q).transpose();
+      sum += f(position, Eigen::Vector3d(t.col(0).cross(t.col(1)) * rule.weights[q]));
     }
   }
   return sum;

@@ -48,13 +48,12 @@ void write_dataset(hid_t file, std::string const& name, std::vector<double> cons
   H5Sclose(space);
 }
 
-/// A block of nx by ny cells whose nodes are placed by `place(a, b)`, a and b in [0, 1].
-template<class Place>
-void add_block(vtkUnstructuredGrid& grid, vtkPoints& points, int nx, int ny, Place place) {
+/// A block of nx by ny cells whose nodes are mapped by `map(a, b)`, a and b in [0, 1].
+template<class Map> void add_block(vtkUnstructuredGrid& grid, vtkPoints& points, int nx, int ny, Map map) {
   vtkIdType const first = points.GetNumberOfPoints();
   for (int j = 0; j <= ny; ++j)
     for (int i = 0; i <= nx; ++i) {
-      auto const [x, y] = place(static_cast<double>(i) / nx, static_cast<double>(j) / ny);
+      auto const [x, y] = map(static_cast<double>(i) / nx, static_cast<double>(j) / ny);
       points.InsertNextPoint(x, y, 0);
     }
   for (int j = 0; j < ny; ++j)

@@ -20,20 +20,21 @@ namespace samples {
 
 namespace {
 
-using Place = std::array<int, 3>; ///< corners of cells have even numbers
+using Corner = std::array<int, 3>; ///< corners of cells have even numbers
 constexpr int cells[3] = {8, 8, 5};
 constexpr double cell_size = 1e-3;
 
 class Lattice {
 public:
-  vtkIdType node(Place const& place) {
-    auto const [found, is_new] = nodes_.try_emplace(place, points->GetNumberOfPoints());
+  vtkIdType node(Corner const& corner) {
+    auto const [found, is_new] = nodes_.try_emplace(corner, points->GetNumberOfPoints());
     if (is_new)
-      points->InsertNextPoint(place[0] * cell_size / 2, place[1] * cell_size / 2, place[2] * cell_size / 2);
+      points->InsertNextPoint(corner[0] * cell_size / 2, corner[1] * cell_size / 2,
+                              corner[2] * cell_size / 2);
     return found->second;
   }
   /// A cell by its corners and, when `second` order, the middles of the edges listed.
-  void add(int type, std::vector<Place> const& corners, std::vector<std::pair<int, int>> const& edges) {
+  void add(int type, std::vector<Corner> const& corners, std::vector<std::pair<int, int>> const& edges) {
     std::vector<vtkIdType> ids;
     for (auto const& corner : corners)
       ids.push_back(node(corner));
@@ -49,13 +50,13 @@ public:
   vtkNew<vtkDoubleArray> layer;
 
 private:
-  std::map<Place, vtkIdType> nodes_;
+  std::map<Corner, vtkIdType> nodes_;
 };
 
-void add_hexahedron(Lattice& lattice, Place const& o, bool second) {
+void add_hexahedron(Lattice& lattice, Corner const& o, bool second) {
   static std::vector<std::pair<int, int>> const edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                                       {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  std::vector<Place> corners;
+  std::vector<Corner> corners;
   for (int z = 0; z <= 2; z += 2)
     for (auto const& [x, y] : {std::pair(0, 0), std::pair(2, 0), std::pair(2, 2), std::pair(0, 2)})
       corners.push_back({o[0] + x, o[1] + y, o[2] + z});
@@ -66,11 +67,11 @@ void add_hexahedron(Lattice& lattice, Place const& o, bool second) {
 }
 
 /// Six tetrahedra along the diagonal of the cube, one for each order of the axes.
-void add_tetrahedra(Lattice& lattice, Place const& o, bool second) {
+void add_tetrahedra(Lattice& lattice, Corner const& o, bool second) {
   static std::vector<std::pair<int, int>> const edges{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   std::array<std::size_t, 3> order{0, 1, 2};
   do {
-    std::vector<Place> corners{o};
+    std::vector<Corner> corners{o};
     for (auto const axis : order) {
       corners.push_back(corners.back());
       corners.back()[axis] += 2;

@@ -7,10 +7,10 @@
 
 namespace stiction::test {
 
-using Place = std::function<Point(Point const&)>; ///< from the unit square or cube, m
+using Map = std::function<Point(Point const&)>; ///< from the unit square or cube, m
 
 /// Where a node is.
-inline Point node_place(mesh::Mesh const& mesh, Index node) {
+inline Point node_position(mesh::Mesh const& mesh, Index node) {
   Point X = Point::Zero();
   for (int d = 0; d < mesh.dim; ++d)
     X[d] = mesh.nodes(node, d);
@@ -90,10 +90,10 @@ inline mesh::Mesh square(mesh::CellKind kind, int nx, int ny) {
 }
 
 /// The unit square or cube, mapped.
-inline mesh::Mesh grid(mesh::CellKind kind, std::array<int, 3> const& n, Place const& place) {
+inline mesh::Mesh grid(mesh::CellKind kind, std::array<int, 3> const& n, Map const& map) {
   auto mesh = mesh::info(kind).dim == 3 ? cube(kind, n) : square(kind, n[0], n[1]);
   for (Index i = 0; i < mesh.node_count(); ++i) {
-    Point const at = place(node_place(mesh, i));
+    Point const at = map(node_position(mesh, i));
     for (int d = 0; d < mesh.dim; ++d)
       mesh.nodes(i, d) = at[d];
   }

@@ -114,7 +114,7 @@ inline void add_at_node(Vector& v, Index node, int dim, Point const& point) {
 template<class Field> Vector nodal(mesh::Mesh const& mesh, Field const& field) {
   Vector u = Vector::Zero(mesh.dim * mesh.node_count());
   for (Index i = 0; i < mesh.node_count(); ++i)
-    add_at_node(u, i, mesh.dim, field(node_place(mesh, i)));
+    add_at_node(u, i, mesh.dim, field(node_position(mesh, i)));
   return u;
 }
 

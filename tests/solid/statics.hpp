@@ -27,11 +27,12 @@ struct Problem {
   }
 };
 
-/// Calls act(place, N [nodes], outward area) at the quadrature points of a facet; per metre of depth in 2D.
+/// Calls act(position, N [nodes], outward area) at the quadrature points of a facet; per metre of depth in
+/// 2D.
 template<class Act> void over_facet(mesh::Mesh const& mesh, mesh::Facet const& facet, Act const& act) {
   Eigen::Matrix3Xd X(3, static_cast<Eigen::Index>(facet.nodes.size()));
   for (Eigen::Index k = 0; k < X.cols(); ++k)
-    X.col(k) = node_place(mesh, facet.nodes[static_cast<std::size_t>(k)]);
+    X.col(k) = node_position(mesh, facet.nodes[static_cast<std::size_t>(k)]);
   if (mesh.dim == 2) { // two points on a straight side; the body lies to the left
     Point const along = (X.col(1) - X.col(0)) / 2;
     for (double const s : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
@@ -54,9 +55,9 @@ template<class Where> void add_pressure(Problem& problem, double pressure, Where
   bool const turn = problem.kinematics == Kinematics::axisymmetric;
   for (auto const& facet : mesh::boundary_where(mesh, where).facets)
     over_facet(mesh, facet, [&](Point const& X, Vector const& N, Point const& area) {
-      Point const push = -pressure * (turn ? 2 * std::numbers::pi * X.x() : 1.0) * area;
+      Point const force = -pressure * (turn ? 2 * std::numbers::pi * X.x() : 1.0) * area;
       for (std::size_t k = 0; k < facet.nodes.size(); ++k)
-        add_at_node(problem.load, facet.nodes[k], mesh.dim, N[static_cast<Eigen::Index>(k)] * push);
+        add_at_node(problem.load, facet.nodes[k], mesh.dim, N[static_cast<Eigen::Index>(k)] * force);
     });
 }
 

@@ -99,7 +99,7 @@ double error(Vessel const& vessel, double poisson, Interpolation interpolation) 
   int count = 0;
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (inside(mesh.nodes.row(i))) {
-      Point direction = node_place(mesh, i);
+      Point direction = node_position(mesh, i);
       if (flat)
         direction[1] = 0;
       if (tube3d)

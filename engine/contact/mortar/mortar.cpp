@@ -80,11 +80,11 @@ template<int D> void Mortar<D>::cut(Positions x) {
   grid_.build(boxes);
   auto const sides = faced(x);
   for (int f = 0; f < secondary_->size(); ++f)
-    for (auto const& place : cut_facet(sides, f, candidates(f, x), range_)) {
-      auto sample = make_sample(*secondary_, f, place.at, place.weight, around_);
-      Vec2 const middle = middle_place(primary_->facet(place.primary).kind);
+    for (auto const& point : cut_facet(sides, f, candidates(f, x), range_)) {
+      auto sample = make_sample(*secondary_, f, point.at, point.weight, around_);
+      Vec2 const middle = middle_coordinates(primary_->facet(point.primary).kind);
       sample.start =
-          meet(*primary_, ray_of(sides, sample), {place.primary, middle.x(), middle.y()}, at_border, x);
+          meet(*primary_, ray_of(sides, sample), {point.primary, middle.x(), middle.y()}, at_border, x);
       if (sample.start.found())
         samples_.push_back(sample);
     }
@@ -94,8 +94,8 @@ template<int D> void Mortar<D>::cut(Positions x) {
 template<int D> void Mortar<D>::cover() {
   for (int f = 0; f < secondary_->size(); ++f) {
     auto const& rule = facet_rule(secondary_->facet(f).corners(), true);
-    for (std::size_t q = 0; q < rule.places.size(); ++q)
-      samples_.push_back(make_sample(*secondary_, f, rule.places[q], rule.weights[q], around_));
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      samples_.push_back(make_sample(*secondary_, f, rule.points[q], rule.weights[q], around_));
   }
 }
 
@@ -109,8 +109,8 @@ template<int D> SamplePairing<D> Mortar<D>::pair(Sample const& sample, Foot gues
 /// As if the sample were a node.
 template<int D>
 PointKinematics<D> Mortar<D>::against_obstacle(Sample const& sample, Foot guess, Positions x) const {
-  Vec<D> const place = secondary_->positions<D>(sample.facet, x) * sample.shape.N;
-  return kinematics(*obstacle_, 0, sample.start, guess, {place.data(), ix(D)});
+  Vec<D> const position = secondary_->positions<D>(sample.facet, x) * sample.shape.N;
+  return kinematics(*obstacle_, 0, sample.start, guess, {position.data(), ix(D)});
 }
 
 /// The motion of the sample and the obstacle's by the motion of nodes: [D (1 or 3), D nodes].
@@ -148,7 +148,7 @@ template<int D> void Mortar<D>::share(std::size_t s) {
     return;
   int const facet = samples_[s].facet;
   for (int k = 0; k < secondary_->facet(facet).corners(); ++k)
-    points_[ix(point_of(facet, k))].share += weight(s, k);
+    points_[ix(point_of(facet, k))].share += area(s, k);
 }
 
 template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obstacle) {
@@ -180,12 +180,12 @@ template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obst
 
 template<int D> Mat<D>& Mortar<D>::PointMean::column_of(Index node) {
   auto& nodes = kinematics.nodes;
-  auto const place = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-  if (place == nodes.size()) {
+  auto const slot = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+  if (slot == nodes.size()) {
     nodes.push_back(node);
     columns.emplace_back(Mat<D>::Zero());
   }
-  return columns[place];
+  return columns[slot];
 }
 
 template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
@@ -197,7 +197,7 @@ template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
     auto& mean = point.kinematics;
     if (!mean.found)
       continue;
-    double const c = weight(s, k) / point.share;
+    double const c = area(s, k) / point.share;
     mean.gap += c * pairing.gap;
     mean.slip += c * pairing.slip;
     if (c > point.heaviest) {

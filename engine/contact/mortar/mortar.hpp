@@ -20,21 +20,21 @@ struct NodalStiffness {
   Dense K;
 };
 
-/// A growing list of nodes with their places in it.
-class Places {
+/// A growing list of nodes with the slot of each in it.
+class Slots {
 public:
-  explicit Places(std::size_t nodes) : place_(nodes, -1) {}
+  explicit Slots(std::size_t nodes) : slot_(nodes, -1) {}
   Index operator()(Index node) {
-    if (place_[ix(node)] < 0) {
-      place_[ix(node)] = static_cast<Index>(nodes_.size());
+    if (slot_[ix(node)] < 0) {
+      slot_[ix(node)] = static_cast<Index>(nodes_.size());
       nodes_.push_back(node);
     }
-    return place_[ix(node)];
+    return slot_[ix(node)];
   }
   [[nodiscard]] Indices const& nodes() const { return nodes_; }
 
 private:
-  std::vector<Index> place_;
+  std::vector<Index> slot_;
   Indices nodes_;
 };
 
@@ -83,13 +83,13 @@ private:
   [[nodiscard]] Dense spread(Sample const& sample, PointKinematics<D> const& seen, Indices& nodes) const;
   [[nodiscard]] RowsOfSample rows(std::size_t s, Positions x) const;
   [[nodiscard]] SampleStiffness<D> stiffness_of(std::size_t s, Local<D> const& force, Positions x) const;
-  [[nodiscard]] Places touched(std::vector<std::size_t> const& samples, Positions x) const;
-  void add_by_fans(Dense const& by_fans, Places& place, Dense& K, Positions x) const;
+  [[nodiscard]] Slots touched(std::vector<std::size_t> const& samples, Positions x) const;
+  void add_by_fans(Dense const& by_fans, Slots& slot, Dense& K, Positions x) const;
   void share(std::size_t s);
   void add_mean(std::size_t s, Positions x);
   [[nodiscard]] Local<D> force_on(std::size_t s, std::vector<Local<D>> const& forces) const;
-  [[nodiscard]] double weight(std::size_t s, int corner) const {
-    return samples_[s].weight * samples_[s].hats[corner];
+  [[nodiscard]] double area(std::size_t s, int corner) const {
+    return samples_[s].area * samples_[s].hats[corner];
   }
   [[nodiscard]] int point_of(int facet, int corner) const { return points_of_[ix(facet)][ix(corner)]; }
   [[nodiscard]] Faced<D> faced(Positions x) const { return {*secondary_, *primary_, x, normals_}; }

@@ -26,10 +26,10 @@ template<int D> struct Ground {
       normals.col(k) = faced.normals.unit[ix(facet.fan[ix(k)])];
   }
 
-  /// The place whose ray goes through `point`: one linear step from the middle, then, where that converges,
+  /// The point whose ray goes through `point`: one linear step from the middle, then, where that converges,
   /// exactly; both are the same for all facets with this corner.
   [[nodiscard]] Vec2 project(Vec<D> const& point) const {
-    Vec2 at = middle_place(facet.kind);
+    Vec2 at = middle_coordinates(facet.kind);
     double distance = 0;
     step(point, at, distance);
     Vec2 const guess = at;
@@ -106,26 +106,26 @@ template<int D> Part facing_part(Faced<D> const& faced, int number, Ground<D> co
   if (part.polygon.empty())
     return part;
   auto const ray = ray_of(faced, make_sample(faced.secondary, number, middle(part.polygon), 1, false));
-  Vec2 at = middle_place(other.kind);
+  Vec2 at = middle_coordinates(other.kind);
   if (!meet_facet<D>(other.kind, nodes, ray, at, part.gap))
     part.polygon.clear();
   return part;
 }
 
 /// `fine`: so that the nodal forces of uniform tractions are exact for quadratic facets too.
-void add_places(Part const& part, bool fine, std::vector<CutPlace>& places) {
+void add_points(Part const& part, bool fine, std::vector<CutPoint>& points) {
   auto const& polygon = part.polygon;
   auto const& rule = facet_rule(polygon.size() == 2 ? 2 : 3, fine);
   if (polygon.size() == 2) {
     Vec2 const centre = 0.5 * (polygon[0] + polygon[1]), half = 0.5 * (polygon[1] - polygon[0]);
-    for (std::size_t q = 0; q < rule.places.size(); ++q)
-      places.push_back({centre + rule.places[q].x() * half, rule.weights[q] * half.x(), part.primary});
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      points.push_back({centre + rule.points[q].x() * half, rule.weights[q] * half.x(), part.primary});
     return;
   }
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     Vec2 const u = polygon[k] - polygon[0], v = polygon[k + 1] - polygon[0];
-    for (std::size_t q = 0; q < rule.places.size(); ++q)
-      places.push_back({polygon[0] + rule.places[q].x() * u + rule.places[q].y() * v,
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      points.push_back({polygon[0] + rule.points[q].x() * u + rule.points[q].y() * v,
                         rule.weights[q] * cross(u, v), part.primary});
   }
 }
@@ -151,7 +151,7 @@ std::vector<Vec2> clip_to_domain(FacetKind kind, std::vector<Vec2> polygon) {
 }
 
 template<int D>
-std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<int> const& candidates,
+std::vector<CutPoint> cut_facet(Faced<D> const& faced, int facet, std::vector<int> const& candidates,
                                 GapRange range) {
   Ground<D> const ground(faced, facet);
   std::vector<Part> parts;
@@ -161,7 +161,7 @@ std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<in
       parts.push_back(std::move(part));
   std::stable_sort(parts.begin(), parts.end(),
                    [](Part const& a, Part const& b) { return std::abs(a.gap) < std::abs(b.gap); });
-  std::vector<CutPlace> places;
+  std::vector<CutPoint> points;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     auto const before = parts.begin() + static_cast<std::ptrdiff_t>(k);
     Vec2 const centre = middle(parts[k].polygon);
@@ -172,12 +172,12 @@ std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet, std::vector<in
     }
     auto const kind = faced.primary.facet(parts[k].primary).kind;
     bool const quadratic = ground.flat != ground.facet.kind || linear_kind(kind) != kind;
-    add_places(parts[k], quadratic, places);
+    add_points(parts[k], quadratic, points);
   }
-  return places;
+  return points;
 }
 
-template std::vector<CutPlace> cut_facet(Faced<2> const&, int, std::vector<int> const&, GapRange);
-template std::vector<CutPlace> cut_facet(Faced<3> const&, int, std::vector<int> const&, GapRange);
+template std::vector<CutPoint> cut_facet(Faced<2> const&, int, std::vector<int> const&, GapRange);
+template std::vector<CutPoint> cut_facet(Faced<3> const&, int, std::vector<int> const&, GapRange);
 
 } // namespace stiction::contact

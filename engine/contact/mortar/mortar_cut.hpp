@@ -4,8 +4,8 @@
 
 namespace stiction::contact {
 
-/// A place on the secondary facet's reference domain, the weight it has there and the primary facet it faces.
-struct CutPlace {
+/// A point of the secondary facet's reference domain, the weight it has there and the primary facet it faces.
+struct CutPoint {
   Vec2 at;
   double weight = 0;
   int primary = 0;
@@ -17,10 +17,10 @@ struct GapRange {
   [[nodiscard]] bool holds(double gap) const { return low < gap && gap < high; }
 };
 
-/// Quadrature places over the parts of secondary facet `facet` that face one of the `candidates` (primary
+/// Quadrature points over the parts of secondary facet `facet` that face one of the `candidates` (primary
 /// facets) along the averaged normals. Where several lie one behind the other the nearest counts.
 template<int D>
-[[nodiscard]] std::vector<CutPlace> cut_facet(Faced<D> const& faced, int facet,
+[[nodiscard]] std::vector<CutPoint> cut_facet(Faced<D> const& faced, int facet,
                                               std::vector<int> const& candidates, GapRange range);
 
 /// The part of a convex polygon, or of an interval given by its ends, that lies in the reference domain; its

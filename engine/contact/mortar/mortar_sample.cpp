@@ -13,12 +13,12 @@ constexpr double slide = 0.5;
 
 template<int D> using Tangents = Eigen::Matrix<double, D, D - 1>;
 
-/// What a sample's forces depend on, in this order: its place, the sum of its normals, its counterpart's
-/// place and tangents at fixed local coordinates, and the first tangent's direction (3D).
+/// What a sample's forces depend on, in this order: its position, the sum of its normals, its counterpart's
+/// position and tangents at fixed local coordinates, and the first tangent's direction (3D).
 template<int D> inline constexpr int inputs = D == 2 ? 8 : 18;
 template<int D> using By = Eigen::Matrix<double, D, inputs<D>>;
 template<int D> using ByLess = Eigen::Matrix<double, D - 1, inputs<D>>;
-enum Input { own_place = 0, normal_sum = 1, other_place = 2, other_tangents = 3, carried = 5 };
+enum Input { own_position = 0, normal_sum = 1, other_position = 2, other_tangents = 3, carried = 5 };
 
 /// The unit derivative of one vector input.
 template<int D> By<D> unit_input(int number) {
@@ -35,7 +35,7 @@ template<int D> Vec<D> normal_sum_of(Faced<D> const& faced, Sample const& sample
   return sum;
 }
 
-template<int D> Vec<D> place_at(CellSurface const& surface, Foot foot, Positions x) {
+template<int D> Vec<D> position_at(CellSurface const& surface, Foot foot, Positions x) {
   return surface.positions<D>(foot.segment, x) *
          facet_shape(surface.facet(foot.segment).kind, {foot.xi, foot.eta}).N;
 }
@@ -82,7 +82,7 @@ template<int D> struct Opposite {
 /// Derivatives by the inputs.
 template<int D> struct Turning {
   By<D> force = By<D>::Zero(), normal = By<D>::Zero();
-  ByLess<D> place, levered; ///< of the foot's local coordinates and of c
+  ByLess<D> foot, levered; ///< of the foot's local coordinates and of c
 };
 
 template<int D>
@@ -115,8 +115,8 @@ Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D>
   Mat<D> J;
   J << other.tangents, n;
   By<D> const foot_and_gap =
-      J.inverse() * (unit_input<D>(own_place) - unit_input<D>(other_place) - pairing.gap * by.normal);
-  by.place = foot_and_gap.template topRows<D - 1>();
+      J.inverse() * (unit_input<D>(own_position) - unit_input<D>(other_position) - pairing.gap * by.normal);
+  by.foot = foot_and_gap.template topRows<D - 1>();
   auto const turned = turning_frame<D>(frame, by.normal, carried_direction(faced, sample));
   for (int c = 0; c < D; ++c)
     by.force += f[c] * turned[ix(c)];
@@ -125,7 +125,7 @@ Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D>
   for (int b = 0; b < D - 1; ++b) {
     By<D> tangent = unit_input<D>(other_tangents + b);
     for (int a = 0; a < D - 1; ++a)
-      tangent += other.nodes * other.shape.second(a, b) * by.place.row(a);
+      tangent += other.nodes * other.shape.second(a, b) * by.foot.row(a);
     for (int a = 0; a < D - 1; ++a)
       right.row(a) -= levered[b] * (other.tangents.col(b).transpose() * turned[ix(a + 1)] +
                                     frame.col(a + 1).transpose() * tangent);
@@ -140,7 +140,7 @@ Sample make_sample(CellSurface const& surface, int facet, Vec2 const& at, double
   auto const& f = surface.facet(facet);
   Sample sample;
   sample.facet = facet;
-  sample.weight = domain_weight * surface.measure(facet, at, around);
+  sample.area = domain_weight * surface.measure(facet, at, around);
   sample.shape = facet_shape(f.kind, at);
   sample.hats = facet_shape(linear_kind(f.kind), at).N;
   if (surface.dim() == 2)
@@ -163,12 +163,12 @@ template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sa
   result.foot = meet(faced.primary, ray, guess, slide, faced.x);
   if (!result.found())
     return result;
-  Vec<D> const place = place_at<D>(faced.primary, result.foot, faced.x);
-  result.gap = ray.along.dot(ray.from - place);
+  Vec<D> const position = position_at<D>(faced.primary, result.foot, faced.x);
+  result.gap = ray.along.dot(ray.from - position);
   result.frame = frame_of<D>(ray.along, carried_direction(faced, sample));
   if (sample.start.found())
     result.slip = result.frame.template rightCols<D - 1>().transpose() *
-                  (place - place_at<D>(faced.primary, sample.start, faced.x));
+                  (position - position_at<D>(faced.primary, sample.start, faced.x));
   return result;
 }
 
@@ -202,10 +202,10 @@ By<D> opposite_row(Opposite<D> const& other, Turning<D> const& by, Loading<D> co
   By<D> row = -other.shape.N[j] * by.force;
   for (int b = 0; b < D - 1; ++b) {
     double const slope = other.shape.by[ix(b)][j];
-    row += -slope * load.F * by.place.row(b) + slope * load.n * by.levered.row(b) +
+    row += -slope * load.F * by.foot.row(b) + slope * load.n * by.levered.row(b) +
            load.levered[b] * slope * by.normal;
     for (int a = 0; a < D - 1; ++a)
-      row += load.levered[b] * other.shape.second(a, b)[j] * load.n * by.place.row(a);
+      row += load.levered[b] * other.shape.second(a, b)[j] * load.n * by.foot.row(a);
   }
   return row;
 }
@@ -225,13 +225,13 @@ SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
         k < own ? By<D>(sample.shape.N[k] * by.force) : opposite_row<D>(other, by, load, k - own);
     for (int i = 0; i < own; ++i) {
       auto block = K.by_nodes.template block<D, D>(D * k, D * i);
-      block = sample.shape.N[i] * row.template middleCols<D>(D * own_place);
+      block = sample.shape.N[i] * row.template middleCols<D>(D * own_position);
       if constexpr (D == 3)
         block += sample.material[i] * row.template middleCols<D>(D * carried);
     }
     for (int j = 0; j < all - own; ++j) {
       auto block = K.by_nodes.template block<D, D>(D * k, D * (own + j));
-      block = other.shape.N[j] * row.template middleCols<D>(D * other_place);
+      block = other.shape.N[j] * row.template middleCols<D>(D * other_position);
       for (int b = 0; b < D - 1; ++b)
         block += other.shape.by[ix(b)][j] * row.template middleCols<D>(D * (other_tangents + b));
     }

@@ -8,14 +8,14 @@ namespace stiction::contact {
 /// A material point of the secondary surface over one step.
 struct Sample {
   int facet = 0;
-  double weight = 0;                  ///< reference area it stands for, m^2 (m in plane strain)
+  double area = 0;                    ///< reference area it stands for, m^2 (m in plane strain)
   FacetShape shape;                   ///< of the secondary facet, there
-  Weights hats = Weights::Zero();     ///< of the facet's corners, there
-  Weights material = Weights::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
+  PerNode hats = PerNode::Zero();     ///< of the facet's corners, there
+  PerNode material = PerNode::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
   Foot start;                         ///< counterpart at the step's start
 };
 
-/// The sample on a facet of `surface` at a place of its reference domain; domain_weight: what it stands for
+/// The sample on a facet of `surface` at local coordinates; domain_weight: what it stands for
 /// there.
 [[nodiscard]] Sample make_sample(CellSurface const& surface, int facet, Vec2 const& at, double domain_weight,
                                  bool around);

@@ -7,7 +7,7 @@ namespace stiction::contact {
 
 namespace {
 
-/// Derivative of a facet's area vector at a corner by the place of its node k.
+/// Derivative of a facet's area vector at a corner by the position of its node k.
 template<int D> Mat<D> area_by_node(FacetNodes<D> const& nodes, FacetShape const& shape, int k) {
   Mat<D> by;
   if constexpr (D == 2) {
@@ -28,7 +28,7 @@ template<int D> Local<D> Mortar<D>::force_on(std::size_t s, std::vector<Local<D>
     return sum;
   for (int k = 0; k < secondary_->facet(facet).corners(); ++k)
     if (auto const p = ix(point_of(facet, k)); points_[p].kinematics.found)
-      sum += weight(s, k) / points_[p].share * forces[p];
+      sum += area(s, k) / points_[p].share * forces[p];
   return sum;
 }
 
@@ -46,8 +46,7 @@ SampleStiffness<D> Mortar<D>::stiffness_of(std::size_t s, Local<D> const& force,
 }
 
 /// by_fans [D nodes, D fans] times the derivative of the averaged normals by the nodes of their facets.
-template<int D>
-void Mortar<D>::add_by_fans(Dense const& by_fans, Places& place, Dense& K, Positions x) const {
+template<int D> void Mortar<D>::add_by_fans(Dense const& by_fans, Slots& slot, Dense& K, Positions x) const {
   for (std::size_t f = 0; f < normals_.unit.size(); ++f) {
     auto const by_unit = by_fans.middleCols<D>(D * static_cast<Index>(f));
     if (by_unit.isZero(0))
@@ -57,29 +56,29 @@ void Mortar<D>::add_by_fans(Dense const& by_fans, Places& place, Dense& K, Posit
     for (auto const& [number, corner] : secondary_->fans()[f]) {
       auto const& facet = secondary_->facet(number);
       auto const nodes = secondary_->positions<D>(number, x);
-      auto const shape = facet_shape(facet.kind, corner_place(facet.kind, corner));
+      auto const shape = facet_shape(facet.kind, corner_coordinates(facet.kind, corner));
       for (int k = 0; k < facet.count(); ++k)
-        K.middleCols<D>(D * place(facet.nodes[ix(k)])) +=
+        K.middleCols<D>(D * slot(facet.nodes[ix(k)])) +=
             domain_size(facet.kind) * by_area * area_by_node<D>(nodes, shape, k);
     }
   }
 }
 
 /// The nodes of samples that bear a force and of the facets around them.
-template<int D> Places Mortar<D>::touched(std::vector<std::size_t> const& samples, Positions x) const {
-  Places place(x.size() / D);
+template<int D> Slots Mortar<D>::touched(std::vector<std::size_t> const& samples, Positions x) const {
+  Slots slot(x.size() / D);
   for (std::size_t const s : samples) {
     for (Index const node : rows(s, x).nodes)
-      place(node);
+      slot(node);
     if (obstacle_)
       continue;
     auto const& facet = secondary_->facet(samples_[s].facet);
     for (int k = 0; k < facet.corners(); ++k)
       for (auto const& part : secondary_->fans()[ix(facet.fan[ix(k)])])
         for (int i = 0; i < secondary_->facet(part.facet).count(); ++i)
-          place(secondary_->facet(part.facet).nodes[ix(i)]);
+          slot(secondary_->facet(part.facet).nodes[ix(i)]);
   }
-  return place;
+  return slot;
 }
 
 template<int D> NodalStiffness Mortar<D>::stiffness(std::vector<Local<D>> const& forces, Positions x) const {
@@ -87,24 +86,24 @@ template<int D> NodalStiffness Mortar<D>::stiffness(std::vector<Local<D>> const&
   for (std::size_t s = 0; s < samples_.size(); ++s)
     if (!force_on(s, forces).isZero(0))
       pressed.push_back(s);
-  auto place = touched(pressed, x);
-  auto const n = D * static_cast<Index>(place.nodes().size());
+  auto slot = touched(pressed, x);
+  auto const n = D * static_cast<Index>(slot.nodes().size());
   Dense K = Dense::Zero(n, n), by_fans = Dense::Zero(n, D * static_cast<Index>(normals_.unit.size()));
   for (std::size_t const s : pressed) {
     auto const part = stiffness_of(s, force_on(s, forces), x);
     auto const nodes = rows(s, x).nodes;
     auto const& facet = secondary_->facet(samples_[s].facet);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      Index const row = D * place(nodes[i]), from = D * static_cast<Index>(i);
+      Index const row = D * slot(nodes[i]), from = D * static_cast<Index>(i);
       for (std::size_t j = 0; j < nodes.size(); ++j)
-        K.block<D, D>(row, D * place(nodes[j])) +=
+        K.block<D, D>(row, D * slot(nodes[j])) +=
             part.by_nodes.template block<D, D>(from, D * static_cast<Index>(j));
       for (int c = 0; c < facet.corners() && !obstacle_; ++c)
         by_fans.block<D, D>(row, D * facet.fan[ix(c)]) += part.by_normals.template block<D, D>(from, D * c);
     }
   }
-  add_by_fans(by_fans, place, K, x);
-  return {place.nodes(), std::move(K)};
+  add_by_fans(by_fans, slot, K, x);
+  return {slot.nodes(), std::move(K)};
 }
 
 template NodalStiffness Mortar<2>::stiffness(std::vector<Local<2>> const&, Positions) const;

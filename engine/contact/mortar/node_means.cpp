@@ -48,8 +48,8 @@ template<int D> PointKinematics<D> NodeMeans<D>::point(Index i) const {
     mean.gap += weight * seen.gap;
     mean.slip += weight * seen.slip;
     for (int k = 0; k < seen.count; ++k) {
-      auto const place = std::lower_bound(nodes.begin(), nodes.end(), seen.nodes[ix(k)]) - nodes.begin();
-      mean.H.template middleCols<D>(D * place) += weight * seen.H.template middleCols<D>(D * k);
+      auto const slot = std::lower_bound(nodes.begin(), nodes.end(), seen.nodes[ix(k)]) - nodes.begin();
+      mean.H.template middleCols<D>(D * slot) += weight * seen.H.template middleCols<D>(D * k);
     }
   }
   return mean;

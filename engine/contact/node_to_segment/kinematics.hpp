@@ -59,15 +59,15 @@ template<int D> struct PointKinematics {
 [[nodiscard]] Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& point,
                                            std::span<double const> x, Vec3 const& force_ntt);
 
-/// Where an obstacle is: the material point X of its description lies at place + rotation (X - pivot).
+/// Where an obstacle is: the material point X of its description lies at position + rotation (X - pivot).
 template<int D> struct Pose {
-  Vec<D> pivot = Vec<D>::Zero(), place = Vec<D>::Zero(); ///< m
+  Vec<D> pivot = Vec<D>::Zero(), position = Vec<D>::Zero(); ///< m
   Mat<D> rotation = Mat<D>::Identity();
   /// Of a free body: the nodes whose unknowns are its translation and its turn (in 2D the first component);
   /// -1 if the obstacle follows a path.
   Index translation = -1, turn = -1;
   [[nodiscard]] bool free() const { return translation >= 0; }
-  [[nodiscard]] Vec<D> local(Vec<D> const& x) const { return pivot + rotation.transpose() * (x - place); }
+  [[nodiscard]] Vec<D> local(Vec<D> const& x) const { return pivot + rotation.transpose() * (x - position); }
 };
 
 /// An obstacle at its pose; direction as in view(), in the obstacle's frame.

@@ -22,7 +22,7 @@ template<int D> Mat<D> cross(Vec<D> const& a) {
   return A;
 }
 
-/// Motion of the node relative to the body's material there, by the unknowns of (node, place, turn).
+/// Motion of the node relative to the body's material there, by the unknowns of (node, position, turn).
 template<int D> Rows<D> relative(Pose<D> const& pose, Vec<D> const& arm) {
   Rows<D> B(D, pose.free() ? 3 * D : D);
   B.template leftCols<D>().setIdentity();
@@ -51,7 +51,7 @@ PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot
   point.frame = pose.rotation * seen.frame;
   point.nodes = pose.free() ? Indices{node, pose.translation, pose.turn} : Indices{node};
   point.count = static_cast<int>(point.nodes.size());
-  point.H = (seen.by_x * pose.rotation.transpose()).eval() * relative(pose, Vec<D>(p1 - pose.place));
+  point.H = (seen.by_x * pose.rotation.transpose()).eval() * relative(pose, Vec<D>(p1 - pose.position));
   return point;
 }
 
@@ -64,7 +64,7 @@ Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D
   Mat<D> const turned =
       R * curvature_stiffness<D>(*obstacle.shape, point.foot, local, force, obstacle.direction) *
       R.transpose();
-  auto const B = relative(pose, Vec<D>(p1 - pose.place));
+  auto const B = relative(pose, Vec<D>(p1 - pose.position));
   Block<D> K = B.transpose() * turned * B;
   if (!pose.free())
     return K;

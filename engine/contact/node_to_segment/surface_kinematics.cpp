@@ -30,30 +30,30 @@ template<class T> struct Inputs {
 struct Carrier {
   struct Part {
     Index node;
-    Vec2 weights; ///< 1/m, of the first and the second; each sums to zero
+    Vec2 factors; ///< 1/m, of the first and the second; each sums to zero
   };
   std::vector<Part> parts;
 
-  void add(Index node, Vec2 const& weights) {
+  void add(Index node, Vec2 const& factors) {
     for (auto& part : parts)
       if (part.node == node) {
-        part.weights += weights;
+        part.factors += factors;
         return;
       }
-    parts.push_back({node, weights});
+    parts.push_back({node, factors});
   }
   [[nodiscard]] Vec3 direction(int which, std::span<double const> x) const {
     Vec3 sum = Vec3::Zero();
     for (auto const& part : parts)
-      sum += part.weights[which] * Eigen::Map<Vec3 const>(&x[3 * ix(part.node)]);
+      sum += part.factors[which] * Eigen::Map<Vec3 const>(&x[3 * ix(part.node)]);
     return sum;
   }
 };
 
 /// Adds a facet's share at its corner `at`: the parts along the facet of `direction` and across it.
 void add_facet(Facet const& facet, int at, Vec3 const& direction, Carrier& carrier) {
-  Vec2 const place = node_place(facet.count, at);
-  auto const N = shape(facet.count, place.x(), place.y());
+  Vec2 const at_node = node_coordinates(facet.count, at);
+  auto const N = shape(facet.count, at_node.x(), at_node.y());
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << combine<double>(N.by_xi, facet.reference, facet.count),
       combine<double>(N.by_eta, facet.reference, facet.count);
@@ -81,7 +81,7 @@ std::array<Carrier, 4> carriers(Surface const& surface, int number) {
       area += area_vector(other.reference, other.count).norm();
     }
     for (auto& part : all[ix(k)].parts)
-      part.weights /= area;
+      part.factors /= area;
   }
   return all;
 }
@@ -128,12 +128,12 @@ template<class T> Vec3Of<T> normal_of(Facet const& facet, Inputs<T> const& in, s
 
 /// Normal and gap. In the wedge of an edge the normal points along x1 - x2, outward.
 template<class T>
-void point_normal(Facet const& facet, Inputs<T> const& in, FootPlace const& kind, Pairing<T>& p) {
+void point_normal(Facet const& facet, Inputs<T> const& in, FootFeature const& kind, Pairing<T>& p) {
   p.n = normal_of(facet, in, p.N.N);
   p.gap = dot(p.n, p.d);
   T const distance2 = dot(p.d, p.d);
   double const size2 = area_vector(facet.reference, facet.count).norm();
-  if (kind.kind == FootPlace::face || value(distance2) < on_edge * on_edge * size2)
+  if (kind.kind == FootFeature::face || value(distance2) < on_edge * on_edge * size2)
     return;
   using std::sqrt;
   double const side = value(p.gap) < 0 ? -1 : 1;
@@ -149,7 +149,7 @@ template<class T> void turn_tangents(Pairing<T>& p) {
 }
 
 template<class T>
-Pairing<T> pair_at(Facet const& facet, Inputs<T> const& in, FootPlace const& kind, Local2<T> const& at) {
+Pairing<T> pair_at(Facet const& facet, Inputs<T> const& in, FootFeature const& kind, Local2<T> const& at) {
   Pairing<T> p;
   p.N = shape<T>(facet.count, at.xi, at.eta);
   p.d = sum(T(1.0), in.point, T(-1.0), combine<T>(p.N.N, in.x, facet.count));
@@ -231,17 +231,17 @@ Matrix3 pairing_jacobian(Facet const& facet, Inputs<double> const& in, Foot cons
 /// as the foot of the perpendicular.
 Local2<Dual> foot_with_derivatives(Facet const& facet, Inputs<Dual> const& in, Foot const& foot,
                                    Matrix3 const& J) {
-  auto const kind = FootPlace::of(foot);
+  auto const kind = FootFeature::of(foot);
   Local2<Dual> at{Dual(foot.xi), Dual(foot.eta)};
-  if (kind.kind == FootPlace::vertex)
+  if (kind.kind == FootFeature::vertex)
     return at;
-  if (kind.kind == FootPlace::edge) {
+  if (kind.kind == FootFeature::edge) {
     auto const first = ix(kind.side), last = ix((kind.side + 1) % facet.count);
     Vec3Of<Dual> const along = sum(Dual(1.0), in.x[last], Dual(-1.0), in.x[first]);
     Vec3Of<Dual> const d = sum(Dual(1.0), in.point, Dual(-1.0), in.x[first]);
     Dual const part = dot(d, along) / dot(along, along);
-    Vec2 const from = node_place(facet.count, kind.side),
-               step = node_place(facet.count, (kind.side + 1) % facet.count) - from;
+    Vec2 const from = node_coordinates(facet.count, kind.side),
+               step = node_coordinates(facet.count, (kind.side + 1) % facet.count) - from;
     return {Dual(from.x() + part * step.x()), Dual(from.y() + part * step.y())};
   }
   auto const N = shape<Dual>(facet.count, at.xi, at.eta);
@@ -256,8 +256,8 @@ Local2<Dual> foot_with_derivatives(Facet const& facet, Inputs<Dual> const& in, F
   return at;
 }
 
-/// The place of a node among the point's.
-int place_of(PointKinematics<3> const& point, Index node) {
+/// Which a node is among the point's.
+int slot_of(PointKinematics<3> const& point, Index node) {
   auto const* begin = point.nodes.data() + 1;
   return 1 + static_cast<int>(std::find(begin, point.nodes.data() + point.count, node) - begin);
 }
@@ -272,11 +272,12 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
   auto const& facet = surface.facets()[ix(foot.segment)];
   auto const carried = carriers(surface, foot.segment);
   auto const in = inputs(surface, foot, node, carried, x);
-  auto const pairing = pair_at<double>(facet, in, FootPlace::of(foot), {foot.xi, foot.eta});
+  auto const pairing = pair_at<double>(facet, in, FootFeature::of(foot), {foot.xi, foot.eta});
   point.gap = pairing.gap;
   point.frame << pairing.n, pairing.t1, pairing.t2;
   if (start.found())
-    point.slip = point.frame.rightCols<2>().transpose() * (surface.place(foot, x) - surface.place(start, x));
+    point.slip =
+        point.frame.rightCols<2>().transpose() * (surface.position(foot, x) - surface.position(start, x));
   auto const stencil = surface.stencil(foot.segment);
   point.count = 1 + static_cast<int>(stencil.size());
   point.nodes.assign(1, node);
@@ -289,10 +290,10 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
     if (row == 0 || std::abs(point.gap) < no_couple * surface.facet_size())
       continue;
     for (int k = 0; k < facet.count; ++k)
-      for (auto const& [other, weights] : carried[ix(k)].parts)
-        point.H.block<1, 3>(row, 3 * place_of(point, other)) +=
-            weights[0] * forces.shared[0][ix(k)].transpose() +
-            weights[1] * forces.shared[1][ix(k)].transpose();
+      for (auto const& [other, factors] : carried[ix(k)].parts)
+        point.H.block<1, 3>(row, 3 * slot_of(point, other)) +=
+            factors[0] * forces.shared[0][ix(k)].transpose() +
+            factors[1] * forces.shared[1][ix(k)].transpose();
   }
   return point;
 }
@@ -324,7 +325,7 @@ void add_by_normal(Asked const& asked, int k, ByInputs const& by_input, Block<3>
       Vec3 const e = at[ix((i + 1) % facet.count)] - at[ix((i + facet.count - 1) % facet.count)];
       Matrix3 turn;
       turn << 0, e.z(), -e.y(), -e.z(), 0, e.x(), e.y(), -e.x(), 0; // dx x e
-      K.block(0, 3 * place_of(point, facet.nodes[ix(i)]), by_area.rows(), 3) += by_area * turn;
+      K.block(0, 3 * slot_of(point, facet.nodes[ix(i)]), by_area.rows(), 3) += by_area * turn;
     }
   }
 }
@@ -344,8 +345,8 @@ ByInputs by_inputs(PointKinematics<3> const& point, NodalForces<Dual> const& for
   for (int k = 0; couples != nullptr && k < count; ++k)
     for (int which = 0; which < 2; ++which) {
       auto const shared = derivatives(forces.shared[ix(which)][ix(k)]);
-      for (auto const& [node, weights] : (*couples)[ix(k)].parts)
-        by.middleRows<3>(3 * place_of(point, node)) += weights[which] * shared;
+      for (auto const& [node, factors] : (*couples)[ix(k)].parts)
+        by.middleRows<3>(3 * slot_of(point, node)) += factors[which] * shared;
     }
   return by;
 }
@@ -373,7 +374,7 @@ Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& p
   auto const at =
       foot_with_derivatives(facet, dual, point.foot, pairing_jacobian(facet, in, point.foot, point.gap));
   auto const forces =
-      nodal_forces(pair_at<Dual>(facet, dual, FootPlace::of(point.foot), at), facet.count, force_ntt);
+      nodal_forces(pair_at<Dual>(facet, dual, FootFeature::of(point.foot), at), facet.count, force_ntt);
   bool const couples = !force_ntt.tail<2>().isZero(0) && std::abs(point.gap) > no_turn * surface.facet_size();
   auto const by_input = by_inputs(point, forces, facet.count, couples ? &carried : nullptr);
   int const own = 3 * (1 + facet.count), n = point.unknowns();
@@ -381,9 +382,9 @@ Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& p
   K.topLeftCorner(by_input.rows(), own) = by_input.leftCols(own);
   for (int k = 0; k < facet.count; ++k) {
     add_by_normal({surface, point, x}, k, by_input, K);
-    for (auto const& [node, weights] : carried[ix(k)].parts)
-      K.block(0, 3 * place_of(point, node), by_input.rows(), 3) +=
-          weights[0] * by_input.middleCols<3>(27 + 3 * k) + weights[1] * by_input.middleCols<3>(39 + 3 * k);
+    for (auto const& [node, factors] : carried[ix(k)].parts)
+      K.block(0, 3 * slot_of(point, node), by_input.rows(), 3) +=
+          factors[0] * by_input.middleCols<3>(27 + 3 * k) + factors[1] * by_input.middleCols<3>(39 + 3 * k);
   }
   return K;
 }

@@ -17,16 +17,16 @@ using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinde
 
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {
-  /// Not where the nearest place is not unique (the centre of a sphere) or does not exist (past an open end).
+  /// Not where the nearest point is not unique (the centre of a sphere) or does not exist (past an open end).
   bool found = false;
-  Foot foot;                     ///< the next step's start; in 3D (xi, eta, zeta) is the place of the point
-  double gap = 0;                ///< m
+  Foot foot;      ///< the next step's start; in 3D (xi, eta, zeta) is the position of the point
+  double gap = 0; ///< m
   Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit; (t1, n) or (t1, t2, n) right-handed
   /// Since `start`, m; 0 if there was none. In the plane along the surface; in 3D the part along (t1, t2) of
   /// the point's way.
   Local<D - 1> slip = Local<D - 1>::Zero();
-  /// Rows: derivatives of gap and slip by the point's place. In 3D the rows of slip are t1 and t2; the turn
-  /// of the tangents, of the order of slip / radius of the surface, is left out.
+  /// Rows: derivatives of gap and slip by the point's position. In 3D the rows of slip are t1 and t2; the
+  /// turn of the tangents, of the order of slip / radius of the surface, is left out.
   Mat<D> by_x = Mat<D>::Zero();
 };
 
@@ -42,7 +42,7 @@ template<int D>
 [[nodiscard]] ObstacleView<D> view(Obstacle const& obstacle, Vec<D> const& point, Foot start, Foot guess,
                                    Vec3 const& direction);
 
-/// Derivative of by_x^T force by the point's place, N/m. `foot` is that of the view from there.
+/// Derivative of by_x^T force by the point's position, N/m. `foot` is that of the view from there.
 template<int D>
 [[nodiscard]] Mat<D> curvature_stiffness(Obstacle const& obstacle, Foot foot, Vec<D> const& point,
                                          Local<D> const& force, Vec3 const& direction);

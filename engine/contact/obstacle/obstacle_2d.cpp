@@ -11,7 +11,7 @@ namespace stiction::contact {
 namespace {
 
 Vec2 from_point(RigidPlane const& plane, Vec2 const& x) {
-  return x - place_or_origin<2>(plane.point);
+  return x - point_or_origin<2>(plane.point);
 }
 
 Foot foot_2d(RigidPlane const& plane, Vec2 const& x, Foot /*guess*/) {
@@ -22,7 +22,7 @@ double slip_2d(RigidPlane const& /*plane*/, Foot from, Foot to) {
   return to.xi - from.xi;
 }
 
-View2d look_2d(RigidPlane const& plane, Vec2 const& x, Foot /*foot*/) {
+View2d view_2d(RigidPlane const& plane, Vec2 const& x, Foot /*foot*/) {
   Vec2 const n = unit_or_last_axis<2>(plane.normal);
   View2d seen;
   seen.gap = n.dot(from_point(plane, x));
@@ -38,15 +38,15 @@ struct Disc {
 };
 
 Disc disc_of(RigidCircle const& circle) {
-  return {place_or_origin<2>(circle.centre), circle.radius, sign_of(circle.side)};
+  return {point_or_origin<2>(circle.centre), circle.radius, sign_of(circle.side)};
 }
 
 Disc disc_of(RigidSphere const& sphere) {
-  return {place_or_origin<2>(sphere.centre), sphere.radius, sign_of(sphere.side)};
+  return {point_or_origin<2>(sphere.centre), sphere.radius, sign_of(sphere.side)};
 }
 
 Disc disc_of(RigidTorus const& torus) {
-  return {place_or_origin<2>(torus.centre) + Vec2(torus.major_radius, 0), torus.minor_radius,
+  return {point_or_origin<2>(torus.centre) + Vec2(torus.major_radius, 0), torus.minor_radius,
           sign_of(torus.side)};
 }
 
@@ -69,7 +69,7 @@ double slip_2d(Round auto const& shape, Foot from, Foot to) {
   return std::remainder(to.xi - from.xi, 2 * std::numbers::pi * disc_of(shape).radius);
 }
 
-View2d look_2d(Round auto const& shape, Vec2 const& x, Foot /*foot*/) {
+View2d view_2d(Round auto const& shape, Vec2 const& x, Foot /*foot*/) {
   auto const [centre, R, sign] = disc_of(shape);
   Vec2 const d = x - centre;
   double const distance = d.norm();
@@ -90,7 +90,7 @@ ObstacleView<2> view_of(auto const& shape, Vec2 const& point, Foot start, Foot g
     result.found = result.foot.found();
     if (!result.found)
       return result;
-    auto const seen = look_2d(shape, point, result.foot);
+    auto const seen = view_2d(shape, point, result.foot);
     result.gap = seen.gap;
     result.frame << seen.normal, right_of(seen.normal);
     if (start.found())
@@ -103,8 +103,8 @@ ObstacleView<2> view_of(auto const& shape, Vec2 const& point, Foot start, Foot g
 }
 
 Mat<2> stiffness_of(auto const& shape, Foot foot, Vec2 const& point, Local<2> const& force) {
-  if constexpr (requires { look_2d(shape, point, foot); }) {
-    auto const seen = look_2d(shape, point, foot);
+  if constexpr (requires { view_2d(shape, point, foot); }) {
+    auto const seen = view_2d(shape, point, foot);
     return force[0] * seen.gap_by_xx + force[1] * seen.slip_by_xx;
   } else {
     core::fail_expectation("the obstacle has a form in the plane", std::source_location::current());

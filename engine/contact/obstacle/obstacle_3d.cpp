@@ -9,20 +9,20 @@ namespace stiction::contact {
 
 namespace {
 
-View3d look_3d(RigidPlane const& plane, Vec3 const& x, Foot /*guess*/) {
+View3d view_3d(RigidPlane const& plane, Vec3 const& x, Foot /*guess*/) {
   Vec3 const n = unit_or_last_axis<3>(plane.normal);
-  return {0, n.dot(x - place_or_origin<3>(plane.point)), n};
+  return {0, n.dot(x - point_or_origin<3>(plane.point)), n};
 }
 
 /// Distance from the skeleton of a round shape (centre, axis or middle circle), with two derivatives.
 struct Away {
-  double distance = 0; ///< m; 0 also where the nearest place of the skeleton is not unique
+  double distance = 0; ///< m; 0 also where the nearest point of the skeleton is not unique
   Vec3 direction = Vec3::Zero();
   Mat<3> by_xx = Mat<3>::Zero(); ///< 1/m
 };
 
 Away away_from(RigidSphere const& sphere, Vec3 const& x) {
-  Vec3 const d = x - place_or_origin<3>(sphere.centre);
+  Vec3 const d = x - point_or_origin<3>(sphere.centre);
   double const distance = d.norm();
   if (distance == 0)
     return {};
@@ -31,7 +31,7 @@ Away away_from(RigidSphere const& sphere, Vec3 const& x) {
 }
 
 Away away_from(RigidCylinder const& cylinder, Vec3 const& x) {
-  Vec3 const a = unit_or_last_axis<3>(cylinder.axis), d = x - place_or_origin<3>(cylinder.centre);
+  Vec3 const a = unit_or_last_axis<3>(cylinder.axis), d = x - point_or_origin<3>(cylinder.centre);
   Vec3 const across = d - a * a.dot(d);
   double const distance = across.norm();
   if (distance == 0)
@@ -41,7 +41,7 @@ Away away_from(RigidCylinder const& cylinder, Vec3 const& x) {
 }
 
 Away away_from(RigidTorus const& torus, Vec3 const& x) {
-  Vec3 const a = unit_or_last_axis<3>(torus.axis), d = x - place_or_origin<3>(torus.centre);
+  Vec3 const a = unit_or_last_axis<3>(torus.axis), d = x - point_or_origin<3>(torus.centre);
   double const height = a.dot(d), rho = (d - a * height).norm(), out = rho - torus.major_radius;
   double const distance = std::hypot(out, height);
   if (rho == 0 || distance == 0)
@@ -64,7 +64,7 @@ concept RoundBody = requires(Shape const& shape, Vec3 const& x) {
   away_from(shape, x);
 };
 
-View3d look_3d(RoundBody auto const& shape, Vec3 const& x, Foot /*guess*/) {
+View3d view_3d(RoundBody auto const& shape, Vec3 const& x, Foot /*guess*/) {
   auto const away = away_from(shape, x);
   double const sign = sign_of(shape.side);
   return {away.distance > 0 ? 0 : -1, sign * (away.distance - thickness(shape)), sign * away.direction,
@@ -91,7 +91,7 @@ Mat<3> frame_of(Vec3 const& n, Vec3 const& direction) {
   return frame;
 }
 
-/// Derivative of frame_of(n) force by the point's place, given that of n.
+/// Derivative of frame_of(n) force by the point's position, given that of n.
 Mat<3> turn_of_frame(Mat<3> const& frame, Mat<3> const& dn, Vec3 const& direction, Local<3> const& force) {
   Vec3 const n = frame.col(0), t1 = frame.col(1), a = leading(direction, n);
   double const length = t1.dot(a); // of the part of a along the surface
@@ -102,8 +102,8 @@ Mat<3> turn_of_frame(Mat<3> const& frame, Mat<3> const& dn, Vec3 const& directio
 }
 
 ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Foot start, Foot guess, Vec3 const& direction) {
-  if constexpr (requires { look_3d(shape, point, guess); }) {
-    auto const seen = look_3d(shape, point, guess);
+  if constexpr (requires { view_3d(shape, point, guess); }) {
+    auto const seen = view_3d(shape, point, guess);
     ObstacleView<3> result;
     result.found = seen.segment >= 0;
     if (!result.found)
@@ -122,8 +122,8 @@ ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Foot start, Foot g
 
 Mat<3> stiffness_of(auto const& shape, Foot foot, Vec3 const& point, Local<3> const& force,
                     Vec3 const& direction) {
-  if constexpr (requires { look_3d(shape, point, foot); }) {
-    auto const seen = look_3d(shape, point, foot);
+  if constexpr (requires { view_3d(shape, point, foot); }) {
+    auto const seen = view_3d(shape, point, foot);
     return turn_of_frame(frame_of(seen.normal, direction), seen.normal_by_x, direction, force);
   } else {
     core::fail_expectation("the obstacle has a form in space", std::source_location::current());

@@ -1,4 +1,4 @@
-// The closest point of a fixed curve and its derivatives by the place of the point.
+// The closest point of a fixed curve and its derivatives by the position of the point.
 #include "contact/obstacle/obstacle_polyline.hpp"
 
 #include <numeric>
@@ -68,7 +68,7 @@ double slip_2d(RigidPolyline const& line, Foot from, Foot to) {
   return -curve.path_length(from, to, positions); // the tangent points against the walk
 }
 
-View2d look_2d(RigidPolyline const& line, Vec2 const& x, Foot foot) {
+View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot) {
   auto const& [positions, curve] = fixed(line);
   auto const [c, a, aa, aaa] = curve.evaluate(foot, positions).by_xi;
   double const length = a.norm();

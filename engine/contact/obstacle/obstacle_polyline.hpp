@@ -31,6 +31,6 @@ void prepare(RigidPolyline& line);
 [[nodiscard]] Foot foot_2d(RigidPolyline const& line, Vec2 const& x, Foot guess);
 /// Along the curve, on closed ones the short way round.
 [[nodiscard]] double slip_2d(RigidPolyline const& line, Foot from, Foot to);
-[[nodiscard]] View2d look_2d(RigidPolyline const& line, Vec2 const& x, Foot foot);
+[[nodiscard]] View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot);
 
 } // namespace stiction::contact

@@ -57,8 +57,8 @@ struct RigidTorus {
 [[nodiscard]] std::string unfit(RigidCylinder const& cylinder, int dim, bool axisymmetric);
 [[nodiscard]] std::string unfit(RigidTorus const& torus, int dim, bool axisymmetric);
 
-/// The place that `given` names; the origin if it is empty.
-template<int D> [[nodiscard]] Vec<D> place_or_origin(core::Numbers const& given) {
+/// The point that `given` names; the origin if it is empty.
+template<int D> [[nodiscard]] Vec<D> point_or_origin(core::Numbers const& given) {
   return given.empty() ? Vec<D>::Zero() : Vec<D>(Eigen::Map<Vec<D> const>(given.data()));
 }
 

@@ -43,9 +43,9 @@ View3d look_from_wedge(Facet const& facet, FacetNow const& now, Foot const& foot
   double const gap = side * d.norm();
   Vec3 const n = d / gap;
   Mat<3> turn = Mat<3>::Identity() - n * n.transpose();
-  if (auto const place = FootPlace::of(foot); place.kind == FootPlace::edge) {
-    auto const last = ix((place.side + 1) % facet.count);
-    Vec3 const along = (now.x[last] - now.x[ix(place.side)]).normalized();
+  if (auto const feature = FootFeature::of(foot); feature.kind == FootFeature::edge) {
+    auto const last = ix((feature.side + 1) % facet.count);
+    Vec3 const along = (now.x[last] - now.x[ix(feature.side)]).normalized();
     turn -= along * along.transpose();
   }
   return {foot.segment, gap, n, turn / gap};
@@ -92,7 +92,7 @@ void prepare(RigidSurface& surface) {
       ends_in(path, ".stl") ? mesh::read_stl(path, scale) : mesh::read_msh_triangles(path, scale));
 }
 
-View3d look_3d(RigidSurface const& rigid, Vec3 const& x, Foot guess) {
+View3d view_3d(RigidSurface const& rigid, Vec3 const& x, Foot guess) {
   core::expect(rigid.prepared != nullptr, "the surface was prepared");
   auto const& fixed = *rigid.prepared;
   Foot const foot = fixed.project(x, guess.segment);
@@ -103,8 +103,8 @@ View3d look_3d(RigidSurface const& rigid, Vec3 const& x, Foot guess) {
   auto const N = shape(facet.count, foot.xi, foot.eta);
   Vec3 const d = x - combine<double>(N.N, now.x, facet.count);
   Vec3 const n = combine<double>(N.N, now.normals, facet.count).normalized();
-  auto const place = FootPlace::of(foot);
-  if (place.kind == FootPlace::face)
+  auto const feature = FootFeature::of(foot);
+  if (feature.kind == FootFeature::face)
     return {foot.segment, n.dot(d), n, turn_above_face(facet, now, foot, n.dot(d))};
   bool const on_it = d.squaredNorm() < on_edge * on_edge * area_vector(now.x, facet.count).norm();
   return on_it ? View3d{foot.segment, n.dot(d), n}

@@ -43,6 +43,6 @@ struct RigidSurface {
 void prepare(RigidSurface& surface);
 
 /// Not found past a border.
-[[nodiscard]] View3d look_3d(RigidSurface const& surface, Vec3 const& x, Foot guess);
+[[nodiscard]] View3d view_3d(RigidSurface const& surface, Vec3 const& x, Foot guess);
 
 } // namespace stiction::contact

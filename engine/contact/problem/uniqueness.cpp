@@ -14,8 +14,8 @@ constexpr double bearing_part = 0.01; // of the strength, above which a bond cou
 constexpr int rounds = 30;            // of the power iteration
 constexpr double no_pivot = 1e-12;    // over the largest: of a singular matrix
 
-/// A point that friction pushes: unit direction of the push.
-template<int D> struct Pushed {
+/// A point that friction drags: unit direction of its drag.
+template<int D> struct Dragged {
   Index point;
   double mu;
   Eigen::Matrix<double, D - 1, 1> along;
@@ -38,7 +38,7 @@ public:
       if (state.mu > 0 && (which_ == Checked::all || state.status != interface::Status::open))
         look_at_friction(i, state.mu);
       if (state.mu > 0 && !state.dry.template tail<D - 1>().isZero(0))
-        pushed_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
+        dragged_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
       if (problem_.points[ix(i)].adhesion >= 0)
         look_at_bond(i, (p - state.dry)[0]);
     }
@@ -64,19 +64,19 @@ private:
   }
 
   void look_at_friction_together() {
-    auto const n = static_cast<Index>(pushed_.size());
+    auto const n = static_cast<Index>(dragged_.size());
     if (n < 2)
       return;
     Dense matrix(n, n);
     Vector x(problem_.free.size());
     for (Index b = 0; b < n; ++b) {
-      auto const& other = pushed_[ix(b)];
-      Local<D> push = Local<D>::Unit(0);
-      push.template tail<D - 1>() = other.mu * other.along;
+      auto const& other = dragged_[ix(b)];
+      Local<D> load = Local<D>::Unit(0);
+      load.template tail<D - 1>() = other.mu * other.along;
       x.setZero();
-      problem_.W.add_column<D>(other.point, push, x);
+      problem_.W.add_column<D>(other.point, load, x);
       for (Index a = 0; a < n; ++a)
-        matrix(a, b) = x[D * pushed_[ix(a)].point];
+        matrix(a, b) = x[D * dragged_[ix(a)].point];
     }
     Eigen::PartialPivLU<Dense> const factor(matrix);
     auto const pivots = factor.matrixLU().diagonal().array();
@@ -84,7 +84,7 @@ private:
       return;
     if (((pivots < 0).count() % 2 == 0) == (factor.permutationP().determinant() > 0))
       return;
-    auto const& first = pushed_.front();
+    auto const& first = dragged_.front();
     auto const row = problem_.W.block<D>(first.point).row(0).eval();
     doubts_.friction = {0, n, first.point, first.mu, row[0], row.template tail<D - 1>().norm()};
   }
@@ -137,7 +137,7 @@ private:
   Problem const& problem_;
   Checked which_;
   Doubts doubts_;
-  std::vector<Pushed<D>> pushed_;
+  std::vector<Dragged<D>> dragged_;
   std::vector<Bonded> bonded_;
   double steepest_ = 0; ///< largest mu |W_nt| / W_nn
 };

@@ -103,7 +103,7 @@ FacetShape quad8(Vec2 const& at) {
 FacetRule rule_from(mesh::Rule const& rule) {
   FacetRule result;
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-    result.places.emplace_back(rule.points(q, 0), rule.points.cols() > 1 ? rule.points(q, 1) : 0.0);
+    result.points.emplace_back(rule.points(q, 0), rule.points.cols() > 1 ? rule.points(q, 1) : 0.0);
     result.weights.push_back(rule.weights[q]);
   }
   return result;
@@ -145,12 +145,12 @@ FacetShape facet_shape(FacetKind kind, Vec2 const& at) {
   return functions[row(kind)](at);
 }
 
-Vec2 corner_place(FacetKind kind, int corner) {
+Vec2 corner_coordinates(FacetKind kind, int corner) {
   int const corners = corner_count(kind);
-  return corners == 2 ? Vec2(2.0 * corner - 1, 0) : node_place(corners, corner);
+  return corners == 2 ? Vec2(2.0 * corner - 1, 0) : node_coordinates(corners, corner);
 }
 
-Vec2 middle_place(FacetKind kind) {
+Vec2 middle_coordinates(FacetKind kind) {
   return corner_count(kind) == 3 ? Vec2(1.0 / 3, 1.0 / 3) : Vec2(0, 0);
 }
 
@@ -166,9 +166,9 @@ double inside_of(FacetKind kind, int side, Vec2 const& at) {
   return inside(corners, side, at);
 }
 
-Vec2 place_on_side(FacetKind kind, int side, double part) {
+Vec2 coordinates_on_side(FacetKind kind, int side, double part) {
   int const corners = corner_count(kind);
-  return corners == 2 ? corner_place(kind, side) : side_place(corners, side, part);
+  return corners == 2 ? corner_coordinates(kind, side) : side_coordinates(corners, side, part);
 }
 
 double part_of_side(FacetKind kind, int side, Vec2 const& at) {

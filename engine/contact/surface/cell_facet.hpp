@@ -12,16 +12,16 @@ enum class FacetKind : std::uint8_t { line2, line3, tri3, quad4, tri6, quad8 };
 
 inline constexpr int most_facet_nodes = 8;
 /// One number per node, zero beyond the facet's own.
-using Weights = Eigen::Matrix<double, most_facet_nodes, 1>;
-/// Places or displacements of the nodes, column by column. [D, 8]
+using PerNode = Eigen::Matrix<double, most_facet_nodes, 1>;
+/// Positions or displacements of the nodes, column by column. [D, 8]
 template<int D> using FacetNodes = Eigen::Matrix<double, D, most_facet_nodes>;
 
-/// Shape functions at one place with their derivatives by (xi [, eta]).
+/// Shape functions at one point with their derivatives by (xi [, eta]).
 struct FacetShape {
-  Weights N = Weights::Zero();
-  std::array<Weights, 2> by{Weights::Zero(), Weights::Zero()};
-  std::array<Weights, 3> by2{Weights::Zero(), Weights::Zero(), Weights::Zero()}; ///< 11, 12, 22
-  [[nodiscard]] Weights const& second(int a, int b) const { return by2[ix(a + b)]; }
+  PerNode N = PerNode::Zero();
+  std::array<PerNode, 2> by{PerNode::Zero(), PerNode::Zero()};
+  std::array<PerNode, 3> by2{PerNode::Zero(), PerNode::Zero(), PerNode::Zero()}; ///< 11, 12, 22
+  [[nodiscard]] PerNode const& second(int a, int b) const { return by2[ix(a + b)]; }
 };
 
 [[nodiscard]] int node_count(FacetKind kind);
@@ -34,8 +34,8 @@ struct FacetShape {
 /// At (xi, eta) of a line [-1, 1], a triangle (xi, eta >= 0, xi + eta <= 1) or a square [-1, 1]^2.
 [[nodiscard]] FacetShape facet_shape(FacetKind kind, Vec2 const& at);
 /// Local coordinates of a corner and of the middle.
-[[nodiscard]] Vec2 corner_place(FacetKind kind, int corner);
-[[nodiscard]] Vec2 middle_place(FacetKind kind);
+[[nodiscard]] Vec2 corner_coordinates(FacetKind kind, int corner);
+[[nodiscard]] Vec2 middle_coordinates(FacetKind kind);
 /// Length or area of the reference domain.
 [[nodiscard]] double domain_size(FacetKind kind);
 
@@ -43,12 +43,12 @@ struct FacetShape {
 /// 1 on the opposite side or corner, negative beyond.
 [[nodiscard]] double inside_of(FacetKind kind, int side, Vec2 const& at);
 /// A part of the way from the first to the last corner of side k; of a line the end itself.
-[[nodiscard]] Vec2 place_on_side(FacetKind kind, int side, double part);
+[[nodiscard]] Vec2 coordinates_on_side(FacetKind kind, int side, double part);
 [[nodiscard]] double part_of_side(FacetKind kind, int side, Vec2 const& at);
 
-/// Places and weights over a whole reference domain.
+/// Points and weights over a whole reference domain.
 struct FacetRule {
-  std::vector<Vec2> places;
+  std::vector<Vec2> points;
   std::vector<double> weights; ///< sum to domain_size
 };
 /// By the number of corners. Lines: Gauss with 2 points or, `fine`, 3; triangles: 3 points, exact to degree

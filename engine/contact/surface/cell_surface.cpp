@@ -69,7 +69,7 @@ CellSurface::CellSurface(std::vector<mesh::Facet> const& facets, Matrix const& r
     }
     corner_nodes_.insert(corner_nodes_.end(), facet.nodes.begin(), facet.nodes.begin() + facet.corners());
     facets_.push_back(facet);
-    double const area = domain_size(facet.kind) * measure(size() - 1, middle_place(facet.kind), false);
+    double const area = domain_size(facet.kind) * measure(size() - 1, middle_coordinates(facet.kind), false);
     double const length = dim_ == 2 ? area : std::sqrt(area);
     facet_size_ += length / static_cast<double>(facets.size());
     largest_size_ = std::max(largest_size_, length);
@@ -87,11 +87,11 @@ void CellSurface::link_sides() {
     for (int k = 0; k < facet(f).corners(); ++k)
       core::expect(sides.emplace(key_of(facet(f), k), std::pair(f, k)).second,
                    "a checked surface neither branches nor turns over");
-  for (auto const& [key, place] : sides)
+  for (auto const& [key, side] : sides)
     if (auto const other = sides.find(key.turned()); other != sides.end()) {
-      auto& own = facets_[ix(place.first)];
-      own.neighbour[ix(place.second)] = other->second.first;
-      own.across[ix(place.second)] = other->second.second;
+      auto& own = facets_[ix(side.first)];
+      own.neighbour[ix(side.second)] = other->second.first;
+      own.across[ix(side.second)] = other->second.second;
     }
 }
 
@@ -106,9 +106,9 @@ void CellSurface::gather_fans() {
       int const other = facet(f).neighbour[ix(k)];
       if (other < 0)
         continue;
-      Vec3 const here = reference_normal(f, place_on_side(facet(f).kind, k, 0.5)),
-                 there =
-                     reference_normal(other, place_on_side(facet(other).kind, facet(f).across[ix(k)], 0.5));
+      Vec3 const here = reference_normal(f, coordinates_on_side(facet(f).kind, k, 0.5)),
+                 there = reference_normal(
+                     other, coordinates_on_side(facet(other).kind, facet(f).across[ix(k)], 0.5));
       if (here.dot(there) < flat)
         continue;
       for (int c = 0; c < facet(f).corners(); ++c)
@@ -135,7 +135,7 @@ void CellSurface::choose_directions(Vec3 const& direction) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   for (int f = 0; f < size(); ++f) {
-    double const along = reference_normal(f, middle_place(facet(f).kind)).dot(direction.normalized());
+    double const along = reference_normal(f, middle_coordinates(facet(f).kind)).dot(direction.normalized());
     facets_[ix(f)].direction =
         std::abs(along) < nearly_parallel ? direction : Vec3(Vec3::Unit((largest + 1) % 3));
   }
@@ -163,11 +163,11 @@ std::vector<double> CellSurface::hat_areas(Indices const& points, bool around) c
   for (int f = 0; f < size(); ++f) {
     auto const kind = facet(f).kind;
     auto const& rule = facet_rule(facet(f).corners(), true);
-    for (std::size_t q = 0; q < rule.places.size(); ++q) {
-      double const weight = rule.weights[q] * measure(f, rule.places[q], around);
-      auto const hats = facet_shape(linear_kind(kind), rule.places[q]).N;
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      double const area = rule.weights[q] * measure(f, rule.points[q], around);
+      auto const hats = facet_shape(linear_kind(kind), rule.points[q]).N;
       for (int k = 0; k < facet(f).corners(); ++k)
-        areas[facet(f).nodes[ix(k)]] += weight * hats[k];
+        areas[facet(f).nodes[ix(k)]] += area * hats[k];
     }
   }
   std::vector<double> result;
@@ -193,7 +193,7 @@ template<int D> FanNormals<D> CellSurface::fan_normals(Positions x) const {
   for (auto const& fan : fans_) {
     Vec<D> sum = Vec<D>::Zero();
     for (auto const& [f, c] : fan)
-      sum += domain_size(facet(f).kind) * normal<D>(f, corner_place(facet(f).kind, c), x);
+      sum += domain_size(facet(f).kind) * normal<D>(f, corner_coordinates(facet(f).kind, c), x);
     normals.length.push_back(sum.norm());
     normals.unit.push_back(sum / sum.norm());
   }

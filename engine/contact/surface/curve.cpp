@@ -95,7 +95,7 @@ Segment straight_segment(Index from, Index to) {
   return segment;
 }
 
-/// Places in the chain where it turns by more than the corner angle.
+/// Nodes of the chain where it turns by more than the corner angle.
 Indices corners_of(Chain const& chain, Matrix const& reference) {
   auto const n = static_cast<Index>(chain.nodes.size());
   auto direction = [&](Index i) -> Vec2 {

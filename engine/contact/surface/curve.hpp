@@ -59,9 +59,9 @@ public:
                              Search<2> const* search = nullptr) const;
   /// The same from `start` alone.
   [[nodiscard]] Foot follow(Vec2 const& point, Foot start, std::span<double const> x) const;
-  /// A place near the nearest one, by looking at all segments.
+  /// A foot near the nearest one, by looking at all segments.
   [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
-  /// The nearer of two places on one segment; `distance2`: squared distance, m^2.
+  /// The nearer of two feet on one segment; `distance2`: squared distance, m^2.
   [[nodiscard]] Foot sample(int segment, Vec2 const& point, std::span<double const> x,
                             double& distance2) const;
   [[nodiscard]] Box<2> box(int segment, std::span<double const> x) const;

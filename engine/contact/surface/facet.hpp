@@ -56,21 +56,21 @@ template<class T, class V>
 }
 
 /// Local coordinates of node k.
-[[nodiscard]] inline Vec2 node_place(int count, int k) {
+[[nodiscard]] inline Vec2 node_coordinates(int count, int k) {
   static constexpr double triangle[3][2] = {{0, 0}, {1, 0}, {0, 1}};
   static constexpr double square[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  auto const* place = count == 3 ? triangle[k] : square[k];
-  return {place[0], place[1]};
+  auto const* at = count == 3 ? triangle[k] : square[k];
+  return {at[0], at[1]};
 }
 
-/// The place on side k a part 0 <= part <= 1 of the way from its first to its last node.
-[[nodiscard]] inline Vec2 side_place(int count, int side, double part) {
-  return (1 - part) * node_place(count, side) + part * node_place(count, (side + 1) % count);
+/// Local coordinates on side k, a part 0 <= part <= 1 of the way from its first to its last node.
+[[nodiscard]] inline Vec2 side_coordinates(int count, int side, double part) {
+  return (1 - part) * node_coordinates(count, side) + part * node_coordinates(count, (side + 1) % count);
 }
 
 /// Along side k, how far `at` is from its first to its last node.
 [[nodiscard]] inline double side_part(int count, int side, Vec2 const& at) {
-  Vec2 const from = node_place(count, side), along = node_place(count, (side + 1) % count) - from;
+  Vec2 const from = node_coordinates(count, side), along = node_coordinates(count, (side + 1) % count) - from;
   return (at - from).dot(along) / along.squaredNorm();
 }
 

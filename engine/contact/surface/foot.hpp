@@ -1,4 +1,4 @@
-// Where a contact point meets its counterpart: places on surfaces, and vectors and matrices by dimension.
+// Where a contact point meets its counterpart: points of surfaces, and vectors and matrices by dimension.
 #pragma once
 #include "core/types.hpp"
 

@@ -24,7 +24,7 @@ bool faces(CellSurface const& surface, int facet, Vec2 const& at, Ray<D> const& 
 /// The side to leave by: the one farthest behind, if it leads to a facet that faces the ray; borders come
 /// last.
 struct Leave {
-  int side = -1; ///< -1: none, the place is on the facet
+  int side = -1; ///< -1: none, the point is on the facet
   bool border = false;
 };
 
@@ -40,8 +40,8 @@ Leave leave(CellSurface const& surface, int number, Vec2 const& at, Ray<D> const
     int const next = facet.neighbour[ix(k)];
     bool const open =
         next < 0 || !faces(surface, next,
-                           place_on_side(surface.facet(next).kind, facet.across[ix(k)],
-                                         1 - std::clamp(part_of_side(facet.kind, k, at), 0.0, 1.0)),
+                           coordinates_on_side(surface.facet(next).kind, facet.across[ix(k)],
+                                               1 - std::clamp(part_of_side(facet.kind, k, at), 0.0, 1.0)),
                            ray, x);
     double& least = open ? least_outer : least_inner;
     if (here < least) {
@@ -93,7 +93,7 @@ Foot meet(CellSurface const& surface, Ray<D> const& ray, Foot start, double over
     }
     int const next = facet.neighbour[ix(side)];
     double const part = std::clamp(part_of_side(facet.kind, side, at), 0.0, 1.0);
-    at = place_on_side(surface.facet(next).kind, facet.across[ix(side)], 1 - part);
+    at = coordinates_on_side(surface.facet(next).kind, facet.across[ix(side)], 1 - part);
     number = next;
   }
   return {};

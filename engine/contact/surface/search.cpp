@@ -43,14 +43,14 @@ double mean_size(Curve const& curve) {
 double mean_size(Surface const& surface) {
   return surface.facet_size();
 }
-Vec2 place(Curve const& curve, Foot foot, std::span<double const> x) {
+Vec2 position(Curve const& curve, Foot foot, std::span<double const> x) {
   return curve.evaluate(foot, x).by_xi[0];
 }
-Vec3 place(Surface const& surface, Foot foot, std::span<double const> x) {
-  return surface.place(foot, x);
+Vec3 position(Surface const& surface, Foot foot, std::span<double const> x) {
+  return surface.position(foot, x);
 }
 double gap_at(Curve const& curve, Vec2 const& point, Foot foot, std::span<double const> x) {
-  return normal_at(curve, foot, x).dot(point - place(curve, foot, x));
+  return normal_at(curve, foot, x).dot(point - position(curve, foot, x));
 }
 
 } // namespace
@@ -72,7 +72,7 @@ OwnSide::OwnSide(Curve const& curve, std::span<double const> reference, double r
     if (!own.foot.found())
       continue;
     own.depth = radius / 2;
-    Vec2 const point = place(curve, own.foot, reference);
+    Vec2 const point = position(curve, own.foot, reference);
     grid.near(point, radius, [&](int s) { // half of what is seen through the body is not gone through
       double distance2 = 0;
       Foot const foot = curve.sample(s, point, reference, distance2);
@@ -155,7 +155,7 @@ Foot Search<D>::project(Index node, Vec<D> const& point, Foot guess, std::span<d
   auto const from = [&](Foot start) {
     Foot const foot = start.found() ? primary_->follow(point, start, x) : Foot{};
     bool const good = foot.found() && allows(node, point, foot, x) &&
-                      (point - place(*primary_, foot, x)).norm() <= 1.5 * radius_;
+                      (point - position(*primary_, foot, x)).norm() <= 1.5 * radius_;
     return good ? foot : Foot{};
   };
   Foot const foot = from(guess);

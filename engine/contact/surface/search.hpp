@@ -42,7 +42,7 @@ public:
 
   /// Takes the boxes of all facets at x; call at the start of a step.
   void update(std::span<double const> x);
-  /// A place near the nearest one, for Curve::project and Surface::project; `node`: whose point this is.
+  /// A foot near the nearest one, for Curve::project and Surface::project; `node`: whose point this is.
   /// `visits` goes up by the facets looked at.
   [[nodiscard]] Foot nearest(Vec<D> const& point, std::span<double const> x, Index node = -1,
                              long* visits = nullptr) const;

@@ -114,13 +114,13 @@ void Surface::link_sides() {
     }
   }
   double const flat = std::cos(edge_angle);
-  for (auto const& [ends, place] : sides)
+  for (auto const& [ends, side] : sides)
     if (auto const other = sides.find({ends.second, ends.first}); other != sides.end()) {
-      auto& facet = facets_[ix(place.first)];
-      facet.neighbour[ix(place.second)] = other->second.first;
-      facet.across[ix(place.second)] = other->second.second;
-      facet.sharp[ix(place.second)] =
-          reference_normal(place.first).dot(reference_normal(other->second.first)) < flat;
+      auto& facet = facets_[ix(side.first)];
+      facet.neighbour[ix(side.second)] = other->second.first;
+      facet.across[ix(side.second)] = other->second.second;
+      facet.sharp[ix(side.second)] =
+          reference_normal(side.first).dot(reference_normal(other->second.first)) < flat;
     }
 }
 
@@ -217,7 +217,7 @@ std::array<Vec3, 4> Surface::positions(int facet, std::span<double const> x) con
   return at;
 }
 
-Vec3 Surface::place(Foot foot, std::span<double const> x) const {
+Vec3 Surface::position(Foot foot, std::span<double const> x) const {
   int const count = facets_[ix(foot.segment)].count;
   return combine<double>(shape(count, foot.xi, foot.eta).N, positions(foot.segment, x), count);
 }

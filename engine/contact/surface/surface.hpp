@@ -16,20 +16,20 @@ struct FacetNow {
   std::array<Vec3, 4> x, normals;
 };
 
-/// The surface at one foot: place, its derivatives, unit normal.
+/// The surface at one foot: position, its derivatives, unit normal.
 struct SurfacePoint {
   Vec3 x, by_xi, by_eta, normal;
 };
 
 /// Where the counterpart lies: inside a facet, where the field of normals points at the contact point, or on
 /// an edge or vertex in whose wedge the point is. Kept in Foot::zeta.
-struct FootPlace {
+struct FootFeature {
   enum Kind { face, edge, vertex } kind = face;
   int side = 0; ///< side of the facet, or its node
   [[nodiscard]] double code() const { return kind == face ? 0 : kind == edge ? 1 + side : 5 + side; }
-  static FootPlace of(Foot const& foot) {
+  static FootFeature of(Foot const& foot) {
     int const code = static_cast<int>(foot.zeta);
-    return code == 0 ? FootPlace{} : code < 5 ? FootPlace{edge, code - 1} : FootPlace{vertex, code - 5};
+    return code == 0 ? FootFeature{} : code < 5 ? FootFeature{edge, code - 1} : FootFeature{vertex, code - 5};
   }
 };
 
@@ -58,7 +58,7 @@ public:
 
   /// Of the facet's nodes, m.
   [[nodiscard]] std::array<Vec3, 4> positions(int facet, std::span<double const> x) const;
-  [[nodiscard]] Vec3 place(Foot foot, std::span<double const> x) const;
+  [[nodiscard]] Vec3 position(Foot foot, std::span<double const> x) const;
   [[nodiscard]] FacetNow now(int facet, std::span<double const> x) const;
   [[nodiscard]] SurfacePoint evaluate(Foot foot, std::span<double const> x) const;
 

@@ -106,7 +106,7 @@ private:
       return false;
     double const part = std::clamp(side_part(from.count, side, at_), -overhang, 1 + overhang);
     int const other = from.neighbour[ix(side)], across = from.across[ix(side)];
-    enter(other, side_place(surface_->facets()[ix(other)].count, across, 1 - part));
+    enter(other, side_coordinates(surface_->facets()[ix(other)].count, across, 1 - part));
     return true;
   }
 
@@ -117,7 +117,7 @@ private:
       return true;
     int const count = facet().count;
     Vec2 const along =
-        (node_place(count, (exit.side + 1) % count) - node_place(count, exit.side)).normalized();
+        (node_coordinates(count, (exit.side + 1) % count) - node_coordinates(count, exit.side)).normalized();
     Vec2 const slide = along * along.dot(step);
     auto const next = first_exit(slide, exit.side);
     at_ += next.part * slide;
@@ -144,7 +144,7 @@ private:
     for (int k = 0; k < count; ++k)
       if (!(size < 1e-10) || inside(count, k, at_) < (facet().neighbour[ix(k)] < 0 ? -overhang : -on_side))
         return {};
-    return {face(), (point_ - surface_->place(face(), x_)).norm(), 1};
+    return {face(), (point_ - surface_->position(face(), x_)).norm(), 1};
   }
 
   /// The nearest point of a sharp side of the present facet.
@@ -157,11 +157,11 @@ private:
     bool const at_node = part <= 0 || part >= 1;
     if (at_node && (part < -overhang || part > 1 + overhang) && at_border(facet().nodes[ix(node)]))
       return {};
-    Vec2 const place = side_place(count, side, inner);
-    FootPlace const kind{at_node ? FootPlace::vertex : FootPlace::edge, at_node ? node : side};
+    Vec2 const at = side_coordinates(count, side, inner);
+    FootFeature const kind{at_node ? FootFeature::vertex : FootFeature::edge, at_node ? node : side};
     Vec3 const d = point_ - (from + inner * along);
     double const facing = std::abs(d.dot(area_vector(now_.x, count).normalized()));
-    return {{number_, place.x(), place.y(), kind.code()}, d.norm(), facing};
+    return {{number_, at.x(), at.y(), kind.code()}, d.norm(), facing};
   }
 
   [[nodiscard]] bool at_border(Index node) const {
@@ -175,7 +175,7 @@ private:
     return false;
   }
 
-  /// The nearest place on facet `number` by itself or on its sharp sides. One place on several facets belongs
+  /// The nearest point on facet `number` by itself or on its sharp sides. One point on several facets belongs
   /// to the one that faces the point most.
   void settle_at(int number, Settled& best) {
     auto const better = [&](Settled const& s) {
@@ -202,7 +202,7 @@ private:
       for (int const f : surface_->around(number_))
         settle_at(f, best);
       bool const further = best.distance < last * (1 - 1e-9);
-      if (!best.foot.found() || FootPlace::of(best.foot).kind != FootPlace::vertex || !further)
+      if (!best.foot.found() || FootFeature::of(best.foot).kind != FootFeature::vertex || !further)
         return best.foot;
       last = best.distance;
       number_ = best.foot.segment;
@@ -263,9 +263,10 @@ Foot Surface::sample(int facet, Vec3 const& point, std::span<double const> x, do
     if (!(nearest.distance2 < distance2))
       continue;
     distance2 = nearest.distance2;
-    Vec2 const place = nearest.weights[0] * node_place(count, 0) + nearest.weights[1] * node_place(count, k) +
-                       nearest.weights[2] * node_place(count, k + 1);
-    foot = {facet, place.x(), place.y()};
+    Vec2 const at = nearest.weights[0] * node_coordinates(count, 0) +
+                    nearest.weights[1] * node_coordinates(count, k) +
+                    nearest.weights[2] * node_coordinates(count, k + 1);
+    foot = {facet, at.x(), at.y()};
   }
   return foot;
 }

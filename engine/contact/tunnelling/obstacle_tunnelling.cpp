@@ -55,7 +55,7 @@ private:
   }
   /// Where the way first comes to the surface from outside, or walked backwards where it last does.
   [[nodiscard]] std::optional<double> meet(bool backwards) const {
-    bool seen = true; // before this place: what comes into sight behind an open end was not met
+    bool seen = true; // before this point: what comes into sight behind an open end was not met
     double const blind = std::min(blind_stride, most_depth * reach_ / way_->length());
     double walked = 0;
     for (int stride = 0; stride < most_strides && walked <= 1; ++stride) {
@@ -93,7 +93,7 @@ private:
 
 template<int D>
 RelativeWay<D>::RelativeWay(Vec<D> const& from, Vec<D> const& to, Pose<D> const& first, Pose<D> const& last)
-    : arm_(from - first.place), move_(to - last.place - arm_), first_(first) {
+    : arm_(from - first.position), move_(to - last.position - arm_), first_(first) {
   if (first.rotation != last.rotation) {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     turn.topLeftCorner<D, D>() = last.rotation * first.rotation.transpose();

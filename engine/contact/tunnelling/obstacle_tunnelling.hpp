@@ -8,7 +8,7 @@ namespace stiction::contact {
 /// A point's way through a step, as an obstacle sees it that moves and turns steadily.
 template<int D> class RelativeWay {
 public:
-  /// from, to: places of the point, m; the obstacle is at `first`, then at `last`.
+  /// from, to: positions of the point, m; the obstacle is at `first`, then at `last`.
   RelativeWay(Vec<D> const& from, Vec<D> const& to, Pose<D> const& first, Pose<D> const& last);
   /// In the obstacle's frame a part t of the step, m.
   [[nodiscard]] Vec<D> at(double t) const;
@@ -16,7 +16,7 @@ public:
   [[nodiscard]] double length() const { return length_; }
 
 private:
-  Vec<D> arm_, move_; ///< from the obstacle's place to the point at the start, and how that changes, m
+  Vec<D> arm_, move_; ///< from the obstacle's position to the point at the start, and how that changes, m
   Pose<D> first_;
   Vec3 axis_ = Vec3::UnitZ();
   double angle_ = 0; ///< rad

@@ -20,7 +20,7 @@ template<int D> Vec<D> at(std::span<double const> x, Index node) {
 }
 
 /// Where a node is a part t of the step, m.
-template<int D> Vec<D> place(StepPath const& path, Index node, double t) {
+template<int D> Vec<D> position(StepPath const& path, Index node, double t) {
   return (1 - t) * at<D>(path.from, node) + t * at<D>(path.to, node);
 }
 
@@ -28,9 +28,10 @@ template<int D> Vec<D> place(StepPath const& path, Index node, double t) {
 template<int D> struct Moment {
   std::array<Vec<D>, D> corner;
   Vec<D> point;
-  Moment(Panel<D> const& panel, Index node, StepPath const& path, double t) : point(place<D>(path, node, t)) {
+  Moment(Panel<D> const& panel, Index node, StepPath const& path, double t)
+      : point(position<D>(path, node, t)) {
     for (int k = 0; k < D; ++k)
-      corner[ix(k)] = place<D>(path, panel[ix(k)], t);
+      corner[ix(k)] = position<D>(path, panel[ix(k)], t);
   }
   /// How deep the point is behind the panel, times its length or twice its area.
   [[nodiscard]] double depth() const {

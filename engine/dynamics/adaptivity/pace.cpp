@@ -30,8 +30,8 @@ char const* name_of(Cut cut) {
   return names[static_cast<std::size_t>(cut)];
 }
 
-Pace::Pace(Accuracy const& accuracy, BulkSystem const& structure, Model const& model)
-    : accuracy_(accuracy), history_(structure, model), rungs_(weights(model.scheme).inertia) {
+Pace::Pace(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model)
+    : accuracy_(accuracy), history_(bulk, model), rungs_(weights(model.scheme).inertia) {
   decides_ = rungs_ || accuracy.events > 0 ||
              std::ranges::any_of(model.pairs, [](Pair const& pair) { return pair.law.adhesion.has_value(); });
 }

@@ -29,7 +29,7 @@ struct Decision {
 /// power of two, and the stage's moments are met by rungs: a size comes back, and its kept factor serves.
 class Pace {
 public:
-  Pace(Accuracy const& accuracy, BulkSystem const& structure, Model const& model);
+  Pace(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model);
 
   /// A stage begins whose own step is `nominal` and may be halved so often.
   void begin(double nominal, int halvings);

@@ -65,7 +65,7 @@ char const* name_of(EventKind kind) {
 }
 
 /// Where everything moves with the farthest motion.
-History::History(BulkSystem const& structure, Model const& model) : bulk_(&structure), model_(&model) {
+History::History(BulkSystem const& bulk, Model const& model) : bulk_(&bulk), model_(&model) {
   if (!weights(model.scheme).inertia)
     return;
   double farthest = 0;

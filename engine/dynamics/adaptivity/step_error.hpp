@@ -39,7 +39,7 @@ struct Event {
 /// not compared with across an event that was located at its start.
 class History {
 public:
-  History(BulkSystem const& structure, Model const& model);
+  History(BulkSystem const& bulk, Model const& model);
 
   [[nodiscard]] StepError error(State const& old, State const& next) const;
   /// Takes the local error of beta out of an accepted step, where a law integrates it: the pair advances with

@@ -62,9 +62,9 @@ template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
 double largest_cell(Model const& model) {
   double largest = 0;
   each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
-    auto const place = [&](Index dof) { return model.reference.row(dof / model.dim()); };
+    auto const position = [&](Index dof) { return model.reference.row(dof / model.dim()); };
     for (Index const dof : cell)
-      largest = std::max(largest, (place(dof) - place(cell.front())).norm());
+      largest = std::max(largest, (position(dof) - position(cell.front())).norm());
   });
   return largest;
 }
@@ -83,16 +83,16 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights)
   if (weights.skin) {
     skin_more_ = 1 - weights.xi;
     skin_.emplace(model, on_surface_);
-    skin_->place(kept_.front().factor->pattern(), unknown_of_);
+    skin_->map_entries(kept_.front().factor->pattern(), unknown_of_);
   }
-  mass_.weight.setZero(model.dofs());
+  mass_.dead_load.setZero(model.dofs());
   bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
                                                              [](auto const& rigid) { return rigid.free(); });
   if (weights.inertia || loaded)
     mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
   if (weights.inertia)
-    place_mass(weights);
+    set_mass(weights);
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
     gather_grip(model);
@@ -181,9 +181,9 @@ void BulkSystem::gather_grip(Model const& model) {
       grip_[dof] = 0;
 }
 
-/// Places M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
+/// Sets M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
 /// and the own balance of contact nodes ask for.
-void BulkSystem::place_mass(StepWeights const& weights) {
+void BulkSystem::set_mass(StepWeights const& weights) {
   auto const& pattern = kept_.front().factor->pattern();
   mass_in_matrix_.assign(pattern.rows.size(), 0.0);
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
@@ -315,7 +315,7 @@ std::vector<FactorSource> BulkSystem::sources() const {
 
 /// Puts first what may be overwritten by a factor from this source: one of the same coefficients, one that is
 /// empty or new, or the one used longest ago.
-void BulkSystem::place_factor(FactorSource source, StepWeights const& weights) {
+void BulkSystem::choose_factor(FactorSource source, StepWeights const& weights) {
   double const mass = mass_factor(weights, source.dt);
   auto found = std::ranges::find_if(
       kept_, [&](Kept const& one) { return one.is(weights.xi, mass) || one.source.u == nullptr; });
@@ -384,7 +384,7 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
 }
 
 bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
-  place_factor({std::make_shared<Vector const>(u), dt}, weights);
+  choose_factor({std::make_shared<Vector const>(u), dt}, weights);
   return make(weights, cost);
 }
 

@@ -52,7 +52,7 @@ public:
   /// What the stabilisation acts on, [degrees of freedom], N/m: E / L^2 per volume of each body (L: diagonal
   /// of its box); 0 at driven unknowns, empty where nothing asks for it.
   [[nodiscard]] Vector const& grip() const { return grip_; }
-  /// Mass and weight; no values in quasi-statics without gravity.
+  /// Mass and dead load; no values in quasi-statics without gravity.
   [[nodiscard]] Mass const& mass() const { return mass_; }
 
   /// Builds and factors xi K(u) + xi A(u) / (rate dt) + M / (mass dt^2), (49), with rate = 1 in the columns
@@ -105,10 +105,10 @@ private:
     }
   };
   [[nodiscard]] bool make(StepWeights const& weights, Cost& cost);
-  void place_factor(FactorSource source, StepWeights const& weights);
+  void choose_factor(FactorSource source, StepWeights const& weights);
   [[nodiscard]] std::unique_ptr<linear::BulkFactor> spare();
   void number_unknowns(Model const& model);
-  void place_mass(StepWeights const& weights);
+  void set_mass(StepWeights const& weights);
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);

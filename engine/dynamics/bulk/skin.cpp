@@ -28,7 +28,7 @@ Skin::Skin(Model const& model, std::vector<bool> const& on_surface) : model_(&mo
   }
 }
 
-void Skin::place(linear::Pattern const& pattern, Indices const& unknown_of) {
+void Skin::map_entries(linear::Pattern const& pattern, Indices const& unknown_of) {
   int const dim = model_->dim();
   maps_.assign(cells_.size(), {});
   for (std::size_t b = 0; b < cells_.size(); ++b)

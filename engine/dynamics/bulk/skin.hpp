@@ -9,8 +9,8 @@ class Skin {
 public:
   /// on_surface[nodes] marks the contact nodes. The model must outlive it.
   Skin(Model const& model, std::vector<bool> const& on_surface);
-  /// Finds the places of its cells in a matrix of the unknowns; unknown_of[dofs] is -1 where driven.
-  void place(linear::Pattern const& pattern, Indices const& unknown_of);
+  /// Finds the entries of its cells in a matrix of the unknowns; unknown_of[dofs] is -1 where driven.
+  void map_entries(linear::Pattern const& pattern, Indices const& unknown_of);
   /// Their part of F_int(u), which must be sound, [dofs], N.
   void internal_force(Vector const& u, Vector& force) const;
   /// values += factor * their part of K(u).

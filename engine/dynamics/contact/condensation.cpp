@@ -30,12 +30,12 @@ void Condensation::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const
 
 /// The unknowns that H or K touch, and the block of V between them.
 void Condensation::gather(linear::BulkFactor& bulk) {
-  place_.assign(ix(bulk.surface()), -1);
+  slot_.assign(ix(bulk.surface()), -1);
   used_.clear();
   auto use = [&](Index u) {
-    if (place_[ix(u)] >= 0)
+    if (slot_[ix(u)] >= 0)
       return;
-    place_[ix(u)] = static_cast<Index>(used_.size());
+    slot_[ix(u)] = static_cast<Index>(used_.size());
     used_.push_back(u);
   };
   for (auto const& k : K_) { // those of K first: the support
@@ -59,18 +59,18 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
   right_.setZero(n, m + 1);
   for (auto const& h : H_)
-    right_.col(h.row) += (weight * h.value) * V_.col(place_[ix(h.column)]);
+    right_.col(h.row) += (weight * h.value) * V_.col(slot_[ix(h.column)]);
   for (Index i = 0; i < n; ++i)
     right_(i, m) = y[used_[ix(i)]];
   W.setZero(m, m);
   free.setZero(m);
   for (auto const& h : H_) {
-    Index const place = place_[ix(h.column)];
+    Index const slot = slot_[ix(h.column)];
     if (symmetric_) // W is its own transpose
-      W.col(h.row) += h.value * right_.row(place).head(m).transpose();
+      W.col(h.row) += h.value * right_.row(slot).head(m).transpose();
     else
-      W.row(h.row) += h.value * right_.row(place).head(m);
-    free[h.row] += h.value * right_(place, m);
+      W.row(h.row) += h.value * right_.row(slot).head(m);
+    free[h.row] += h.value * right_(slot, m);
   }
 
   motion_.resize(s, m + 1);
@@ -81,28 +81,28 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   if (crowded) {
     K_all_.setZero(s, s);
     for (auto const& k : K_)
-      K_all_(place_[ix(k.row)], place_[ix(k.column)]) += weight * k.value;
+      K_all_(slot_[ix(k.row)], slot_[ix(k.column)]) += weight * k.value;
     small_.noalias() -= V_.topLeftCorner(s, s) * K_all_;
   }
   for (auto const& k : K_)
     if (!crowded)
-      small_.col(place_[ix(k.column)]) -= (weight * k.value) * V_.col(place_[ix(k.row)]).head(s);
+      small_.col(slot_[ix(k.column)]) -= (weight * k.value) * V_.col(slot_[ix(k.row)]).head(s);
   motion_ = small_.partialPivLu().solve(right_.topRows(s));
-  pushed_.setZero(s, m + 1);
+  K_motion_.setZero(s, m + 1);
   if (crowded)
-    pushed_.noalias() = K_all_ * motion_;
+    K_motion_.noalias() = K_all_ * motion_;
   for (auto const& k : K_)
     if (!crowded)
-      pushed_.row(place_[ix(k.row)]) += (weight * k.value) * motion_.row(place_[ix(k.column)]);
+      K_motion_.row(slot_[ix(k.row)]) += (weight * k.value) * motion_.row(slot_[ix(k.column)]);
   if (!symmetric_) {
     left_.setZero(s, m);
     for (auto const& h : H_)
-      left_.col(h.row) += (weight * h.value) * V_.row(place_[ix(h.column)]).head(s).transpose();
+      left_.col(h.row) += (weight * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
   }
   // H V = (weight V^T H^T)^T / weight
   auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
-  W.noalias() += (1 / weight) * (HV * pushed_.leftCols(m));
-  free.noalias() += (1 / weight) * (HV * pushed_.col(m));
+  W.noalias() += (1 / weight) * (HV * K_motion_.leftCols(m));
+  free.noalias() += (1 / weight) * (HV * K_motion_.col(m));
 }
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
@@ -117,18 +117,18 @@ bool Condensation::stable() const {
   Dense const L = bulk.matrixL();
   Dense KL = Dense::Zero(support_, support_);
   for (auto const& k : K_)
-    KL.row(place_[ix(k.row)]) += (weight_ * k.value) * L.row(place_[ix(k.column)]);
+    KL.row(slot_[ix(k.row)]) += (weight_ * k.value) * L.row(slot_[ix(k.column)]);
   Dense const turned = L.transpose() * KL;
   return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (turned + turned.transpose()))
              .info() == Eigen::Success;
 }
 
-void Condensation::push(Vector const& force, double weight, Vector& c) const {
+void Condensation::add_forces(Vector const& force, double weight, Vector& c) const {
   for (auto const& h : H_)
     c[h.column] += weight * h.value * force[h.row];
   if (support_ == 0)
     return;
-  Vector const extra = pushed_.leftCols(rows_) * force + pushed_.col(rows_);
+  Vector const extra = K_motion_.leftCols(rows_) * force + K_motion_.col(rows_);
   for (Index i = 0; i < support_; ++i)
     c[used_[ix(i)]] += extra[i];
 }

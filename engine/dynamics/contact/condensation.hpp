@@ -13,8 +13,9 @@ public:
   void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
   void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
 
-  /// With V the bulk's compliance, (I - weight V K_geo) du = y + weight V H^T p gives x = free + W p, where
-  /// x = H du. What holds the bulk's surface is taken away like a K_geo.
+  /// weight: of the step's end reaction in the balance. With V the bulk's compliance, (I - weight V K_geo) du
+  /// = y + weight V H^T p gives x = free + W p, where x = H du. What holds the bulk's surface is taken away
+  /// like a K_geo.
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
   /// Has the problem last eliminated a K_geo?
   [[nodiscard]] bool turns() const { return support_ > 0; }
@@ -22,7 +23,7 @@ public:
   /// positive definite in its symmetric part? Nothing is said of a bulk that has to be held.
   [[nodiscard]] bool stable() const;
   /// c += weight (K_geo du + H^T p) for the forces p of the problem last eliminated.
-  void push(Vector const& force, double weight, Vector& c) const;
+  void add_forces(Vector const& force, double weight, Vector& c) const;
 
 private:
   struct Entry {
@@ -34,16 +35,16 @@ private:
   std::vector<Entry> H_, K_;
   void gather(linear::BulkFactor& bulk);
 
-  Indices used_, place_; ///< unknowns that K and H touch, those of K first; their place there or -1
-  double weight_ = 1;    ///< of the problem last eliminated
-  Index support_ = 0;    ///< how many of them K touches
-  Dense V_;              ///< between them
-  Dense right_;          ///< weight V H^T | y, [used, rows + 1]
-  Dense left_;           ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
-  Dense small_;          ///< I - weight V K on the support
-  Dense K_all_;          ///< weight K on the support, where it has more entries than places
-  Dense motion_;         ///< du on the support per force | without, [support, rows + 1]
-  Dense pushed_;         ///< weight K motion
+  Indices used_, slot_; ///< unknowns that K and H touch, those of K first; the slot of each there or -1
+  double weight_ = 1;   ///< of the problem last eliminated
+  Index support_ = 0;   ///< how many of them K touches
+  Dense V_;             ///< between them
+  Dense right_;         ///< weight V H^T | y, [used, rows + 1]
+  Dense left_;          ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
+  Dense small_;         ///< I - weight V K on the support
+  Dense K_all_;         ///< weight K on the support, where it has more entries than slots
+  Dense motion_;        ///< du on the support per force | without, [support, rows + 1]
+  Dense K_motion_;      ///< weight K motion
 };
 
 } // namespace stiction::dynamics

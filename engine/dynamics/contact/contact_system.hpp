@@ -10,7 +10,7 @@
 
 namespace stiction::dynamics {
 
-/// A contact point by its pair and its place there.
+/// A contact point by its pair and its index there.
 struct PointId {
   int pair = 0;
   Index index = 0;
@@ -29,7 +29,7 @@ public:
   [[nodiscard]] virtual bool turned() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.
   virtual void locate(Vector const& u, bool settle) = 0;
-  /// Calls visit(place, nodes, H) for every point as of the last `locate`; H: rows (n, t1 [, t2]) over the
+  /// Calls visit(point, nodes, H) for every point as of the last `locate`; H: rows (n, t1 [, t2]) over the
   /// components of the nodes, of which there are none where it has no counterpart.
   using Visit = std::function<void(PointId, Indices const&, Dense const&)>;
   virtual void each_point(Visit const& visit) const = 0;
@@ -59,7 +59,6 @@ public:
 /// Per point: one where all pairs are frictionless and bond along the normal alone, else as many as the model
 /// has dimensions.
 [[nodiscard]] int contact_components(Model const& model);
-[[nodiscard]] std::unique_ptr<ContactSystem> make_contact_system(Model const& model,
-                                                                 BulkSystem const& structure);
+[[nodiscard]] std::unique_ptr<ContactSystem> make_contact_system(Model const& model, BulkSystem const& bulk);
 
 } // namespace stiction::dynamics

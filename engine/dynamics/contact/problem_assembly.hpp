@@ -20,7 +20,7 @@ public:
                             contact::Problem& problem);
   /// Of the problem last posed: c += weight (K_geo du + H^T p) for its forces p.
   void add_forces(Vector const& forces, double weight, Vector& c) const {
-    condensation_.push(forces, weight, c);
+    condensation_.add_forces(forces, weight, c);
   }
 
 private:

@@ -65,7 +65,7 @@ void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_
     kept += cell.values.sum();
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       auto const row = static_cast<Eigen::Index>(a);
-      mass.weight.segment(mass.dim * (first + nodes[a]), mass.dim) +=
+      mass.dead_load.segment(mass.dim * (first + nodes[a]), mass.dim) +=
           consistent.row(row).sum() * model.gravity.head(mass.dim);
       for (std::size_t b = 0; b <= a; ++b)
         entries.emplace_back(mass.pattern.find(first + nodes[a], first + nodes[b]),
@@ -96,14 +96,14 @@ Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface, Cont
   mass.dim = model.dim();
   mass.pattern = linear::pattern_of(model.node_count(), cliques);
   mass.values.assign(mass.pattern.rows.size(), 0.0);
-  mass.weight.setZero(model.dofs());
+  mass.dead_load.setZero(model.dofs());
   for (std::size_t body = 0; body < model.cells.size(); ++body)
     add_body(model, body, on_surface, inertia, mass);
   for (auto const& rigid : model.rigids)
     if (rigid.free()) {
       mass.values[ix(mass.pattern.find(rigid.node, rigid.node))] = rigid.mass;
       mass.values[ix(mass.pattern.find(rigid.node + 1, rigid.node + 1))] = rigid.inertia;
-      mass.weight.segment(mass.dim * rigid.node, mass.dim) =
+      mass.dead_load.segment(mass.dim * rigid.node, mass.dim) =
           (rigid.mass * model.gravity + rigid.force).head(mass.dim);
     }
   return mass;
@@ -124,7 +124,7 @@ void Mass::times(Vector const& x, Vector& y) const {
 }
 
 Vector Mass::diagonal() const {
-  Vector all(weight.size());
+  Vector all(dead_load.size());
   for (Index j = 0; j < pattern.size(); ++j)
     all.segment(dim * j, dim).setConstant(values[ix(pattern.columns[ix(j)])]);
   return all;

@@ -9,7 +9,7 @@ namespace stiction::dynamics {
 struct Mass {
   linear::Pattern pattern; ///< of nodes
   std::vector<double> values;
-  Vector weight; ///< M g and the constant forces on rigid bodies, [dim nodes], N
+  Vector dead_load; ///< M g and the constant forces on rigid bodies, [dim nodes], N
   int dim = 2;
 
   /// y = M x over all degrees of freedom.

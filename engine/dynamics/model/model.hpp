@@ -115,7 +115,7 @@ struct Model {
   [[nodiscard]] Index dofs() const { return dim() * node_count(); }
 };
 
-/// Places a free rigid body's two nodes at the end of the model; holds the components that it has not.
+/// Puts a free rigid body's two nodes at the end of the model; holds the components that it has not.
 void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin);
 
 } // namespace stiction::dynamics

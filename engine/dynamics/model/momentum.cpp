@@ -23,9 +23,9 @@ Screw at_node(Model const& model, Vector const& u, Vector const& nodal, Index no
   Vec3 const value = at_one(nodal, dim, node);
   if (turns(model, node))
     return {Vec3::Zero(), dim == 2 ? Vec3(0, 0, value.x()) : value};
-  Vec3 place = at_one(u, dim, node);
-  place.head(dim) += model.reference.row(node).transpose();
-  return {value, place.cross(value)};
+  Vec3 position = at_one(u, dim, node);
+  position.head(dim) += model.reference.row(node).transpose();
+  return {value, position.cross(value)};
 }
 
 } // namespace

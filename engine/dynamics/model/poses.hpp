@@ -37,10 +37,10 @@ template<int D>
   if (rigid.free()) {
     pose.translation = rigid.node;
     pose.turn = rigid.node + 1;
-    pose.place = pose.pivot + u.segment<D>(D * pose.translation);
+    pose.position = pose.pivot + u.segment<D>(D * pose.translation);
     pose.rotation = turn_of_free<D>(model, r, u, old).template topLeftCorner<D, D>();
   } else {
-    pose.place = pose.pivot + rigid.offset(t).template head<D>();
+    pose.position = pose.pivot + rigid.offset(t).template head<D>();
     pose.rotation = rotation(rigid.angle.value(t) * rigid.axis).template topLeftCorner<D, D>();
   }
   return pose;

@@ -15,11 +15,11 @@ void add_load(contact::PointKinematics<D> const& point, interface::Local<D> cons
     Index const node = point.nodes[ix(a)];
     if (node >= bodies_end)
       continue;
-    contact::Vec3 pull = contact::Vec3::Zero(), place = contact::Vec3::Zero();
+    contact::Vec3 pull = contact::Vec3::Zero(), position = contact::Vec3::Zero();
     pull.head<D>() = -point.H.template middleCols<D>(D * a).transpose() * force;
-    place.head<D>() = Eigen::Map<contact::Vec<D> const>(&x[ix(D * node)]);
+    position.head<D>() = Eigen::Map<contact::Vec<D> const>(&x[ix(D * node)]);
     load.force += pull;
-    load.moment += place.cross(pull);
+    load.moment += position.cross(pull);
   }
 }
 

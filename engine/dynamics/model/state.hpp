@@ -75,7 +75,7 @@ struct State {
   Vector a;     ///< accelerations, m/s^2; empty where the scheme keeps none
   /// Of explicit schemes: half the last contact impulse over the mass, m/s. v holds it, and the next step
   /// takes it out before it finds its own impulse; empty otherwise.
-  Vector push;
+  Vector kick;
   Vector internal; ///< F_int(u) + A(u) v, N
   Vector damping;  ///< A(u) v, N; empty without viscosity
   Vector reaction; ///< H^T A r at the end of the step, N

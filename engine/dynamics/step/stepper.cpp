@@ -94,7 +94,7 @@ State Stepper::initial() {
 
 /// Weight and prescribed forces at a time, N.
 void Stepper::gather_external(double t, Vector& force) const {
-  force = bulk_.mass().weight;
+  force = bulk_.mass().dead_load;
   for (auto const& load : model_->loads)
     force += load.path.value(t) * load.force;
 }
@@ -104,7 +104,7 @@ void Stepper::start_rates(State& state) {
   gather_external(0, external_);
   Vector const force = external_ - state.internal;
   if (weights_.explicit_forces)
-    state.push.setZero(model_->dofs());
+    state.kick.setZero(model_->dofs());
   if (!weights_.accelerations())
     return;
   std::vector<bool> held(ix(model_->dofs()));
@@ -147,7 +147,7 @@ bool Stepper::internal_forces(Outcome& outcome) {
 
 /// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
 void Stepper::accelerate(State const& old, double dt) {
-  bool const second = weights_.accelerations(), pushed = old.push.size() > 0;
+  bool const second = weights_.accelerations(), kicked = old.kick.size() > 0;
   double const t1 = old.t + dt, rate = weights_.rate * dt, mass = weights_.mass * dt;
   rate_change_.resize(d_.size());
   gained_.resize(d_.size());
@@ -156,7 +156,7 @@ void Stepper::accelerate(State const& old, double dt) {
       rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->path.rate_before(t1) - old.v[dof];
       continue;
     }
-    double const ahead = d_[dof] - dt * (pushed ? old.v[dof] - old.push[dof] : old.v[dof]);
+    double const ahead = d_[dof] - dt * (kicked ? old.v[dof] - old.kick[dof] : old.v[dof]);
     bool const own = apart(dof);
     rate_change_[dof] = ahead / (own ? dt : rate);
     gained_[dof] = ahead / (own ? dt : mass);
@@ -223,7 +223,7 @@ double Stepper::imbalance() const {
 }
 
 /// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
-/// places, once it no longer falls.
+/// rounding, once it no longer falls.
 bool Stepper::converged(Outcome& outcome) {
   double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
   double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
@@ -232,10 +232,10 @@ bool Stepper::converged(Outcome& outcome) {
   double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   outcome.force_scale = force_scale_;
-  double const places = 1e-15 * extent_ * bulk_.stiffness_scale();
+  double const rounding = 1e-15 * extent_ * bulk_.stiffness_scale();
   bool const stalls =
       worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
-  return forces <= tolerance && contact <= tolerance + (stalls ? places : 0.0);
+  return forces <= tolerance && contact <= tolerance + (stalls ? rounding : 0.0);
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
@@ -268,11 +268,11 @@ bool Stepper::apply_factor() {
       correction_[k] = -unbalanced_[bulk_.dof_of(k)];
     surface_ = bulk_.factor().condense(correction_);
   }
-  if (!contact_->solve(bulk_.factor(), surface_, weights_.contact, push_, cost_))
+  if (!contact_->solve(bulk_.factor(), surface_, weights_.contact, surface_load_, cost_))
     return false;
   {
     Timer const timer(cost_.solve);
-    bulk_.factor().expand(push_, correction_);
+    bulk_.factor().expand(surface_load_, correction_);
     ++cost_.solves;
   }
   for (Index k = 0; k < bulk_.unknowns(); ++k)

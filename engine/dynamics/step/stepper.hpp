@@ -48,8 +48,8 @@ public:
 
   [[nodiscard]] Cost const& cost() const { return cost_; }
   [[nodiscard]] ContactSystem const& contact() const { return *contact_; }
-  [[nodiscard]] BulkSystem const& structure() const { return bulk_; }
-  [[nodiscard]] BulkSystem& structure() { return bulk_; }
+  [[nodiscard]] BulkSystem const& bulk() const { return bulk_; }
+  [[nodiscard]] BulkSystem& bulk() { return bulk_; }
 
 private:
   [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
@@ -95,11 +95,11 @@ private:
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, correction_, surface_,
-      push_;
+      surface_load_;
   Vector mass_rate_, damping_;
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
-  Vector external_old_, external_; ///< weight and loads at the step's ends, N
+  Vector external_old_, external_; ///< dead load and loads at the step's ends, N
   Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
   int critical_age_ = 0; ///< as State::critical_age, after the step

@@ -62,14 +62,14 @@ void Stepper::account(State const& old, State& next) const {
     }
     ledger.motion_work += obstacle_work(p, old, next);
   }
-  auto const& weight = bulk_.mass().weight;
-  ledger.load_work += ((1 - omega) * (external_old_ - weight) + omega * (external_ - weight)).dot(d_);
+  auto const& dead_load = bulk_.mass().dead_load;
+  ledger.load_work += ((1 - omega) * (external_old_ - dead_load) + omega * (external_ - dead_load)).dot(d_);
   if (bulk_.damped())
     ledger.damping_loss += viscous_loss(old, next);
   if (weights_.stabilisation > 0)
     ledger.stabilisation_loss += weights_.stabilisation / (next.t - old.t) * bulk_.grip().dot(d_.cwiseAbs2());
   ledger.strain = strain_;
-  ledger.potential = -weight.dot(next.u);
+  ledger.potential = -dead_load.dot(next.u);
   if (!weights_.inertia)
     return;
   Vector momentum;

@@ -74,7 +74,7 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
       unmet[dof] = (weights_.apart_end() - weights_.work) * more_force[dof] +
                    (1 - weights_.contact_work) * more_reaction[dof];
     else if (weights_.explicit_forces && inverse_mass_[dof] > 0)
-      unmet[dof] = 0.5 * next.reaction[dof] - old.push[dof] / (inverse_mass_[dof] * dt);
+      unmet[dof] = 0.5 * next.reaction[dof] - old.kick[dof] / (inverse_mass_[dof] * dt);
   }
   return unmet;
 }

@@ -11,12 +11,12 @@ constexpr int critical_steps =
 
 /// v1 = d / dt + dt M^-1 (F1 + R) / 2: R, here that of the last step, is the best guess of the next one's.
 void Stepper::set_explicit_rates(State const& old, double dt, State& next) const {
-  next.push = 0.5 * dt * inverse_mass_.cwiseProduct(reaction_);
-  next.v = d_ / dt + 0.5 * dt * inverse_mass_.cwiseProduct(external_ - internal_) + next.push;
+  next.kick = 0.5 * dt * inverse_mass_.cwiseProduct(reaction_);
+  next.v = d_ / dt + 0.5 * dt * inverse_mass_.cwiseProduct(external_ - internal_) + next.kick;
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (driver_[ix(dof)] != nullptr) {
       next.v[dof] = old.v[dof] + rate_change_[dof];
-      next.push[dof] = 0;
+      next.kick[dof] = 0;
     }
 }
 

@@ -5,7 +5,7 @@ namespace stiction::dynamics {
 
 /// Momentum of every body; explicit schemes keep half an impulse in v that belongs to the next step.
 void Stepper::set_momenta(State& state) const {
-  Vector const v = state.push.size() > 0 ? Vector(state.v - state.push) : state.v;
+  Vector const v = state.kick.size() > 0 ? Vector(state.v - state.kick) : state.v;
   Vector momentum;
   bulk_.mass().times(v, momentum);
   auto& bodies = state.momenta.bodies;

@@ -12,13 +12,13 @@ namespace stiction::dynamics {
 std::string Stepper::held_and_pressed() const {
   auto const& problem = contact_->problem();
   for (Index row = 0; row < problem.size(); ++row) {
-    auto const place = contact_->point_of(row);
-    auto const& pair = model_->pairs[ix(place.pair)];
+    auto const point = contact_->point_of(row);
+    auto const& pair = model_->pairs[ix(point.pair)];
     auto const* side = std::get_if<RigidSide>(&pair.primary);
     double const gap = problem.free[problem.dim * row];
     if (pair.shared() || side == nullptr || model_->rigids[side->body].free() || !(gap < 0))
       continue;
-    Index const node = pair.secondary[ix(place.index)];
+    Index const node = pair.secondary[ix(point.index)];
     std::set<std::string> sets;
     int held = 0;
     for (int c = 0; c < model_->dim(); ++c)

@@ -45,7 +45,7 @@ Orbit three_equal(double a, double weight) {
 }
 
 struct GaussLine {
-  std::vector<double> places, weights;
+  std::vector<double> points, weights;
 };
 
 GaussLine gauss_line(int n) {

@@ -56,13 +56,13 @@ private:
       refuse_surface(path_, "is not a text file of version 2 or 4.1; save it as one of these without binary");
     return version;
   }
-  void read_place(std::size_t tag) {
+  void read_position(std::size_t tag) {
     if (!read_vertex(in_, nodes_[tag]))
       refuse_surface(path_, fmt::format("node {} lacks a coordinate; the file may be truncated", tag));
   }
   void read_nodes_2() {
     for (auto left = count(); left > 0; --left)
-      read_place(next<std::size_t>());
+      read_position(next<std::size_t>());
   }
   void read_nodes_4() {
     auto blocks = count();
@@ -73,7 +73,7 @@ private:
       for (auto& tag : tags)
         tag = next<std::size_t>();
       for (auto const tag : tags)
-        read_place(tag);
+        read_position(tag);
     }
   }
   void read_elements_2() {

@@ -29,14 +29,14 @@ class Welder {
 public:
   explicit Welder(Span const& span) : origin_(span.low), distance_(weld_distance * span.extent()) {}
 
-  Index node(Eigen::RowVector3d const& place) {
-    Key const key = key_of(place);
+  Index node(Eigen::RowVector3d const& position) {
+    Key const key = key_of(position);
     for (int i = 0; i < 27; ++i) {
       auto const found = grid_.find({key[0] + i % 3 - 1, key[1] + i / 3 % 3 - 1, key[2] + i / 9 - 1});
-      if (found != grid_.end() && (nodes_[ix(found->second)] - place).norm() <= distance_)
+      if (found != grid_.end() && (nodes_[ix(found->second)] - position).norm() <= distance_)
         return found->second;
     }
-    nodes_.push_back(place);
+    nodes_.push_back(position);
     return grid_[key] = static_cast<Index>(nodes_.size()) - 1;
   }
   [[nodiscard]] Matrix nodes() const {
@@ -48,10 +48,10 @@ public:
 
 private:
   using Key = std::array<std::int64_t, 3>;
-  [[nodiscard]] Key key_of(Eigen::RowVector3d const& place) const {
+  [[nodiscard]] Key key_of(Eigen::RowVector3d const& position) const {
     Key key{};
     for (std::size_t d = 0; d < 3; ++d)
-      key[d] = std::llround((place - origin_)[static_cast<Eigen::Index>(d)] / distance_);
+      key[d] = std::llround((position - origin_)[static_cast<Eigen::Index>(d)] / distance_);
     return key;
   }
   Eigen::RowVector3d origin_;

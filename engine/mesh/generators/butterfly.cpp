@@ -17,14 +17,14 @@ double coordinate(double s) {
   return s == 0 ? 0 : s == 1 ? 1 : std::tan(s * std::numbers::pi / 4);
 }
 
-Place<2> bulged(Place<2> const& p) {
+Position<2> bulged(Position<2> const& p) {
   return {p[0] * (1 + square_bulge * (1 - p[1] * p[1])), p[1] * (1 + square_bulge * (1 - p[0] * p[0]))};
 }
 
 /// Between the cube and the ball through its corners; the cube's map to the ball keeps planes x = 0.
-Place<3> bulged(Place<3> const& p) {
-  Place<3> const q = p.cwiseAbs2();
-  Place<3> ball;
+Position<3> bulged(Position<3> const& p) {
+  Position<3> const q = p.cwiseAbs2();
+  Position<3> ball;
   for (int i = 0; i < 3; ++i) {
     double const a = q[(i + 1) % 3], b = q[(i + 2) % 3];
     ball[i] = p[i] * std::sqrt(3 * (1 - a / 2 - b / 2 + a * b / 3));
@@ -33,13 +33,13 @@ Place<3> bulged(Place<3> const& p) {
 }
 
 /// Where the outline point p of the unit square or cube comes to lie in a layer.
-template<int dim> Place<dim> in_ring(Place<dim> const& p, Ring const& ring, double width) {
+template<int dim> Position<dim> in_ring(Position<dim> const& p, Ring const& ring, double width) {
   return (1 - ring.t) * width * bulged(p) + ring.t * ring.radius * p.normalized();
 }
 
 using Lattice = std::array<Index, 3>;
 
-/// The nodes of one closed shell of the eighth ball, by their place in the lattice.
+/// The nodes of one closed shell of the eighth ball, by their indices in the lattice.
 using Shell = std::map<Lattice, Index>;
 
 /// Makes the net from a lattice of lines.
@@ -59,7 +59,7 @@ public:
     for (auto const& ring : rings) {
       Shell next;
       for (auto const& [at, inner] : shell)
-        next[at] = hexes_.add(in_ring<3>(place(at), ring, width));
+        next[at] = hexes_.add(in_ring<3>(position(at), ring, width));
       add_layer(shell, next);
       shell = std::move(next);
     }
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Place<3> place(Lattice const& at) const {
+  [[nodiscard]] Position<3> position(Lattice const& at) const {
     return {lines_[0][ix(at[0])], lines_[1][ix(at[1])], lines_[2][ix(at[2])]};
   }
   /// The inner cube; returns its outer sides.
@@ -77,7 +77,7 @@ private:
       for (Index j = 0; j <= last_[1]; ++j)
         for (Index i = 0; i <= last_[0]; ++i) {
           Lattice const at{i, j, k};
-          all[at] = hexes_.add(width * bulged(place(at)));
+          all[at] = hexes_.add(width * bulged(position(at)));
           if (i == last_[0] || j == last_[1] || k == last_[2])
             outside[at] = all[at];
         }
@@ -121,11 +121,11 @@ private:
 } // namespace
 
 double square_reach() {
-  return square_width * bulged(Place<2>(1, 0))[0];
+  return square_width * bulged(Position<2>(1, 0))[0];
 }
 
 double cube_reach() {
-  return cube_width * bulged(Place<3>(1, 0, 0))[0];
+  return cube_width * bulged(Position<3>(1, 0, 0))[0];
 }
 
 Hexes eighth_ball_net(std::array<Lines, 3> const& lines, std::vector<Ring> const& rings) {
@@ -153,12 +153,14 @@ RoundLines round_lines(Round const& round, Grading const& grading) {
 Quads quarter_disc_net(Lines const& x, Lines const& y, std::vector<Ring> const& rings) {
   double const width = square_width * rings.front().radius;
   auto const nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
-  auto const place = [&](Index i, Index j) { return Place<2>(coordinate(x[ix(i)]), coordinate(y[ix(j)])); };
+  auto const position = [&](Index i, Index j) {
+    return Position<2>(coordinate(x[ix(i)]), coordinate(y[ix(j)]));
+  };
   Quads quads;
-  auto const add = [&](Place<2> const& p) { return quads.add(p[0], p[1]); };
+  auto const add = [&](Position<2> const& p) { return quads.add(p[0], p[1]); };
   for (Index j = 0; j <= ny; ++j)
     for (Index i = 0; i <= nx; ++i)
-      add(width * bulged(place(i, j)));
+      add(width * bulged(position(i, j)));
   for (Index j = 0; j < ny; ++j)
     for (Index i = 0; i < nx; ++i) {
       Index const a = i + j * (nx + 1), b = a + nx + 1;
@@ -175,7 +177,7 @@ Quads quarter_disc_net(Lines const& x, Lines const& y, std::vector<Ring> const& 
   for (auto const& ring : rings) {
     outer.clear();
     for (auto const& [i, j] : outline)
-      outer.push_back(add(in_ring<2>(place(i, j), ring, width)));
+      outer.push_back(add(in_ring<2>(position(i, j), ring, width)));
     for (std::size_t s = 0; s + 1 < outline.size(); ++s)
       quads.cells.push_back({inner[s], outer[s], outer[s + 1], inner[s + 1]});
     inner = outer;

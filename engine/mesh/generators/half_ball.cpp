@@ -68,14 +68,14 @@ Mesh half_ball(Options const& options) {
   Hexes hexes = standing(options, grading);
   if (!options.standing)
     hexes = reflected(std::move(hexes), 2);
-  Place<3> const centre(options.centre[0], options.centre[1], options.centre[2]);
-  for (auto& place : hexes.nodes)
-    place += centre;
+  Position<3> const centre(options.centre[0], options.centre[1], options.centre[2]);
+  for (auto& position : hexes.nodes)
+    position += centre;
   double const radius = options.radius;
   auto const on_cap = [&](auto const& p) { return std::abs((p - centre).norm() - radius) < 1e-9 * radius; };
-  Mesh mesh = to_mesh(hexes, options.kind, [&](Place<3> const& a, Place<3> const& b) {
-    Place<3> const middle = straight_middle_3d(a, b);
-    return on_cap(a) && on_cap(b) ? Place<3>(centre + (middle - centre).normalized() * radius) : middle;
+  Mesh mesh = to_mesh(hexes, options.kind, [&](Position<3> const& a, Position<3> const& b) {
+    Position<3> const middle = straight_middle_3d(a, b);
+    return on_cap(a) && on_cap(b) ? Position<3>(centre + (middle - centre).normalized() * radius) : middle;
   });
   mesh.sets["cap"] = boundary_where(mesh, on_cap);
   mesh.sets["flat"] = boundary_where(mesh, [&](auto const& p) { return p[2] == centre[2]; });

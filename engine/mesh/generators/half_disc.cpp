@@ -119,8 +119,8 @@ void add_transition(Quads& quads, Indices const& outer, Indices const& inner, do
   auto const count = static_cast<Index>(outer.size()) - 1;
   for (std::size_t i = 0; i + 1 < inner.size(); ++i) {
     Index const* o = &outer[3 * i];
-    auto const place = [&](int k) { return ring_point(t, static_cast<Index>(3 * i) + k, count); };
-    auto const a = place(1), b = place(2);
+    auto const position = [&](int k) { return ring_point(t, static_cast<Index>(3 * i) + k, count); };
+    auto const a = position(1), b = position(2);
     Index const first = quads.add(a[0], a[1]), second = quads.add(b[0], b[1]);
     quads.cells.push_back({inner[i], o[0], o[1], first});
     quads.cells.push_back({first, o[1], o[2], second});

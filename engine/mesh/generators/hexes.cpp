@@ -57,8 +57,8 @@ Hexes extrude(Quads const& quads, Lines const& heights) {
 }
 
 Hexes reflected(Hexes hexes, int axis) {
-  for (auto& place : hexes.nodes)
-    place[axis] = 0.0 - place[axis]; // no negative zeros
+  for (auto& position : hexes.nodes)
+    position[axis] = 0.0 - position[axis]; // no negative zeros
   for (auto& cell : hexes.cells)
     std::rotate(cell.begin(), cell.begin() + 4, cell.end());
   return hexes;
@@ -78,7 +78,7 @@ Hexes doubled(Hexes const& hexes, int axis) {
   return both;
 }
 
-Place<3> straight_middle_3d(Place<3> const& a, Place<3> const& b) {
+Position<3> straight_middle_3d(Position<3> const& a, Position<3> const& b) {
   return (a + b) / 2;
 }
 

@@ -11,11 +11,11 @@ namespace stiction::mesh {
 
 /// Corner nodes (m) and cells in the order of hex8.
 struct Hexes {
-  std::vector<Place<3>> nodes;
+  std::vector<Position<3>> nodes;
   std::vector<std::array<Index, 8>> cells;
 
-  Index add(Place<3> const& place) {
-    nodes.push_back(place);
+  Index add(Position<3> const& position) {
+    nodes.push_back(position);
     return static_cast<Index>(nodes.size()) - 1;
   }
 };
@@ -28,7 +28,7 @@ struct Hexes {
 /// The net and its mirror image at zero of a coordinate, grown together at nodes exactly there.
 [[nodiscard]] Hexes doubled(Hexes const& hexes, int axis);
 
-[[nodiscard]] Place<3> straight_middle_3d(Place<3> const& a, Place<3> const& b);
+[[nodiscard]] Position<3> straight_middle_3d(Position<3> const& a, Position<3> const& b);
 
 /// Cells of `kind` without sets. Tetrahedra are six a hexahedron: cones from its node of lowest number over
 /// the three faces without it, each face cut through its own lowest node, so that neighbours agree (after

@@ -37,7 +37,7 @@ Eigen::RowVector2d straight_middle(Eigen::RowVector2d const& a, Eigen::RowVector
 
 Mesh to_mesh(Quads const& quads, CellKind kind, MidPoint const& middle) {
   core::expect(info(kind).dim == 2, "a kind of cells of the plane");
-  std::vector<Place<2>> nodes;
+  std::vector<Position<2>> nodes;
   for (auto const& node : quads.nodes)
     nodes.emplace_back(node[0], node[1]);
   return with_mid_nodes<2>(kind, std::move(nodes), corner_cells(quads, info(kind).corners == 3), middle);

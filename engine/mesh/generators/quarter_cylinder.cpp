@@ -90,15 +90,15 @@ Mesh quarter_cylinder(Options const& options) {
   for (double& depth : heights)
     depth = 0.0 - depth;
   Hexes hexes = extrude(section, heights);
-  Place<3> const top(options.centre[0], options.centre[1], options.centre[2]);
-  for (auto& place : hexes.nodes)
-    place += top;
+  Position<3> const top(options.centre[0], options.centre[1], options.centre[2]);
+  for (auto& position : hexes.nodes)
+    position += top;
   double const radius = options.radius, bottom = top[2] - options.height;
   auto const on_side = [&](auto const& p) {
     return std::abs(std::hypot(p[0] - top[0], p[1] - top[1]) - radius) < 1e-9 * radius;
   };
-  Mesh mesh = to_mesh(hexes, options.kind, [&](Place<3> const& a, Place<3> const& b) {
-    Place<3> middle = straight_middle_3d(a, b);
+  Mesh mesh = to_mesh(hexes, options.kind, [&](Position<3> const& a, Position<3> const& b) {
+    Position<3> middle = straight_middle_3d(a, b);
     if (on_side(a) && on_side(b))
       middle.head<2>() = top.head<2>() + (middle.head<2>() - top.head<2>()).normalized() * radius;
     return middle;

@@ -67,11 +67,11 @@ Mesh quarter_disc(QuarterDiscOptions const& options) {
   for (auto& cell : quads.cells)
     if (!options.standing)
       std::swap(cell[1], cell[3]);
-  Place<2> const centre(x0, y0);
+  Position<2> const centre(x0, y0);
   auto const on_arc = [&](auto const& p) { return std::abs((p - centre).norm() - radius) < 1e-9 * radius; };
-  Mesh mesh = to_mesh(quads, options.kind, [&](auto const& a, auto const& b) -> Place<2> {
-    Place<2> const middle = straight_middle(a, b);
-    return on_arc(a) && on_arc(b) ? Place<2>(centre + (middle - centre).normalized() * radius) : middle;
+  Mesh mesh = to_mesh(quads, options.kind, [&](auto const& a, auto const& b) -> Position<2> {
+    Position<2> const middle = straight_middle(a, b);
+    return on_arc(a) && on_arc(b) ? Position<2>(centre + (middle - centre).normalized() * radius) : middle;
   });
   mesh.sets["arc"] = boundary_where(mesh, on_arc);
   mesh.sets["flat"] = boundary_where(mesh, [&](auto const& p) { return p[1] == y0; });

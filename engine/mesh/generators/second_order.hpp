@@ -9,20 +9,20 @@
 
 namespace stiction::mesh {
 
-template<int dim> using Place = Eigen::Matrix<double, 1, dim>; ///< m
-/// Mid-side node between two corners; given their places, returns the place of the node.
-template<int dim> using Middle = std::function<Place<dim>(Place<dim> const&, Place<dim> const&)>;
+template<int dim> using Position = Eigen::Matrix<double, 1, dim>; ///< m
+/// Mid-side node between two corners; given their positions, returns that of the node.
+template<int dim> using Middle = std::function<Position<dim>(Position<dim> const&, Position<dim> const&)>;
 
 /// Cells of `kind` without sets; `corners` holds the corners of cell after cell.
 template<int dim>
-[[nodiscard]] Mesh with_mid_nodes(CellKind kind, std::vector<Place<dim>> nodes, Indices const& corners,
+[[nodiscard]] Mesh with_mid_nodes(CellKind kind, std::vector<Position<dim>> nodes, Indices const& corners,
                                   Middle<dim> const& middle) {
   CellInfo const& cell = info(kind);
   std::map<std::pair<Index, Index>, Index> known;
   auto const between = [&](Index a, Index b) {
     auto const [found, is_new] = known.try_emplace(std::minmax(a, b), static_cast<Index>(nodes.size()));
     if (is_new)
-      nodes.push_back(Place<dim>(middle(nodes[ix(a)], nodes[ix(b)])));
+      nodes.push_back(Position<dim>(middle(nodes[ix(a)], nodes[ix(b)])));
     return found->second;
   };
   Block block{kind, {}};

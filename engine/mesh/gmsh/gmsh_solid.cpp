@@ -106,9 +106,9 @@ core::Schema const& GmshSolid::schema() {
           .flag("quarter", &GmshSolid::quarter, "only the part x, y >= at")
           .number("size", &GmshSolid::size, "m", core::positive, Need::required, "cell size")
           .number("fine_size", &GmshSolid::fine_size, "m", core::non_negative, Need::optional,
-                  "cell size near a place; 0 for one size everywhere")
+                  "cell size near a point; 0 for one size everywhere")
           .numbers("near", &GmshSolid::near, "m", Need::optional,
-                   "that place {x, y, z}; the middle of the top, of a half ball its pole, when not given")
+                   "that point {x, y, z}; the middle of the top, of a half ball its pole, when not given")
           .number("within", &GmshSolid::within, "m", core::non_negative, Need::optional,
                   "distance up to which fine_size holds")
           .number("beyond", &GmshSolid::until, "m", core::non_negative, Need::optional,

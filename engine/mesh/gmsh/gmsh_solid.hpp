@@ -17,8 +17,8 @@ struct GmshSolid {
   core::Numbers at{0, 0, 0}; ///< m
   bool quarter = false;      ///< only x, y >= at
   double size = 0;           ///< of cells, m
-  double fine_size = 0;      ///< of cells near a place, m; 0 for one size everywhere
-  core::Numbers near{};      ///< that place {x, y, z}, m; `at` when empty, the pole of a half ball
+  double fine_size = 0;      ///< of cells near a point, m; 0 for one size everywhere
+  core::Numbers near{};      ///< that point {x, y, z}, m; `at` when empty, the pole of a half ball
   double within = 0;         ///< distance up to which fine_size holds, m
   double until = 0;          ///< distance at which `size` is reached, m
   CellKind kind = CellKind::tet4;

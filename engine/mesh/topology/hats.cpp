@@ -20,14 +20,14 @@ namespace {
 
 using Pieces = std::vector<std::vector<int>>;
 
-/// Places on a reference facet of second order.
+/// Points of a reference facet of second order.
 struct HatRule {
   Matrix points;  ///< [points, dim - 1]
   Vector weights; ///< [points], sum to the reference facet's measure
   Matrix hats;    ///< [points, nodes]
 };
 
-/// Places on the reference piece of 2, 3 or 4 corners: its hats, and weights that sum to 1.
+/// Points of the reference piece of 2, 3 or 4 corners: its hats, and weights that sum to 1.
 HatRule piece_rule(int corners) {
   Rule const gauss = cube_rule(corners == 2 ? 1 : 2, 4);
   HatRule rule{{}, gauss.weights / gauss.weights.sum(), Matrix(gauss.weights.size(), corners)};
@@ -54,10 +54,10 @@ double measure_of(Matrix const& corners) {
   return std::abs(sides.determinant()) / (corners.rows() == 3 ? 2 : 1);
 }
 
-HatRule make_rule(Pieces const& pieces, Matrix const& places) {
-  HatRule all{Matrix(0, places.cols()), Vector(0), Matrix(0, places.rows())};
+HatRule make_rule(Pieces const& pieces, Matrix const& points) {
+  HatRule all{Matrix(0, points.cols()), Vector(0), Matrix(0, points.rows())};
   for (auto const& piece : pieces) {
-    Matrix const corners = places(piece, Eigen::all);
+    Matrix const corners = points(piece, Eigen::all);
     HatRule const own = piece_rule(static_cast<int>(piece.size()));
     auto const before = all.weights.size(), count = own.weights.size();
     all.points.conservativeResize(before + count, Eigen::NoChange);
@@ -79,7 +79,7 @@ HatRule const& hat_rule(int dim, std::size_t nodes) {
   return dim == 2 ? edge : nodes == 6 ? triangle : square;
 }
 
-Matrix places_of(Matrix const& nodes, Facet const& facet) {
+Matrix positions_of(Matrix const& nodes, Facet const& facet) {
   return nodes(facet.nodes, Eigen::all);
 }
 
@@ -101,22 +101,22 @@ Pieces const& linear_pieces(int dim, std::size_t nodes) {
 Dense hat_products(Matrix const& nodes, Facet const& facet, bool revolved) {
   if (!second_order(nodes, facet))
     return shape_integrals(nodes, facet, revolved).asDiagonal();
-  Matrix const places = places_of(nodes, facet);
+  Matrix const positions = positions_of(nodes, facet);
   HatRule const& rule = hat_rule(static_cast<int>(nodes.cols()), facet.nodes.size());
-  Dense products = Dense::Zero(places.rows(), places.rows());
+  Dense products = Dense::Zero(positions.rows(), positions.rows());
   if (nodes.cols() == 2) {
     for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
       auto const [N, dN] = edge_shape(3, rule.points(q, 0));
-      double const turn = revolved ? 2 * std::numbers::pi * places.col(0).dot(N) : 1.0;
-      products += rule.weights[q] * (places.transpose() * dN).norm() * turn * rule.hats.row(q).transpose() *
-                  N.transpose();
+      double const turn = revolved ? 2 * std::numbers::pi * positions.col(0).dot(N) : 1.0;
+      products += rule.weights[q] * (positions.transpose() * dN).norm() * turn *
+                  rule.hats.row(q).transpose() * N.transpose();
     }
     return products;
   }
   auto const shape = interpolate(facet_kind(facet), rule.points, rule.weights);
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     Eigen::Matrix<double, 3, 2> const tangents =
-        places.transpose() * shape.gradients[static_cast<std::size_t>(q)];
+        positions.transpose() * shape.gradients[static_cast<std::size_t>(q)];
     products += rule.weights[q] * tangents.col(0).cross(tangents.col(1)).norm() *
                 rule.hats.row(q).transpose() * shape.shape.row(q);
   }

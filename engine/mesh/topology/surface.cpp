@@ -19,17 +19,17 @@ Vector facet_shares(Mesh const& mesh, Facet const& facet) {
   if (info(kind).nodes > info(kind).corners)
     return hat_products(mesh.nodes, facet, false).rowwise().sum();
   auto const& rule = mass_rule(kind);
-  Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), 3);
+  Matrix positions(static_cast<Eigen::Index>(facet.nodes.size()), 3);
   for (std::size_t i = 0; i < facet.nodes.size(); ++i)
-    places.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(facet.nodes[i]);
-  Vector shares = Vector::Zero(places.rows());
+    positions.row(static_cast<Eigen::Index>(i)) = mesh.nodes.row(facet.nodes[i]);
+  Vector shares = Vector::Zero(positions.rows());
   double area = 0;
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     Eigen::Matrix<double, 3, 2> const tangents =
-        places.transpose() * rule.gradients[static_cast<std::size_t>(q)];
-    double const weight = rule.weights[q] * tangents.col(0).cross(tangents.col(1)).norm();
-    area += weight;
-    shares += weight * rule.shape.row(q).transpose();
+        positions.transpose() * rule.gradients[static_cast<std::size_t>(q)];
+    double const part = rule.weights[q] * tangents.col(0).cross(tangents.col(1)).norm();
+    area += part;
+    shares += part * rule.shape.row(q).transpose();
   }
   return shares * (area / shares.sum());
 }
@@ -93,9 +93,9 @@ Vector nodal_areas(Mesh const& mesh, Set const& set) {
   for (auto const& facet : set.facets) {
     Vector const shares = facet_shares(mesh, facet);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
-      auto const place = std::lower_bound(set.nodes.begin(), set.nodes.end(), facet.nodes[i]);
-      core::expect(place != set.nodes.end() && *place == facet.nodes[i], "facets within the set's nodes");
-      areas[place - set.nodes.begin()] += shares[static_cast<Eigen::Index>(i)];
+      auto const found = std::lower_bound(set.nodes.begin(), set.nodes.end(), facet.nodes[i]);
+      core::expect(found != set.nodes.end() && *found == facet.nodes[i], "facets within the set's nodes");
+      areas[found - set.nodes.begin()] += shares[static_cast<Eigen::Index>(i)];
     }
   }
   return areas;

@@ -20,13 +20,13 @@ std::array<Vector, 2> edge_shape(std::size_t nodes, double x) {
 
 namespace {
 
-Vector edge_integrals(Matrix const& places, bool revolved) {
+Vector edge_integrals(Matrix const& positions, bool revolved) {
   Rule const rule = cube_rule(1, 3);
-  Vector sum = Vector::Zero(places.rows());
+  Vector sum = Vector::Zero(positions.rows());
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-    auto const [N, dN] = edge_shape(static_cast<std::size_t>(places.rows()), rule.points(q, 0));
-    double const length = (places.transpose() * dN).norm();
-    double const turn = revolved ? 2 * std::numbers::pi * places.col(0).dot(N) : 1.0;
+    auto const [N, dN] = edge_shape(static_cast<std::size_t>(positions.rows()), rule.points(q, 0));
+    double const length = (positions.transpose() * dN).norm();
+    double const turn = revolved ? 2 * std::numbers::pi * positions.col(0).dot(N) : 1.0;
     sum += rule.weights[q] * length * turn * N;
   }
   return sum;
@@ -35,16 +35,16 @@ Vector edge_integrals(Matrix const& places, bool revolved) {
 } // namespace
 
 Vector shape_integrals(Matrix const& nodes, Facet const& facet, bool revolved) {
-  Matrix places(static_cast<Eigen::Index>(facet.nodes.size()), nodes.cols());
+  Matrix positions(static_cast<Eigen::Index>(facet.nodes.size()), nodes.cols());
   for (std::size_t i = 0; i < facet.nodes.size(); ++i)
-    places.row(static_cast<Eigen::Index>(i)) = nodes.row(facet.nodes[i]);
+    positions.row(static_cast<Eigen::Index>(i)) = nodes.row(facet.nodes[i]);
   if (nodes.cols() == 2)
-    return edge_integrals(places, revolved);
+    return edge_integrals(positions, revolved);
   auto const& rule = mass_rule(facet_kind(facet));
-  Vector sum = Vector::Zero(places.rows());
+  Vector sum = Vector::Zero(positions.rows());
   for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
     Eigen::Matrix<double, 3, 2> const tangents =
-        places.transpose() * rule.gradients[static_cast<std::size_t>(q)];
+        positions.transpose() * rule.gradients[static_cast<std::size_t>(q)];
     sum += rule.weights[q] * tangents.col(0).cross(tangents.col(1)).norm() * rule.shape.row(q).transpose();
   }
   return sum;

@@ -312,10 +312,10 @@ Index Scene::pair_index(std::string const& name) const {
   return -1;
 }
 
-Index Scene::nearest(Indices const& nodes, Numbers const& place) const {
+Index Scene::nearest(Indices const& nodes, Numbers const& point) const {
   Index best = nodes.front();
   auto distance = [&](Index node) {
-    return (model->reference.row(node).transpose() - vec(place).head(model->dim())).squaredNorm();
+    return (model->reference.row(node).transpose() - vec(point).head(model->dim())).squaredNorm();
   };
   for (Index const node : nodes)
     if (distance(node) < distance(best))

@@ -15,7 +15,7 @@ struct Scene {
   /// A set "body.set" with model node numbers; nothing if there is none.
   [[nodiscard]] std::optional<Indices> nodes_of(std::string const& set) const;
   [[nodiscard]] Index pair_index(std::string const& name) const; ///< -1 if unknown
-  [[nodiscard]] Index nearest(Indices const& nodes, Numbers const& place) const;
+  [[nodiscard]] Index nearest(Indices const& nodes, Numbers const& point) const;
 };
 
 /// Throws InputError with every complaint.

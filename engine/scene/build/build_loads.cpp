@@ -1,4 +1,4 @@
-// Prescribed forces of a scene as nodal forces: tractions integrated over facets, forces at places.
+// Prescribed forces of a scene as nodal forces: tractions integrated over facets, forces at points.
 #include <fmt/format.h>
 
 #include "mesh/topology/traction.hpp"

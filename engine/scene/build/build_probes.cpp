@@ -1,4 +1,4 @@
-// Probes of a scene: do the names and places that they give exist?
+// Probes of a scene: do the names and points that they give exist?
 #include <fmt/format.h>
 
 #include "scene/build/builder.hpp"

@@ -11,7 +11,7 @@ namespace {
 
 using contact::Vec;
 
-std::string place(Matrix const& reference, Index node) {
+std::string position_words(Matrix const& reference, Index node) {
   auto const X = reference.row(node);
   return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + X.size(), ", "));
 }
@@ -68,7 +68,8 @@ bool Builder::bodies_overlap(std::string const& pair) {
     complain({"pairs", pair},
              fmt::format("the bodies of {} and {} overlap by {:.3g} m at {} before the run starts; move one "
                          "of them apart",
-                         part.secondary, part.primary, deepest.depth, place(own->nodes, deepest.node)));
+                         part.secondary, part.primary, deepest.depth,
+                         position_words(own->nodes, deepest.node)));
     return true;
   }
   return false;
@@ -93,7 +94,7 @@ void Builder::check_overlap(dynamics::State const& state) {
     complain({"pairs", pair.name},
              fmt::format("{} and {} overlap by {:.3g} m at {} before the run starts; move one of them apart",
                          part.secondary, part.primary, -gap,
-                         place(scene_.model->reference, pair.secondary[deepest])));
+                         position_words(scene_.model->reference, pair.secondary[deepest])));
   }
 }
 

@@ -59,14 +59,14 @@ double Statics::period() {
   auto const mass = lumped_mass(*model_);
   double longest = 0;
   for (int c = 0; c < model_->dim(); ++c) {
-    Vector weight = Vector::Zero(model_->dofs());
+    Vector load = Vector::Zero(model_->dofs());
     for (Index node = 0; node < model_->node_count(); ++node)
-      weight[model_->dim() * node + c] = mass[node];
-    Vector const u = solve(weight);
+      load[model_->dim() * node + c] = mass[node];
+    Vector const u = solve(load);
     double kinetic = 0;
     for (Index dof = 0; dof < u.size(); ++dof)
       kinetic += mass[dof / model_->dim()] * u[dof] * u[dof];
-    double const strain = u.dot(weight);
+    double const strain = u.dot(load);
     if (strain > 0)
       longest = std::max(longest, 2 * std::numbers::pi * std::sqrt(kinetic / strain));
   }

@@ -13,7 +13,7 @@ namespace stiction::scene {
 
 namespace {
 
-/// Rigid motions of a body, [components, motions] at the place X relative to its middle, in parts of its
+/// Rigid motions of a body, [components, motions] at the point X relative to its middle, in parts of its
 /// size.
 Dense rigid_motions(solid::Kinematics kinematics, Vec3 const& X) {
   if (kinematics == solid::Kinematics::axisymmetric) {
@@ -135,9 +135,9 @@ private:
 /// Rows of H along which the bonds of the start resist.
 void hold_bonds(dynamics::Model const& model, dynamics::ContactSystem const& contact,
                 dynamics::State const& start, double dt, RigidMotions& motions) {
-  contact.each_point([&](dynamics::PointId place, Indices const& nodes, Dense const& H) {
-    auto const& law = model.pairs[ix(place.pair)].law;
-    auto const& point = start.contacts[ix(place.pair)][ix(place.index)];
+  contact.each_point([&](dynamics::PointId id, Indices const& nodes, Dense const& H) {
+    auto const& law = model.pairs[ix(id.pair)].law;
+    auto const& point = start.contacts[ix(id.pair)][ix(id.index)];
     if (nodes.empty() || !law.adhesion)
       return;
     auto const held = dynamics::bond_resistance(*law.adhesion, {point.bond, dt, point.gap <= 0}, point.gap);

@@ -115,7 +115,7 @@ core::Schema const& ObstaclePart::schema() {
   static auto const made =
       Describe<ObstaclePart>{"obstacle",
                              "a rigid body without mesh: carried along paths, or free if it has a mass", ""}
-          .nested("shape", "rigid", Need::required, "its shape and place at the start")
+          .nested("shape", "rigid", Need::required, "its shape and position at the start")
           .numbers("times", &ObstaclePart::times, "s", Need::optional, "times of the paths")
           .numbers("x", &ObstaclePart::x, "m", Need::optional, "displacement in x at those times")
           .numbers("y", &ObstaclePart::y, "m", Need::optional, "displacement in y at those times")

@@ -26,7 +26,7 @@ core::Schema const& ContactProbe::schema() {
 
 core::Schema const& LineProbe::schema() {
   static auto const made = Describe<LineProbe>{"contact_line",
-                                               "history of every contact point of a pair: place, gap, "
+                                               "history of every contact point of a pair: position, gap, "
                                                "tractions, bond, and the area they act on",
                                                ""}
                                .text("pair", &LineProbe::pair, Need::required, "name of the pair")

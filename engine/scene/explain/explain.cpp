@@ -10,7 +10,7 @@ Explanation explain(Scene const& scene) {
   auto const facts = facts_of(scene, stepper.initial());
   Explanation explanation;
   describe_scene(facts, explanation);
-  describe_cost(facts, stepper.structure(), explanation);
+  describe_cost(facts, stepper.bulk(), explanation);
   describe_numbers(facts, explanation);
   add_warnings(facts, explanation);
   add_advice(facts, explanation);

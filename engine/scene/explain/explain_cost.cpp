@@ -35,32 +35,32 @@ template<class Call> double seconds_of(Call&& call) {
   return seconds;
 }
 
-Passes measure(Facts const& facts, dynamics::BulkSystem& structure) {
+Passes measure(Facts const& facts, dynamics::BulkSystem& bulk) {
   auto const& model = *facts.scene->model;
   Vector const u = Vector::Zero(model.dofs());
   auto const weights = dynamics::weights(model.scheme);
   Passes passes;
-  Vector force, rhs = Vector::Ones(structure.unknowns());
-  passes.force = seconds_of([&] { static_cast<void>(structure.internal_force(u, force)); });
+  Vector force, rhs = Vector::Ones(bulk.unknowns());
+  passes.force = seconds_of([&] { static_cast<void>(bulk.internal_force(u, force)); });
   dynamics::Cost cold, cost;
-  passes.regular = structure.factorize(u, weights, facts.longest_step, cold) &&
-                   structure.factorize(u, weights, facts.longest_step, cost);
+  passes.regular = bulk.factorize(u, weights, facts.longest_step, cold) &&
+                   bulk.factorize(u, weights, facts.longest_step, cost);
   passes.assembly = cost.assembly;
   passes.factorization = cost.factorization;
   if (!passes.regular)
     return passes;
   {
     dynamics::Timer const timer(passes.inverse);
-    Indices all(ix(std::min(structure.factor().surface(), most_columns)));
+    Indices all(ix(std::min(bulk.factor().surface(), most_columns)));
     std::iota(all.begin(), all.end(), 0);
     Dense compliance;
-    structure.factor().compliance(all, compliance);
+    bulk.factor().compliance(all, compliance);
   }
-  passes.solve = seconds_of([&] { structure.factor().solve(rhs); });
+  passes.solve = seconds_of([&] { bulk.factor().solve(rhs); });
   return passes;
 }
 
-/// Gradients and weights at the quadrature points, as solid::PreparedBlock keeps them, bytes.
+/// Gradients and volumes at the quadrature points, as solid::PreparedBlock keeps them, bytes.
 double cell_memory(Facts const& facts) {
   double numbers = 0;
   int const width = facts.scene->part.kinematics == solid::Kinematics::three_dimensional ? 3 : 2;
@@ -78,17 +78,16 @@ void add(Section& section, Line line) {
   section.lines.push_back(std::move(line));
 }
 
-void add_memory(Facts const& facts, dynamics::BulkSystem& structure, Section& section) {
-  auto const effort = structure.factor().effort();
-  auto const entries = static_cast<double>(structure.factor().pattern().entries());
-  Index const trailing = structure.factor().surface();
+void add_memory(Facts const& facts, dynamics::BulkSystem& bulk, Section& section) {
+  auto const effort = bulk.factor().effort();
+  auto const entries = static_cast<double>(bulk.factor().pattern().entries());
+  Index const trailing = bulk.factor().surface();
   double const columns =
       static_cast<double>(std::min(trailing, most_columns)) * static_cast<double>(trailing);
   double const factor = 8 * effort.entries, cells = cell_memory(facts),
-               dense = 8 * (structure.factor().surface_numbers() + columns);
+               dense = 8 * (bulk.factor().surface_numbers() + columns);
   double const matrix = entries * (4 + 8 + (facts.dynamic() ? 8 : 0));
-  add(section,
-      {"unknowns", counted(structure.unknowns()), static_cast<double>(structure.unknowns()), "1", "free"});
+  add(section, {"unknowns", counted(bulk.unknowns()), static_cast<double>(bulk.unknowns()), "1", "free"});
   add(section, {"contact unknowns", counted(trailing), static_cast<double>(trailing), "1",
                 "of contact surfaces; what they give way is found for those near contact"});
   add(section,
@@ -104,10 +103,10 @@ void add_memory(Facts const& facts, dynamics::BulkSystem& structure, Section& se
 
 } // namespace
 
-void describe_cost(Facts const& facts, dynamics::BulkSystem& structure, Explanation& explanation) {
+void describe_cost(Facts const& facts, dynamics::BulkSystem& bulk, Explanation& explanation) {
   Section section{"Cost", {}};
-  add_memory(facts, structure, section);
-  auto const passes = measure(facts, structure);
+  add_memory(facts, bulk, section);
+  auto const passes = measure(facts, bulk);
   auto const steps = static_cast<double>(facts.steps);
   add(section, {"steps", counted(steps), steps, "1", "if none is halved"});
   if (!passes.regular) {
@@ -116,8 +115,8 @@ void describe_cost(Facts const& facts, dynamics::BulkSystem& structure, Explanat
     explanation.sections.push_back(std::move(section));
     return;
   }
-  double const passed = structure.linear() ? 1 : iterations, // explicit schemes: the matrix is M alone
-      renewed = structure.linear() ? 0 : factorizations;
+  double const passed = bulk.linear() ? 1 : iterations, // explicit schemes: the matrix is M alone
+      renewed = bulk.linear() ? 0 : factorizations;
   double const step = passes.force + passed * (passes.force + passes.solve) +
                       renewed * (passes.assembly + passes.factorization + passes.inverse);
   add(section,

@@ -98,15 +98,15 @@ std::vector<bool> end_nodes(Facts const& all, mesh::Mesh const& mesh, mesh::Set 
 }
 
 Vec3 row(Matrix const& nodes, Index node) {
-  Vec3 place = Vec3::Zero();
-  place.head(nodes.cols()) = nodes.row(node).transpose();
-  return place;
+  Vec3 position = Vec3::Zero();
+  position.head(nodes.cols()) = nodes.row(node).transpose();
+  return position;
 }
 
-/// The place of the shape nearest to a point.
-Vec3 foot_on(ShapeFit const& fit, Vec3 const& place) {
-  Vec3 const arm = place - fit.centre;
-  return fit.kind == ShapeFit::flat ? Vec3(place - arm.dot(fit.normal) * fit.normal)
+/// The point of the shape nearest to a point.
+Vec3 foot_on(ShapeFit const& fit, Vec3 const& position) {
+  Vec3 const arm = position - fit.centre;
+  return fit.kind == ShapeFit::flat ? Vec3(position - arm.dot(fit.normal) * fit.normal)
                                     : Vec3(fit.centre + arm * (fit.radius / arm.norm()));
 }
 
@@ -128,8 +128,8 @@ Zone contact_zone(Facts const& all, PairFacts const& pair, mesh::Set const& set)
   auto const ends = end_nodes(all, body.mesh, set);
   Zone zone;
   for (Index const node : pair.pair->secondary) {
-    Vec3 const place = row(model.reference, node), foot = foot_on(pair.primary_fit, place);
-    if ((place - foot).norm() > near)
+    Vec3 const position = row(model.reference, node), foot = foot_on(pair.primary_fit, position);
+    if ((position - foot).norm() > near)
       continue;
     auto const distance = [&](Index other) { return (row(body.mesh.nodes, other) - foot).norm(); };
     Index const nearest = *std::ranges::min_element(set.nodes, {}, distance);
@@ -184,7 +184,7 @@ double change_by_rigid(Facts const& all, PairFacts const& pair) {
 }
 
 /// "{0 m, 10 mm}"
-std::string place_words(Vec3 const& at, int dim) {
+std::string position_words(Vec3 const& at, int dim) {
   std::string words;
   for (int c = 0; c < dim; ++c)
     words += (c > 0 ? ", " : "") + human(at[c], "m");
@@ -195,7 +195,7 @@ std::string shape_words(Facts const& all, PairFacts const& pair) {
   int const dim = all.scene->part.dim();
   auto const& fit = pair.primary_fit;
   if (fit.kind == ShapeFit::flat)
-    return fmt::format("rigid.plane through {}", place_words(fit.centre, dim));
+    return fmt::format("rigid.plane through {}", position_words(fit.centre, dim));
   bool const sphere = dim == 3 || (axisymmetric(all) && std::abs(fit.centre.x()) < 1e-2 * fit.radius);
   Vec3 centre = fit.centre;
   if (axisymmetric(all) && sphere)
@@ -204,7 +204,7 @@ std::string shape_words(Facts const& all, PairFacts const& pair) {
     if (std::abs(centre[c]) < 1e-9 * fit.radius)
       centre[c] = 0;
   return fmt::format("rigid.{}{{centre = {}, radius = {}}}", sphere ? "sphere" : "circle",
-                     place_words(centre, dim), human(fit.radius, "m"));
+                     position_words(centre, dim), human(fit.radius, "m"));
 }
 
 } // namespace

@@ -18,11 +18,11 @@ struct Mover {
   std::array<dynamics::Path, 3> shift;
   Vec3 velocity = Vec3::Zero(); ///< of what flies freely, m/s
   dynamics::RigidBody const* turning = nullptr;
-  [[nodiscard]] Vec3 displacement(double t, Vec3 const& place) const {
+  [[nodiscard]] Vec3 displacement(double t, Vec3 const& position) const {
     Vec3 u = t * velocity + Vec3(shift[0].value(t), shift[1].value(t), shift[2].value(t));
     if (turning != nullptr)
-      u += Eigen::AngleAxisd(turning->angle.value(t), turning->axis) * (place - turning->pivot) -
-           (place - turning->pivot);
+      u += Eigen::AngleAxisd(turning->angle.value(t), turning->axis) * (position - turning->pivot) -
+           (position - turning->pivot);
     return u;
   }
   /// Prescribed over the whole run.
@@ -82,7 +82,7 @@ std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
 /// Follows one mover of either side over the schedule.
 class Follower {
 public:
-  Follower(PairFacts& pair, Vec3 place) : pair_(&pair), place_(std::move(place)) {}
+  Follower(PairFacts& pair, Vec3 position) : pair_(&pair), position_(std::move(position)) {}
   void follow(SchedulePart const& schedule, Mover const& secondary, Mover const& primary) {
     double start = 0;
     closed_ = 0;
@@ -104,7 +104,7 @@ public:
 private:
   void interval(std::size_t stage, std::array<double, 2> t, std::array<Mover const*, 2> sides) {
     auto const apart = [&](double time) {
-      return Vec3(sides[0]->displacement(time, place_) - sides[1]->displacement(time, place_));
+      return Vec3(sides[0]->displacement(time, position_) - sides[1]->displacement(time, position_));
     };
     Vec3 const end = apart(t[1]), velocity = (end - apart(t[0])) / (t[1] - t[0]);
     bool const around = pair_->normal.isZero(0);
@@ -131,14 +131,14 @@ private:
   }
 
   PairFacts* pair_;
-  Vec3 place_;
+  Vec3 position_;
   double dt_ = 0, closed_ = 0;
 };
 
-Vec3 place_of(dynamics::Model const& model, Index node) {
-  Vec3 place = Vec3::Zero();
-  place.head(model.dim()) = model.reference.row(node).transpose();
-  return place;
+Vec3 position_of(dynamics::Model const& model, Index node) {
+  Vec3 position = Vec3::Zero();
+  position.head(model.dim()) = model.reference.row(node).transpose();
+  return position;
 }
 
 /// Mean outward unit normal of a boundary set; 0 where it closes around.
@@ -147,11 +147,11 @@ Vec3 mean_normal(dynamics::Model const& model, std::size_t b, mesh::Set const& s
   double size = 0;
   Index const first = model.first_node[b];
   for (auto const& facet : set.facets) {
-    Vec3 const a = place_of(model, first + facet.nodes[0]),
-               edge = place_of(model, first + facet.nodes[1]) - a;
+    Vec3 const a = position_of(model, first + facet.nodes[0]),
+               edge = position_of(model, first + facet.nodes[1]) - a;
     Vec3 const normal = model.dim() == 2
                             ? Vec3(edge.y(), -edge.x(), 0)
-                            : Vec3(0.5 * edge.cross(place_of(model, first + facet.nodes[2]) - a));
+                            : Vec3(0.5 * edge.cross(position_of(model, first + facet.nodes[2]) - a));
     sum += normal;
     size += normal.norm();
   }
@@ -180,12 +180,12 @@ ShapeFit fit_of(solid::Body const& body, mesh::Set const& set) {
 }
 
 /// 1/m, positive where convex; nothing if not known.
-std::optional<double> curvature(ShapeFit const& fit, Vec3 const& outward, Vec3 const& place) {
+std::optional<double> curvature(ShapeFit const& fit, Vec3 const& outward, Vec3 const& position) {
   if (fit.kind == ShapeFit::flat)
     return 0;
   if (fit.kind == ShapeFit::none)
     return {};
-  return (place - fit.centre).dot(outward) >= 0 ? 1 / fit.radius : -1 / fit.radius;
+  return (position - fit.centre).dot(outward) >= 0 ? 1 / fit.radius : -1 / fit.radius;
 }
 std::optional<double> curvature(contact::Obstacle const& shape) {
   return std::visit(
@@ -204,7 +204,7 @@ std::optional<double> curvature(contact::Obstacle const& shape) {
 
 /// Length, or square root of the area, of a facet, m.
 double facet_size(dynamics::Model const& model, Index first, mesh::Facet const& facet) {
-  auto const corner = [&](std::size_t k) { return place_of(model, first + facet.nodes[k]); };
+  auto const corner = [&](std::size_t k) { return position_of(model, first + facet.nodes[k]); };
   Vec3 const edge = corner(1) - corner(0);
   if (model.dim() == 2)
     return edge.norm();
@@ -247,7 +247,7 @@ Index find_nearest(dynamics::Model const& model, std::vector<dynamics::ContactSt
   return nodes[order[0]];
 }
 
-void add_primary(Facts const& all, PairFacts& facts, Vec3 const& place, std::optional<double>& curved) {
+void add_primary(Facts const& all, PairFacts& facts, Vec3 const& position, std::optional<double>& curved) {
   auto const& model = *all.scene->model;
   if (auto const* side = std::get_if<dynamics::RigidSide>(&facts.pair->primary)) {
     facts.rigid = side->body;
@@ -264,7 +264,7 @@ void add_primary(Facts const& all, PairFacts& facts, Vec3 const& place, std::opt
   else
     facts.primary_size = std::get<contact::Surface>(facts.pair->primary).facet_size();
   facts.primary_fit = fit_of(*model.bodies[side.body], *side.set);
-  curved = curvature(facts.primary_fit, mean_normal(model, side.body, *side.set), place);
+  curved = curvature(facts.primary_fit, mean_normal(model, side.body, *side.set), position);
 }
 
 /// E* and the stiffness of the two bodies as columns along the normal.
@@ -305,15 +305,15 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   auto const side = side_of(scene, facts.part->secondary);
   facts.secondary = side.body;
   facts.normal = mean_normal(*scene.model, side.body, *side.set);
-  Vec3 const place = place_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
+  Vec3 const position = position_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
   std::optional<double> curved;
-  add_primary(all, facts, place, curved);
+  add_primary(all, facts, position, curved);
   facts.secondary_fit = fit_of(*scene.model->bodies[side.body], *side.set);
-  auto const own = curvature(facts.secondary_fit, facts.normal, place);
+  auto const own = curvature(facts.secondary_fit, facts.normal, position);
   if (own && curved && *own + *curved > 0)
     facts.radius = 1 / (*own + *curved);
   add_stiffness(all, facts);
-  Follower follower(facts, place);
+  Follower follower(facts, position);
   for (auto const& secondary : movers_of(all, facts.secondary))
     for (auto const& primary : movers_of(all, facts))
       follower.follow(scene.part.schedule, secondary, primary);

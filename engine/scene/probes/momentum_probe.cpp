@@ -56,7 +56,7 @@ void put(Screw const& s, Vec3 const& about, Components const& which, std::vector
     row.push_back(angular[c]);
 }
 
-/// A body or a free obstacle by its name, and its place among the momenta.
+/// A body or a free obstacle by its name, and its index among the momenta.
 using Named = std::pair<std::string, std::size_t>;
 
 std::vector<Named> movers(Scene const& scene) {
@@ -76,7 +76,7 @@ bool moves(dynamics::Model const& model, dynamics::Pair const& pair) {
 }
 
 void add_columns(Scene const& scene, Writer const& writer) {
-  for (auto const& [name, place] : movers(scene))
+  for (auto const& [name, index] : movers(scene))
     writer.columns(name + "_p", name + "_l", "momentum of " + name);
   writer.columns("p", "l", "momentum of all");
   for (std::size_t p = 0; p < scene.pairs.size(); ++p) {
@@ -124,8 +124,8 @@ Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns con
   return [which = components(scene.part.kinematics), movers = movers(scene), about,
           &model = *scene.model](State const& state, std::vector<double>& row) {
     auto const& momenta = state.momenta;
-    for (auto const& [body, place] : movers)
-      put(momenta.bodies[place], about, which, row);
+    for (auto const& [body, index] : movers)
+      put(momenta.bodies[index], about, which, row);
     Screw const all = all_of(momenta);
     put(all, about, which, row);
     for (std::size_t p = 0; p < momenta.pairs.size(); ++p) {

@@ -26,7 +26,7 @@ void Patience::begin_attempt() {
 
 /// Operations that may be lost on one step.
 double Patience::most() const {
-  return std::max(1e9 * limits_->work, factorizations * stepper_->structure().effort().operations);
+  return std::max(1e9 * limits_->work, factorizations * stepper_->bulk().effort().operations);
 }
 
 bool Patience::spent() const {

@@ -22,13 +22,13 @@ contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked 
 }
 
 /// "point 17 of pair floor", counted from one as in the pair's line of points.
-std::string words_for(Scene const& scene, std::size_t pair, Index point) {
+std::string words_of(Scene const& scene, std::size_t pair, Index point) {
   return fmt::format("point {} of pair {}", point + 1, scene.pairs[pair]);
 }
 
-std::string place_of(Scene const& scene, dynamics::ContactSystem const& contact, Index row) {
-  auto const place = contact.point_of(row);
-  return words_for(scene, static_cast<std::size_t>(place.pair), place.index);
+std::string words_of(Scene const& scene, dynamics::ContactSystem const& contact, Index row) {
+  auto const point = contact.point_of(row);
+  return words_of(scene, static_cast<std::size_t>(point.pair), point.index);
 }
 
 /// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
@@ -45,7 +45,7 @@ void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact:
   auto const found = doubts(contact, which);
   auto const note = [&](Remark& remark, auto const& doubt) {
     if (++remark.steps == 1)
-      remark.text = fmt::format("at t = {}, {}: {}", human(t, "s"), place_of(*scene_, contact, doubt.worst),
+      remark.text = fmt::format("at t = {}, {}: {}", human(t, "s"), words_of(*scene_, contact, doubt.worst),
                                 words(doubt));
   };
   if (found.friction.any())
@@ -66,7 +66,7 @@ void Remarks::seek_beneath(dynamics::State const& state) {
           "at t = {}, {} came in past a border of its counterpart's surface and lies {} beneath it, where no "
           "contact holds it: let the primary go on round the corner, or make the finer side the secondary "
           "one",
-          human(state.t, "s"), words_for(*scene_, pair, lost - points.begin()), human(-lost->gap, "m"));
+          human(state.t, "s"), words_of(*scene_, pair, lost - points.begin()), human(-lost->gap, "m"));
     return;
   }
 }

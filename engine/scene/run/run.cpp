@@ -56,8 +56,8 @@ public:
         meshes_(scene, state_) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
-      stepper_.structure().keep_factors(static_cast<std::size_t>(accuracy->factors));
-      pace_.emplace(*accuracy, stepper_.structure(), *scene.model);
+      stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
+      pace_.emplace(*accuracy, stepper_.bulk(), *scene.model);
     }
   }
 
@@ -108,8 +108,8 @@ public:
         {"shifted_factorizations", static_cast<double>(cost.shifted_factorizations)},
         {"solves", static_cast<double>(cost.solves)},
         {"compliance_columns", static_cast<double>(cost.compliance_columns)},
-        {"contact_unknowns", static_cast<double>(stepper_.structure().factor().surface())},
-        {"surface_bytes", 8 * stepper_.structure().factor().surface_numbers()},
+        {"contact_unknowns", static_cast<double>(stepper_.bulk().factor().surface())},
+        {"surface_bytes", 8 * stepper_.bulk().factor().surface_numbers()},
         {"contact_iterations", static_cast<double>(cost.contact_iterations)},
         {"contact_problems", static_cast<double>(cost.contact_problems)},
         {"cells", cells},
@@ -120,7 +120,7 @@ public:
          static_cast<double>(linear::blocks_from_system() - blocks_)},
         {"work", operations(*scene_->model, stepper_)},
         {"cpu_seconds", cpu_seconds()},
-        {"unknowns", static_cast<double>(stepper_.structure().unknowns())},
+        {"unknowns", static_cast<double>(stepper_.bulk().unknowns())},
         {"peak_memory", peak_memory()}};
     result_.counters.insert(recorder_.changes().begin(), recorder_.changes().end());
     return result_;

@@ -32,8 +32,8 @@ PassOperations pass_operations(dynamics::Model const& model) {
 
 double operations(dynamics::Model const& model, dynamics::Stepper const& stepper) {
   auto const& cost = stepper.cost();
-  auto const& structure = stepper.structure();
-  auto const effort = structure.effort();
+  auto const& bulk = stepper.bulk();
+  auto const effort = bulk.effort();
   auto const pass = pass_operations(model);
   return pass.force * static_cast<double>(cost.force_passes) +
          pass.stiffness * static_cast<double>(cost.stiffness_passes) +

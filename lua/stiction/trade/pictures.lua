@@ -40,9 +40,9 @@ local function band_curve(trade, x)
   return band > 0 and curve or nil
 end
 
-local function points(label, runs, look, floor)
+local function points(label, runs, pen, floor)
   return {
-    label = label, colour = look.colour, style = look.style or "points",
+    label = label, colour = pen.colour, style = pen.style or "points",
     x = numeric.map(runs, function(run) return run.work end),
     y = numeric.map(runs, function(run) return math.max(run.error, floor) end),
   }
@@ -86,9 +86,9 @@ local function exchange_figure(trade)
   curves[#curves + 1] = points("front of work and error:", front, { colour = 0, style = "solid" }, floor)
   for i, run in ipairs(front) do
     local letter = string.char(96 + i)
-    local name, look = name_of(trade, run), { colour = hues[(i - 1) % #hues + 1] }
+    local name, pen = name_of(trade, run), { colour = hues[(i - 1) % #hues + 1] }
     longest = math.max(longest, #name)
-    curves[#curves + 1] = points(letter .. "  " .. name, { run }, look, floor)
+    curves[#curves + 1] = points(letter .. "  " .. name, { run }, pen, floor)
     marks[i] = { x = run.work, label = run.default and letter .. ", default" or letter }
   end
   local default = kept(all, function(run) return run.default and not run.front end)[1]

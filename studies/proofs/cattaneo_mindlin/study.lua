@@ -224,7 +224,7 @@ end
 local levels = { 0.3, 0.6, 0.9 } -- of Q over mu P in the figure
 
 --- Two curves of q / (mu p0) over x / a at a time: closed and computed.
-local function shear_curves(c, time, wanted, look)
+local function shear_curves(c, time, wanted, pen)
   local e, p = exact(c, c.p, time), c.p
   local x, q, exact_x, exact_q = {}, {}, {}, {}
   for k, point in ipairs(points(c, time)) do
@@ -234,8 +234,8 @@ local function shear_curves(c, time, wanted, look)
     exact_x[k + 1] = -1.2 + 2.4 * k / 400
     exact_q[k + 1] = wanted(exact_x[k + 1] * e.a, e) / (p.mu * e.p0)
   end
-  return { label = "closed, " .. look.label, x = exact_x, y = exact_q, colour = look.colour },
-    { label = "computed", x = x, y = q, colour = look.colour, style = "points" }
+  return { label = "closed, " .. pen.label, x = exact_x, y = exact_q, colour = pen.colour },
+    { label = "computed", x = x, y = q, colour = pen.colour, style = "points" }
 end
 
 local function shear_figure(c)

@@ -77,20 +77,20 @@ TEST_SUITE("contact") {
         continue; // differences would leave the segment
       ++checked;
       int const n = at.unknowns();
-      auto const look = [&](Vector const& move) {
+      auto const after = [&](Vector const& move) {
         return kinematics(curve, node, at.foot, at.foot, moved(x, at, move));
       };
       Vector const here = Vector::Zero(n);
-      check_rate(rate([&](Vector const& m) { return Vector::Constant(1, look(m).gap).eval(); },
+      check_rate(rate([&](Vector const& m) { return Vector::Constant(1, after(m).gap).eval(); },
                       Dense(at.H.row(0)), here, 1e-3, 1),
                  "gap");
-      check_rate(rate([&](Vector const& m) { return Vector::Constant(1, look(m).slip[0]).eval(); },
+      check_rate(rate([&](Vector const& m) { return Vector::Constant(1, after(m).slip[0]).eval(); },
                       Dense(at.H.row(1)), here, 1e-3, 1),
                  "slip");
-      check_rate(rate([&](Vector const& m) { return Vector(look(m).H.row(0)); },
+      check_rate(rate([&](Vector const& m) { return Vector(after(m).H.row(0)); },
                       Dense(geometric_stiffness(curve, at, x, {1, 0})), here, 1e-3, 1),
                  "turn of the normal row");
-      check_rate(rate([&](Vector const& m) { return Vector(look(m).H.row(1)); },
+      check_rate(rate([&](Vector const& m) { return Vector(after(m).H.row(1)); },
                       Dense(geometric_stiffness(curve, at, x, {0, 1})), here, 1e-3, 1),
                  "turn of the tangential row");
       Block<2> const both = geometric_stiffness(curve, at, x, {2, -3});

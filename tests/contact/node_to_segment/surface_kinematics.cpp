@@ -14,7 +14,7 @@ namespace {
 struct Case {
   Shell shell;
   Vec3 point;
-  FootPlace::Kind kind = FootPlace::face;
+  FootFeature::Kind kind = FootFeature::face;
 };
 
 std::vector<Case> cases() {
@@ -23,8 +23,8 @@ std::vector<Case> cases() {
     for (auto const& point : {Vec3(0.43, 0.52, 0.1), Vec3(0.31, 0.66, -0.03), Vec3(0.03, 0.05, 0.08)})
       all.push_back({waves(5, triangles), point});
     auto const box = cube(2, triangles).shake(0.03);
-    all.push_back({box, {1.2, 0.4, 1.3}, FootPlace::edge});
-    all.push_back({box, {1.2, 1.3, 1.25}, FootPlace::vertex});
+    all.push_back({box, {1.2, 0.4, 1.3}, FootFeature::edge});
+    all.push_back({box, {1.2, 1.3, 1.25}, FootFeature::vertex});
     all.push_back({box, {1.2, 0.3, 0.45}});
     all.push_back({ball(4, triangles), {0.7, -0.8, 0.35}});
   }
@@ -64,7 +64,7 @@ TEST_SUITE("contact") {
       auto const x = c.shell.with(c.point);
       auto const point = kinematics(surface, c.shell.free_node(), {}, {}, x);
       REQUIRE(point.found);
-      REQUIRE(FootPlace::of(point.foot).kind == c.kind);
+      REQUIRE(FootFeature::of(point.foot).kind == c.kind);
       CAPTURE(c.point.transpose());
       CAPTURE(point.count);
       for (auto const& force : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(2, -3, 0.5)}) {
@@ -91,7 +91,7 @@ TEST_SUITE("contact") {
       for (double const gap : {-0.01, 0.0, 0.06}) {
         auto const shell = waves(5, triangles);
         auto const surface = shell.surface({1, 0.3, 0.2});
-        // stretched by place, so that facets are strained differently
+        // stretched by position, so that facets are strained differently
         auto const moved_to = [&](Vec3 const& point) {
           auto x = shell.with(point);
           for (Index node = 0; node < shell.free_node(); ++node)
@@ -102,13 +102,14 @@ TEST_SUITE("contact") {
         auto const still = moved_to(Vec3::Zero());
         for (int f = 0; f < surface.size(); ++f)
           for (int k = 0; k < surface.facets()[ix(f)].count; ++k)
-            for (double const part : {0.0, 0.3}) { // a node, a place on a side
+            for (double const part : {0.0, 0.3}) { // a node, a point of a side
               auto const& facet = surface.facets()[ix(f)];
               int const other = facet.neighbour[ix(k)];
               if (other < 0)
                 continue;
-              Vec2 const here = side_place(facet.count, k, part),
-                         there = side_place(surface.facets()[ix(other)].count, facet.across[ix(k)], 1 - part);
+              Vec2 const here = side_coordinates(facet.count, k, part),
+                         there = side_coordinates(surface.facets()[ix(other)].count, facet.across[ix(k)],
+                                                  1 - part);
               auto const at_foot = surface.evaluate({f, here.x(), here.y()}, still);
               auto const x = moved_to(at_foot.x + gap * at_foot.normal);
               auto const a = kinematics(surface, shell.free_node(), {f, 0.2, 0.2}, {f, here.x(), here.y()},
@@ -150,25 +151,25 @@ TEST_SUITE("contact") {
     for (bool const triangles : {false, true}) {
       auto const shell = sheet(6, triangles).move([&](Vec3 const& v) { return Vec3(turn * v); });
       auto const surface = shell.surface();
-      Vec3 const place = turn * Vec3(0.37, 0.55, 0.0);
-      auto const x = shell.with(place);
+      Vec3 const position = turn * Vec3(0.37, 0.55, 0.0);
+      auto const x = shell.with(position);
       auto const point = kinematics(surface, shell.free_node(), {}, {}, x);
-      auto const look = [&](Vector const& m) {
+      auto const after = [&](Vector const& m) {
         auto const k = kinematics(surface, shell.free_node(), point.foot, point.foot, moved(x, point, m));
         return Vector(Vec3(k.gap, k.slip[0], k.slip[1]));
       };
-      check_rate(rate(look, Dense(point.H), Vector::Zero(point.unknowns()), 1e-4, 1), "rows");
+      check_rate(rate(after, Dense(point.H), Vector::Zero(point.unknowns()), 1e-4, 1), "rows");
     }
   }
 
   TEST_CASE("on the surface the slip rows are the derivatives of the slip that starts there") {
     for (auto const& c : cases()) {
       auto const surface = c.shell.surface();
-      if (c.kind != FootPlace::face)
+      if (c.kind != FootFeature::face)
         continue;
       auto x = c.shell.with(c.point);
       auto const above = kinematics(surface, c.shell.free_node(), {}, {}, x);
-      x = c.shell.with(surface.place(above.foot, x));
+      x = c.shell.with(surface.position(above.foot, x));
       auto const point = kinematics(surface, c.shell.free_node(), {}, above.foot, x);
       CHECK(std::abs(point.gap) < 1e-12);
       auto const slip = [&](Vector const& m) {

@@ -1,4 +1,4 @@
-// Obstacles that are carried or free: objectivity, balance of forces, and stiffness over node, place and
+// Obstacles that are carried or free: objectivity, balance of forces, and stiffness over node, position and
 // turn.
 #include <Eigen/Geometry>
 
@@ -22,7 +22,7 @@ Mat<3> turn_by(Vec3 const& d) {
 template<int D> Pose<D> some_pose() {
   Pose<D> pose;
   pose.pivot = Vec<D>::LinSpaced(0.3, -0.4);
-  pose.place = Vec<D>::LinSpaced(1.7, 2.9);
+  pose.position = Vec<D>::LinSpaced(1.7, 2.9);
   pose.rotation = turn_by(Vec<D>(Vec<D>::LinSpaced(1.1, -0.7)));
   return pose;
 }
@@ -41,19 +41,19 @@ template<int D> struct Meeting {
   Vec<D> node;
   Foot start;
   explicit Meeting(Encounter<D> const& m)
-      : met(m), pose(some_pose<D>()), node(pose.place + pose.rotation * (m.point - pose.pivot)) {
+      : met(m), pose(some_pose<D>()), node(pose.position + pose.rotation * (m.point - pose.pivot)) {
     pose.translation = 0;
     pose.turn = 1;
-    start = look(Vector::Zero(3 * D)).foot;
+    start = kinematics_at(Vector::Zero(3 * D)).foot;
   }
   [[nodiscard]] PosedObstacle<D> posed(Vector const& move) const {
     PosedObstacle<D> obstacle{&met.shape, pose, {1, 0.2, -0.3}};
-    obstacle.pose.place += move.segment<D>(D);
+    obstacle.pose.position += move.segment<D>(D);
     obstacle.pose.rotation = turn_by(Vec<D>(move.tail<D>())) * pose.rotation;
     return obstacle;
   }
   /// After the node and the body have moved by `move`: (node, translation, turn).
-  [[nodiscard]] PointKinematics<D> look(Vector const& move) const {
+  [[nodiscard]] PointKinematics<D> kinematics_at(Vector const& move) const {
     return kinematics(posed(move), 2, start, start, with<D>(node + move.head<D>()));
   }
 };
@@ -62,32 +62,32 @@ template<int D> struct Meeting {
 void check_balance(Meeting<2> const& m, Vector const& f) {
   CHECK((f.head<2>() + f.segment<2>(2)).norm() < 1e-14);
   auto const moment = [](Vec2 const& a, Vec2 const& b) { return a.x() * b.y() - a.y() * b.x(); };
-  CHECK(std::abs(moment(m.node, f.head<2>()) + moment(m.pose.place, f.segment<2>(2)) + f[4]) < 1e-13);
+  CHECK(std::abs(moment(m.node, f.head<2>()) + moment(m.pose.position, f.segment<2>(2)) + f[4]) < 1e-13);
   CHECK(f[5] == 0);
 }
 void check_balance(Meeting<3> const& m, Vector const& f) {
   CHECK((f.head<3>() + f.segment<3>(3)).norm() < 1e-14);
   Vec3 const here = f.head<3>(), there = f.segment<3>(3), own = f.tail<3>();
-  CHECK((m.node.cross(here) + m.pose.place.cross(there) + own).norm() < 1e-13);
+  CHECK((m.node.cross(here) + m.pose.position.cross(there) + own).norm() < 1e-13);
 }
 
 template<int D> void check_free(Encounter<D> const& met) {
   Meeting<D> const m(met);
   Vector const here = Vector::Zero(3 * D);
-  auto const at = m.look(here);
+  auto const at = m.kinematics_at(here);
   REQUIRE(at.found);
   CHECK(at.count == 3);
   CHECK(at.nodes[1] == 0);
   CHECK(at.nodes[2] == 1);
   auto const gap_and_slip = [&](Vector const& move) {
-    auto const seen = m.look(move);
+    auto const seen = m.kinematics_at(move);
     Vector both(D);
     both << seen.gap, seen.slip;
     return both;
   };
   check_rate(rate(gap_and_slip, Dense(at.H), here, 1e-3, 4), "H");
   Local<D> const force = Local<D>::LinSpaced(2, -0.7);
-  auto const nodal = [&](Vector const& move) { return Vector(m.look(move).H.transpose() * force); };
+  auto const nodal = [&](Vector const& move) { return Vector(m.kinematics_at(move).H.transpose() * force); };
   Dense const K = geometric_stiffness<D>(m.posed(here), at, with<D>(m.node), force);
   check_rate(rate(nodal, K, here, 1e-3, 4), "stiffness");
   check_balance(m, nodal(here));
@@ -96,15 +96,15 @@ template<int D> void check_free(Encounter<D> const& met) {
 template<int D> void check_objectivity(Encounter<D> const& met) {
   Vec<D> const from = met.point + Vec<D>::LinSpaced(0.1, -0.2);
   auto const pose = some_pose<D>();
-  auto const placed = [&](Pose<D> const& p, Vec<D> const& X) -> Vec<D> {
-    return p.place + p.rotation * (X - p.pivot);
+  auto const carried_point = [&](Pose<D> const& p, Vec<D> const& X) -> Vec<D> {
+    return p.position + p.rotation * (X - p.pivot);
   };
-  auto const look = [&](Pose<D> const& p, Vec<D> const& X, Foot start) {
+  auto const kinematics_at = [&](Pose<D> const& p, Vec<D> const& X, Foot start) {
     PosedObstacle<D> const obstacle{&met.shape, p, {1, 0.2, -0.3}};
-    return kinematics(obstacle, 2, start, {}, with<D>(placed(p, X)));
+    return kinematics(obstacle, 2, start, {}, with<D>(carried_point(p, X)));
   };
-  auto const still = look({}, met.point, look({}, from, {}).foot);
-  auto const carried = look(pose, met.point, look(pose, from, {}).foot);
+  auto const still = kinematics_at({}, met.point, kinematics_at({}, from, {}).foot);
+  auto const carried = kinematics_at(pose, met.point, kinematics_at(pose, from, {}).foot);
   CHECK(carried.count == 1);
   CHECK(carried.gap == doctest::Approx(still.gap).epsilon(1e-12));
   CHECK((carried.slip - still.slip).norm() < 1e-12);

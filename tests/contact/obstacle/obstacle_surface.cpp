@@ -25,11 +25,11 @@ RigidSurface ball(double radius, int times) {
   for (int round = 0; round < times; ++round) {
     std::map<std::pair<Index, Index>, Index> middles;
     auto const middle = [&](Index a, Index b) {
-      auto const [place, made] =
+      auto const [found, made] =
           middles.emplace(std::pair(std::min(a, b), std::max(a, b)), static_cast<Index>(nodes.size()));
       if (made)
         nodes.push_back((nodes[ix(a)] + nodes[ix(b)]).normalized());
-      return place->second;
+      return found->second;
     };
     Indices finer;
     for (std::size_t c = 0; c < cells.size(); c += 3) {
@@ -39,10 +39,10 @@ RigidSurface ball(double radius, int times) {
     }
     cells = finer;
   }
-  Matrix places(static_cast<Index>(nodes.size()), 3);
+  Matrix positions(static_cast<Index>(nodes.size()), 3);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    places.row(static_cast<Index>(i)) = radius * nodes[i].transpose();
-  return surface_of(places, mesh::CellKind::tri3, cells);
+    positions.row(static_cast<Index>(i)) = radius * nodes[i].transpose();
+  return surface_of(positions, mesh::CellKind::tri3, cells);
 }
 
 std::vector<Vec3> const around{{1.3, 1.05, 0.7}, {-1.1, 0.6, -1.2}, {0.5, -0.9, 1.6}, {0.3, 0.4, -2.2}};

@@ -21,16 +21,16 @@ template<int D> ObstacleView<D> seen(Obstacle const& shape, Vec<D> const& point,
 template<int D> void check_derivatives(Encounter<D> const& met) {
   auto const at = seen<D>(met.shape, met.point);
   REQUIRE(at.found);
-  auto const look = [&](Vector const& x) { return view<D>(met.shape, x, at.foot, at.foot, direction); };
+  auto const view_at = [&](Vector const& x) { return view<D>(met.shape, x, at.foot, at.foot, direction); };
   Vector const here = met.point;
-  auto const gap = [&](Vector const& x) { return Vector(Vector::Constant(1, look(x).gap)); };
+  auto const gap = [&](Vector const& x) { return Vector(Vector::Constant(1, view_at(x).gap)); };
   check_rate(rate(gap, Dense(at.by_x.row(0)), here, 1e-3, 1), "gap");
-  auto const slip = [&](Vector const& x) { return Vector(look(x).slip); };
+  auto const slip = [&](Vector const& x) { return Vector(view_at(x).slip); };
   check_rate(rate(slip, Dense(at.by_x.template bottomRows<D - 1>()), here, 1e-3, 1), "slip");
   CHECK(slip(here).isZero(1e-15));
   for (int k = 0; k < D; ++k) {
     Local<D> const force = Local<D>::Unit(k);
-    auto const row = [&](Vector const& x) { return Vector(look(x).by_x.row(k)); };
+    auto const row = [&](Vector const& x) { return Vector(view_at(x).by_x.row(k)); };
     Mat<D> const K = curvature_stiffness<D>(met.shape, at.foot, met.point, force, direction);
     check_rate(rate(row, Dense(K), here, 1e-3, 1), "stiffness");
   }
@@ -156,14 +156,14 @@ TEST_SUITE("contact") {
 
   TEST_CASE("slip on a circle goes the short way round and along the tangent") {
     double const pi = std::numbers::pi;
-    auto const place = [](double angle) { return Vec2(2.5 * std::cos(angle), 2.5 * std::sin(angle)); };
+    auto const position = [](double angle) { return Vec2(2.5 * std::cos(angle), 2.5 * std::sin(angle)); };
     for (double const from : {0.3, pi - 0.05, -pi / 2}) {
       RigidCircle circle{{}, 2};
-      auto const start = seen<2>(circle, place(from));
-      CHECK(seen<2>(circle, place(from - 0.1), start.foot).slip[0] == doctest::Approx(0.2)); // clockwise
+      auto const start = seen<2>(circle, position(from));
+      CHECK(seen<2>(circle, position(from - 0.1), start.foot).slip[0] == doctest::Approx(0.2)); // clockwise
       circle.side = Side::inside; // the other way: the normal points to the centre
-      auto const within = seen<2>(circle, place(from));
-      CHECK(seen<2>(circle, place(from + 0.1), within.foot).slip[0] == doctest::Approx(0.2));
+      auto const within = seen<2>(circle, position(from));
+      CHECK(seen<2>(circle, position(from + 0.1), within.foot).slip[0] == doctest::Approx(0.2));
     }
   }
 
@@ -176,7 +176,7 @@ TEST_SUITE("contact") {
     CHECK(end.slip[1] == doctest::Approx(-0.5)); // t2 = n x t1 = -x
   }
 
-  TEST_CASE("where no place of a shape is nearest there is no counterpart") {
+  TEST_CASE("where no point of a shape is nearest there is no counterpart") {
     CHECK_FALSE(seen<2>(RigidCircle{{0.5, -1}, 2}, {0.5, -1}).found);
     CHECK_FALSE(seen<3>(RigidSphere{{1, 2, 3}, 2, Side::inside}, {1, 2, 3}).found);
     CHECK_FALSE(seen<3>(RigidCylinder{{1, 2, 0}, {}, 2}, {1, 2, 3}).found);

@@ -181,9 +181,9 @@ TEST_SUITE("contact") {
     auto const problem = bonded(rcc_sample(0), 2, 1);
     auto const opening = scales(problem.adhesions[0]).opening;
     auto const at = [&](double x) {
-      Vector const place = Vector::Constant(1, x * opening);
-      auto const pull = adhere<1>(problem.adhesions[0], problem.points[0].bond, Local<1>(place[0])).traction;
-      return doubts(problem, Vector(problem.points[0].area * pull), place, Checked::bearing).softening.any();
+      Vector const x_n = Vector::Constant(1, x * opening);
+      auto const pull = adhere<1>(problem.adhesions[0], problem.points[0].bond, Local<1>(x_n[0])).traction;
+      return doubts(problem, Vector(problem.points[0].area * pull), x_n, Checked::bearing).softening.any();
     };
     CHECK_FALSE(at(0));
     CHECK(at(0.5));

@@ -55,7 +55,7 @@ void bond(Problem& problem, std::mt19937& random) {
     }
 }
 
-/// One point's place is given and it is apart.
+/// One point's gap is given and it is apart.
 void hold_first(Problem& problem) {
   problem.W.entries().topRows(problem.dim).setZero();
   problem.W.entries().leftCols(problem.dim).setZero();

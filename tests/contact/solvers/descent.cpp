@@ -35,7 +35,7 @@ Problem bonded(int dim, int n, double softness, double common) {
   return problem;
 }
 
-/// The first place downhill of the start where a bonded point on its spring stays, found in small steps; m.
+/// The first point downhill of the start where a bonded point on its spring stays, found in small steps; m.
 double downhill(Problem const& problem) {
   double const small = 1e-3 * interface::scales(problem.adhesions[0]).opening;
   auto const force = [&](double x) {

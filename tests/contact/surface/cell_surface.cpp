@@ -1,5 +1,5 @@
 // Facets of cells: derivatives of their functions, normals at edges, and which of several facets faces a
-// place.
+// point.
 #include "contact/surface/cell_surface.hpp"
 
 #include <doctest/doctest.h>
@@ -71,11 +71,11 @@ TEST_SUITE("contact") {
             primary({{{4, 5}}, {{2, 3}}}, nodes, Vec3::UnitX());
         auto const x = positions(nodes);
         auto const normals = secondary.fan_normals<2>(x);
-        auto const places = cut_facet<2>({secondary, primary, x, normals}, 0, {0, 1}, {-1, 1});
+        auto const points = cut_facet<2>({secondary, primary, x, normals}, 0, {0, 1}, {-1, 1});
         double whole = 0;
-        for (auto const& place : places) {
-          CHECK(place.primary == (place.weight > 0 ? 1 : 0)); // what is hidden has no weight
-          whole += place.weight;
+        for (auto const& point : points) {
+          CHECK(point.primary == (point.weight > 0 ? 1 : 0)); // what is hidden has no weight
+          whole += point.weight;
         }
         CHECK(whole == doctest::Approx(2));
       }

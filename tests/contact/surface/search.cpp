@@ -85,11 +85,11 @@ TEST_SUITE("contact") {
         int near = 0;
         for (auto const& point : points_in({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}, 700)) {
           Foot const scan = surface.nearest_start(point, x), found = search.nearest(point, x);
-          bool const reached = (surface.place(scan, x) - point).norm() <= search.radius();
+          bool const reached = (surface.position(scan, x) - point).norm() <= search.radius();
           near += reached ? 1 : 0;
           REQUIRE(found.found() == reached);
           if (reached)
-            CHECK((surface.place(found, x) - surface.place(scan, x)).norm() < 1e-12);
+            CHECK((surface.position(found, x) - surface.position(scan, x)).norm() < 1e-12);
         }
         CHECK(near > 40);
       }

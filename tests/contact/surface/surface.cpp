@@ -31,7 +31,7 @@ std::array<double, 3> largest_jumps(Shell const& shell, std::function<Vec3(doubl
     if (i > 0) {
       jumps[0] = std::max(jumps[0], std::abs(now.gap - last.gap));
       jumps[1] = std::max(jumps[1], (now.normal() - last.normal()).norm());
-      jumps[2] = std::max(jumps[2], (surface.place(now.foot, x) - surface.place(last.foot, x)).norm());
+      jumps[2] = std::max(jumps[2], (surface.position(now.foot, x) - surface.position(last.foot, x)).norm());
     }
     last = now;
     foot = now.foot;
@@ -109,7 +109,7 @@ TEST_SUITE("contact") {
     auto const x = shell.with(Vec3::Zero());
     for (auto const& point : points_in({-1, -1, -1}, {2, 2, 1}, 300)) {
       double distance2 = 0;
-      Vec3 const way = point - surface.place(surface.sample(0, point, x, distance2), x);
+      Vec3 const way = point - surface.position(surface.sample(0, point, x, distance2), x);
       CHECK(way.squaredNorm() == doctest::Approx(distance2));
       for (auto const& corner : shell.nodes)
         CHECK(way.dot(corner - (point - way)) < 1e-12);
@@ -131,7 +131,7 @@ TEST_SUITE("contact") {
           CHECK(inside(surface.facets()[ix(foot.segment)].count, k, {foot.xi, foot.eta}) > -1e-8);
         Foot const again = surface.follow(point, {(7 * found) % surface.size(), 0.2, 0.1}, x);
         REQUIRE(again.found());
-        CHECK((surface.place(again, x) - surface.place(foot, x)).norm() < 1e-9);
+        CHECK((surface.position(again, x) - surface.position(foot, x)).norm() < 1e-9);
       }
     }
   }
@@ -225,15 +225,15 @@ TEST_SUITE("contact") {
         CAPTURE(point.transpose());
         auto const k = kinematics(surface, shell.free_node(), {}, {}, x);
         REQUIRE(k.found);
-        CHECK((surface.place(k.foot, x) - nearest).norm() < 1e-9);
+        CHECK((surface.position(k.foot, x) - nearest).norm() < 1e-9);
         CHECK(k.gap == doctest::Approx(distance));
         CHECK((k.normal() - (point - nearest) / distance).norm() < 1e-9);
         for (int f = 0; f < surface.size(); f += 5) {
           Foot const other = surface.follow(point, {f, 0.2, 0.2}, x);
-          bool const through = other.found() && (surface.place(other, x) - point).norm() > 1.5;
+          bool const through = other.found() && (surface.position(other, x) - point).norm() > 1.5;
           if (!through) { // a side seen from behind keeps its point: it may have gone through
             REQUIRE(other.found());
-            CHECK((surface.place(other, x) - nearest).norm() < 1e-9);
+            CHECK((surface.position(other, x) - nearest).norm() < 1e-9);
           }
         }
       }
@@ -251,7 +251,7 @@ TEST_SUITE("contact") {
         Vec3 const nearest = point.cwiseMax(-1).cwiseMin(1), d = point - nearest;
         auto const k = kinematics(surface, shell.free_node(), {}, {}, shell.with(point));
         REQUIRE(k.found);
-        CHECK((surface.place(k.foot, shell.with(point)) - nearest).norm() < 1e-12);
+        CHECK((surface.position(k.foot, shell.with(point)) - nearest).norm() < 1e-12);
         CHECK(k.gap == doctest::Approx(-d.norm()));
         CHECK((k.normal() + d.normalized()).norm() < 1e-12);
       }

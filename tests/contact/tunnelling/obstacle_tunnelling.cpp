@@ -20,7 +20,7 @@ template<int D> struct Trip {
 
 template<int D> bool through(Obstacle const& shape, Trip<D> const& trip) {
   Pose<D> first, last;
-  last.place = trip.shift;
+  last.position = trip.shift;
   last.rotation =
       Eigen::AngleAxisd(trip.turn, Vec3::UnitZ()).toRotationMatrix().template topLeftCorner<D, D>();
   return passes<D>(shape, {trip.a, trip.b, first, last}, {reach, trip.held, {}, {}});

@@ -8,7 +8,7 @@ using namespace stiction::contact;
 
 namespace {
 
-/// A panel at rest or moved, and a node that goes from one place to another. [D nodes]
+/// A panel at rest or moved, and a node that goes from one position to another. [D nodes]
 template<int D> bool goes_through(Panel<D> const& panel, std::vector<double> from, std::vector<double> to) {
   return passes<D>({panel}, D, {from, to});
 }

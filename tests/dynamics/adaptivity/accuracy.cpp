@@ -52,11 +52,11 @@ struct Compared {
   StepError real, estimate;
 };
 
-double mean_square(dynamics::BulkSystem const& structure, Vector const& u) {
-  if (structure.mass().values.empty())
+double mean_square(dynamics::BulkSystem const& bulk, Vector const& u) {
+  if (bulk.mass().values.empty())
     return 0;
   Vector momentum;
-  structure.mass().times(u, momentum);
+  bulk.mass().times(u, momentum);
   return u.dot(momentum);
 }
 
@@ -73,19 +73,19 @@ Compared compare(test::Input const& table, double dt, int steps) {
   auto const scene = scene::build(table);
   scene.model->control.force_tolerance = 1e-10;
   dynamics::Stepper stepper(*scene.model);
-  History history(stepper.structure(), *scene.model);
+  History history(stepper.bulk(), *scene.model);
   double scale = 0;
   auto const before = test::march(stepper, stepper.initial(), dt, steps,
                                   [&](test::State const& old, test::State const& next) {
                                     history.accept(old, next, 0);
-                                    scale = std::max(scale, mean_square(stepper.structure(), next.u));
+                                    scale = std::max(scale, mean_square(stepper.bulk(), next.u));
                                   });
   auto const once = test::march(stepper, before, dt, 1), fine = test::march(stepper, before, dt / 64, 64);
-  scale = std::max(scale, mean_square(stepper.structure(), once.u));
+  scale = std::max(scale, mean_square(stepper.bulk(), once.u));
   Compared result;
   result.estimate = history.error(before, once);
   if (scale > 0)
-    result.real.displacement = std::sqrt(mean_square(stepper.structure(), once.u - fine.u) / scale);
+    result.real.displacement = std::sqrt(mean_square(stepper.bulk(), once.u - fine.u) / scale);
   result.real.bond = bond_distance(once, fine);
   return result;
 }
@@ -152,7 +152,7 @@ TEST_CASE(
     auto const scene = scene::build(peeled(0.5));
     scene.model->control.force_tolerance = 1e-10;
     dynamics::Stepper stepper(*scene.model);
-    History history(stepper.structure(), *scene.model);
+    History history(stepper.bulk(), *scene.model);
     auto state = stepper.initial();
     for (int k = 0; k < steps; ++k) {
       auto outcome = stepper.step(state, 0.8 / steps);
@@ -183,7 +183,7 @@ TEST_CASE("of two points that touch within a step the one that does so first is 
   for (std::size_t const first : {0, 1}) {
     auto const scene = scene::build(test::foot_on_floor());
     dynamics::Stepper stepper(*scene.model);
-    History history(stepper.structure(), *scene.model);
+    History history(stepper.bulk(), *scene.model);
     auto before = stepper.initial();
     auto old = before, next = before;
     old.t = 1, next.t = 2;

@@ -33,7 +33,7 @@ TEST_CASE("a slab on the floor is where it is whether or not its sides might tou
     CAPTURE(large);
     auto const scene = scene::build(slab(large));
     dynamics::Stepper stepper(*scene.model);
-    auto const& factor = stepper.structure().factor();
+    auto const& factor = stepper.bulk().factor();
     auto const surface = static_cast<double>(factor.surface());
     CHECK((factor.surface_numbers() < surface * surface) == large); // nothing dense
     ends.push_back(test::march(stepper, stepper.initial(), 0.5, 3).u);

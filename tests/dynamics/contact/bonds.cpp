@@ -23,7 +23,7 @@ struct Travel {
 };
 
 /// Drags one contact point over a fixed half disc of radius 5 m from the crown by 0.7 rad; arc is the exact
-/// length between its first and last place.
+/// length between its first and last position.
 Travel drag_over_arc(double size, int steps) {
   double const radius = 5, angle = 0.7;
   auto table = test::make("scene");
@@ -53,8 +53,8 @@ Travel drag_over_arc(double size, int steps) {
   auto const state = test::march(stepper, stepper.initial(), 1.0 / steps, steps);
   auto const& point = state.contacts[0][0];
   CHECK(std::abs(point.gap) < 1e-9);
-  test::Vec2 const place = scene.model->reference.row(tip).transpose() + state.u.segment<2>(2 * tip);
-  return {point.path[0], point.bond.stretch[0], radius * std::atan2(place.x(), place.y() + radius)};
+  test::Vec2 const position = scene.model->reference.row(tip).transpose() + state.u.segment<2>(2 * tip);
+  return {point.path[0], point.bond.stretch[0], radius * std::atan2(position.x(), position.y() + radius)};
 }
 
 } // namespace

@@ -115,20 +115,20 @@ TEST_CASE("a quasi-static scene without loads holds no mass and one without damp
   auto table = narrow_on_wide(true);
   auto const still = scene::build(table);
   dynamics::Stepper lean(*still.model);
-  CHECK(lean.structure().mass().values.empty());
-  CHECK_FALSE(lean.structure().damped());
+  CHECK(lean.bulk().mass().values.empty());
+  CHECK_FALSE(lean.bulk().damped());
   auto const state = test::march(lean, lean.initial(), 0.1, 2);
   CHECK(state.damping.size() == 0);
   CHECK(state.ledger.kinetic == 0);
   test::at(table, "scheme") = test::theta_xi(1, 1);
   auto const moving = scene::build(table);
   dynamics::Stepper stepper(*moving.model);
-  CHECK_FALSE(stepper.structure().mass().values.empty());
+  CHECK_FALSE(stepper.bulk().mass().values.empty());
   CHECK(test::march(stepper, stepper.initial(), 0.1, 2).damping.size() == 0);
   test::at(table, "bodies.upper.damping") =
       test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(3, "Pa s")}});
   auto const viscous = scene::build(table);
   dynamics::Stepper damped(*viscous.model);
-  CHECK(damped.structure().damped());
+  CHECK(damped.bulk().damped());
   CHECK(test::march(damped, damped.initial(), 0.1, 2).damping.size() == viscous.model->dofs());
 }

@@ -96,7 +96,7 @@ template<int D> Bent<D> slid(Bent<D> bent, double way) {
   return bent;
 }
 
-template<int D> Vec<D> place(std::vector<double> const& x, Index node) {
+template<int D> Vec<D> position(std::vector<double> const& x, Index node) {
   return Eigen::Map<Vec<D> const>(&x[ix(D * node)]);
 }
 
@@ -122,7 +122,7 @@ template<int D> void check_balance(Bent<D> const& bent) {
       for (int k = 0; k < point.count; ++k) {
         contact::Vec3 f = contact::Vec3::Zero(), at = contact::Vec3::Zero();
         f.head<D>() = point.H.template block<1, D>(row, D * k).transpose();
-        at.head<D>() = place<D>(bent.x, point.nodes[ix(k)]);
+        at.head<D>() = position<D>(bent.x, point.nodes[ix(k)]);
         force += f;
         moment += at.cross(f);
       }
@@ -137,7 +137,7 @@ template<int D> void check_rigid_motion(Bent<D> const& bent) {
   turn.template topLeftCorner<2, 2>() = Eigen::Rotation2Dd(0.9).toRotationMatrix();
   std::vector<double> y = bent.x;
   for (std::size_t i = 0; i < y.size(); i += D) {
-    Vec<D> const to = turn * place<D>(bent.x, static_cast<Index>(i / D)) + Vec<D>::Constant(2);
+    Vec<D> const to = turn * position<D>(bent.x, static_cast<Index>(i / D)) + Vec<D>::Constant(2);
     std::copy(to.data(), to.data() + D, &y[i]);
   }
   auto other = bent.mortar;
@@ -218,7 +218,7 @@ TEST_CASE("mortar: a point's foot and frame are those of what it stands for most
     auto const& lower = std::get<contact::CellSurface>(bent.pair->primary);
     Vec<2> const foot = lower.positions<2>(point.foot.segment, bent.x) *
                         contact::facet_shape(lower.facet(point.foot.segment).kind, {point.foot.xi, 0}).N;
-    CHECK(std::abs(foot.x() - place<2>(bent.x, bent.pair->secondary[ix(i)]).x()) < 0.4 * cell);
+    CHECK(std::abs(foot.x() - position<2>(bent.x, bent.pair->secondary[ix(i)]).x()) < 0.4 * cell);
   }
 }
 

@@ -71,7 +71,7 @@ void lead(scene::Scene& scene, Index node, int component, double value) {
 /// The pressure wanted at X, Pa.
 using Pressure = std::function<double(contact::Vec3 const&)>;
 
-contact::Vec3 place(scene::Scene const& scene, Index node) {
+contact::Vec3 position(scene::Scene const& scene, Index node) {
   contact::Vec3 X = contact::Vec3::Zero();
   X.head(scene.model->dim()) = scene.model->reference.row(node).transpose();
   return X;
@@ -81,7 +81,7 @@ contact::Vec3 place(scene::Scene const& scene, Index node) {
 test::State press_layer(scene::Scene& scene, Pressure const& pressure) {
   int const last = scene.model->dim() - 1;
   for (Index node = 0; node < scene.model->first_node.back(); ++node) {
-    auto const X = place(scene, node);
+    auto const X = position(scene, node);
     for (int c = 0; c < last; ++c)
       lead(scene, node, c, 0);
     if (X[last] > 0)
@@ -96,7 +96,7 @@ test::State press_layer(scene::Scene& scene, Pressure const& pressure) {
 template<class Check> void each_point(scene::Scene const& scene, test::State const& state, Check&& check) {
   auto const& pair = scene.model->pairs[0];
   for (std::size_t i = 0; i < pair.secondary.size(); ++i)
-    check(place(scene, pair.secondary[i]), state.contacts[0][i]);
+    check(position(scene, pair.secondary[i]), state.contacts[0][i]);
 }
 
 /// Areas sum to the sole's, tractions times areas to the force on it.
@@ -209,7 +209,7 @@ TEST_CASE("pressures: areas are the integrals of the points' functions") {
     auto const state = press_layer(scene, [](auto const&) { return 10.0; });
     auto const& pair = scene.model->pairs[0];
     for (std::size_t i = 0; i < pair.areas.size(); ++i) {
-      auto const X = place(scene, pair.secondary[i]);
+      auto const X = position(scene, pair.secondary[i]);
       INFO("at ", X.x(), " ", X.y());
       double const expected =
           stands_for(c, X.x(), width / 3) * (c.space() ? stands_for(c, X.y(), width / 2) : 1);
@@ -231,7 +231,7 @@ TEST_CASE("pressures: under a bent block quadratic cells read the linear pressur
     contact::Vec3 const slope(0.003, c.space() ? 0.002 : 0, 0);
     auto const strain = [&](contact::Vec3 const& X) { return 0.01 + slope.dot(X) - slope[last] * X[last]; };
     for (Index node = 0; node < scene.model->first_node.back(); ++node) {
-      auto const X = place(scene, node);
+      auto const X = position(scene, node);
       if (X[last] < 1 - 1e-9)
         continue;
       for (int k = 0; k < last; ++k)
@@ -258,7 +258,7 @@ TEST_CASE("pressures: friction and bonds act on the traction that is read, at ev
     auto scene = released(table);
     int const last = scene.model->dim() - 1;
     for (Index node = 0; node < scene.model->first_node.back(); ++node) {
-      auto const X = place(scene, node);
+      auto const X = position(scene, node);
       for (int k = 0; k < last; ++k)
         lead(scene, node, k, k == 0 ? 0.06 : 0.08);
       if (X[last] > 0)

@@ -69,14 +69,14 @@ TEST_CASE("the arms of a U squeezed together touch and balance and do not go thr
       });
   CHECK(first > 0.25); // the arms are 0.3 m from their middle
   CHECK(first < 0.32);
-  double pushed = 0;
+  double reacted = 0;
   Vec2 sum = Vec2::Zero();
   for (Index i = 0; i < scene.model->node_count(); ++i) {
     sum += closed.reaction.segment<2>(2 * i);
-    pushed += closed.reaction.segment<2>(2 * i).norm();
+    reacted += closed.reaction.segment<2>(2 * i).norm();
   }
-  CHECK(pushed > 1);
-  CHECK(sum.norm() < 1e-12 * pushed);
+  CHECK(reacted > 1);
+  CHECK(sum.norm() < 1e-12 * reacted);
   int touching = 0;
   for (auto const& point : closed.contacts[0]) {
     if (point.foot.found())

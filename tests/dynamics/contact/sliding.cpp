@@ -19,7 +19,7 @@ double mean_x(dynamics::Stepper const& stepper, Vector const& values) {
   Vector weighted, ones = Vector::Zero(values.size());
   for (Eigen::Index i = 0; i < ones.size(); i += 2)
     ones[i] = 1;
-  stepper.structure().mass().times(ones, weighted);
+  stepper.bulk().mass().times(ones, weighted);
   return values.dot(weighted) / ones.dot(weighted);
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("each body keeps its mass and its weight whatever the inertia of conta
       CHECK(mass_of(*scene.model, mass, 1) == doctest::Approx(3).epsilon(1e-12));
       test::Vec2 weight = test::Vec2::Zero();
       for (Index i = 0; i < scene.model->node_count(); ++i)
-        weight += mass.weight.segment<2>(2 * i);
+        weight += mass.dead_load.segment<2>(2 * i);
       CHECK(weight.x() == doctest::Approx(5 * 0.5));
       CHECK(weight.y() == doctest::Approx(5 * -10));
     }

@@ -153,7 +153,7 @@ TEST_CASE("a dropped disc takes the momentum that its weight and the reaction gi
   auto const& ball = scene.model->rigids[0];
   double const dt = 1e-3;
   double worst = 0, hardest = 0, loss = -1;
-  Index const place = 2 * ball.node;
+  Index const first = 2 * ball.node;
   auto const end = test::march(
       stepper, stepper.initial(), dt, 100, [&](test::State const& before, test::State const& after) {
         Vec3 const reaction = test::contact_on(scene, after);
@@ -166,10 +166,10 @@ TEST_CASE("a dropped disc takes the momentum that its weight and the reaction gi
         for (Index const node : scene.model->pairs[0].secondary) {
           test::Vec2 const arm = scene.model->reference.row(node).transpose() + after.u.segment<2>(2 * node) -
                                  scene.model->reference.row(ball.node).transpose() -
-                                 after.u.segment<2>(place);
+                                 after.u.segment<2>(first);
           moment -= arm.x() * after.reaction[2 * node + 1] - arm.y() * after.reaction[2 * node];
         }
-        double const spun = after.v[place + 2] - before.v[place + 2];
+        double const spun = after.v[first + 2] - before.v[first + 2];
         worst = std::max(worst, std::abs(0.5 * spun / dt - moment));
         if (reaction.isZero(0) && loss < 0) // backward Euler loses m (g dt)^2 / 2 a step in free flight
           CHECK(after.ledger.scheme_loss() - before.ledger.scheme_loss() ==
@@ -180,7 +180,7 @@ TEST_CASE("a dropped disc takes the momentum that its weight and the reaction gi
   CHECK(hardest > 20);
   CHECK(worst < 1e-6 * hardest);
   double const before_impact = std::sqrt(2 * gravity * 0.02);
-  CHECK(std::abs(end.v[place + 1]) < before_impact);
+  CHECK(std::abs(end.v[first + 1]) < before_impact);
   CHECK(end.ledger.friction_loss >= 0);
   CHECK(end.ledger.scheme_loss() > 0);
   CHECK(end.ledger.start == doctest::Approx(0.5 * 0.3 * 0.3));

@@ -160,7 +160,7 @@ TEST_CASE("central differences turn the phase as their formula says and keep the
     });
     CHECK(stepper.cost().stiffness_passes == 0);
     CHECK(stepper.cost().factorizations == 1);
-    CHECK(stepper.structure().factor().pattern().entries() == stepper.structure().unknowns());
+    CHECK(stepper.bulk().factor().pattern().entries() == stepper.bulk().unknowns());
     CHECK(stepper.cost().force_passes == 200);
   }
 }
@@ -215,8 +215,8 @@ TEST_CASE("theta = xi loses (theta - 1/2) (dv M dv + du K du) in each step") {
     auto const end =
         test::march(stepper, start, 0.1, 40, [&](test::State const& old, test::State const& next) {
           Vector const dv = next.v - old.v, du = next.u - old.u;
-          stepper.structure().mass().times(dv, inertia);
-          static_cast<void>(stepper.structure().internal_force(du, force));
+          stepper.bulk().mass().times(dv, inertia);
+          static_cast<void>(stepper.bulk().internal_force(du, force));
           lost += (sample.theta - 0.5) * (dv.dot(inertia) + du.dot(force));
         });
     CHECK(lost > 0.01 * start.ledger.start);

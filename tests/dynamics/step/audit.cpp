@@ -69,13 +69,13 @@ double quadratic_loss(SchemeSample const& s, test::Stepper& stepper, test::State
   double const dt = next.t - old.t;
   Vector const d = next.u - old.u, dv = next.v - old.v;
   Vector Mdv, Kd;
-  stepper.structure().mass().times(dv, Mdv);
-  static_cast<void>(stepper.structure().internal_force(d, Kd));
+  stepper.bulk().mass().times(dv, Mdv);
+  static_cast<void>(stepper.bulk().internal_force(d, Kd));
   if (s.theta > 0)
     return (s.theta - 0.5) * dv.dot(Mdv) + (s.xi - 0.5) * d.dot(Kd);
   Vector const da = next.a - old.a;
   Vector Mda;
-  stepper.structure().mass().times(da, Mda);
+  stepper.bulk().mass().times(da, Mda);
   return dt * (s.beta - 0.5 * s.gamma) * da.dot(Mdv) + (0.5 - s.alpha_f) * d.dot(Kd) -
          (s.alpha_m + s.gamma - 1) * d.dot(Mda);
 }

@@ -28,13 +28,13 @@ TEST_CASE("the first acceleration is that of the balance: held nodes have none a
     for (int c = 0; c < 2; ++c)
       CHECK(start.a[2 * node + c] == 0);
   Vector inertia;
-  auto const& mass = stepper.structure().mass();
+  auto const& mass = stepper.bulk().mass();
   mass.times(start.a, inertia);
   auto const held = test::nodes_of(scene, "foot.bottom");
   for (Index node = 0; node < scene.model->node_count(); ++node)
     if (std::ranges::find(held, node) == held.end())
       for (int c = 0; c < 2; ++c)
-        CHECK(inertia[2 * node + c] == doctest::Approx(mass.weight[2 * node + c]).epsilon(1e-9));
+        CHECK(inertia[2 * node + c] == doctest::Approx(mass.dead_load[2 * node + c]).epsilon(1e-9));
 }
 
 TEST_CASE("the ledger starts with the motion and the bonds there are") {
@@ -66,7 +66,7 @@ TEST_CASE("the work of a run holds that of its factorizations") {
   auto const scene = scene::build(table);
   dynamics::Stepper stepper(*scene.model);
   test::march(stepper, stepper.initial(), 0.25, 1);
-  double const each = stepper.structure().effort().operations;
+  double const each = stepper.bulk().effort().operations;
   auto const& cost = stepper.cost();
   REQUIRE(cost.factorizations > 0);
   REQUIRE(cost.compliance_operations > each); // nearly all that is unknown lies on the surface

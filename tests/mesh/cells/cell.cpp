@@ -231,7 +231,7 @@ TEST_SUITE("mesh") {
     }
   }
 
-  TEST_CASE("facets of solid cells face outwards: the flux of the place over three is the volume") {
+  TEST_CASE("facets of solid cells face outwards: the flux of the position over three is the volume") {
     for (auto const& cell : cell_table(3))
       for (bool const bent : {false, true}) {
         CAPTURE(cell.name);

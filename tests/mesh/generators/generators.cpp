@@ -27,7 +27,7 @@ HalfDiscOptions disc(double size, CellKind kind = CellKind::quad4, double gradin
   return {.centre = {0, 0}, .radius = 5e-3, .size = size, .grading = grading, .kind = kind};
 }
 
-/// Node at exactly this place, or -1.
+/// Node at exactly this position, or -1.
 Index node_at(Mesh const& mesh, double x, double y) {
   for (Index i = 0; i < mesh.node_count(); ++i)
     if (mesh.nodes(i, 0) == x && mesh.nodes(i, 1) == y)

@@ -55,10 +55,10 @@ void check_sets(Mesh const& mesh) {
   CHECK_NOTHROW(check_surface(mesh, {{}, whole}, "whole boundary"));
 }
 
-/// Node at exactly this place, or -1.
-Index node_at(Mesh const& mesh, Eigen::RowVector3d const& place) {
+/// Node at exactly this position, or -1.
+Index node_at(Mesh const& mesh, Eigen::RowVector3d const& position) {
   for (Index i = 0; i < mesh.node_count(); ++i)
-    if (mesh.nodes.row(i) == place)
+    if (mesh.nodes.row(i) == position)
       return i;
   return -1;
 }

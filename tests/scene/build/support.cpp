@@ -51,10 +51,10 @@ dynamics::State end_of(dynamics::Model const& model, std::vector<double> const& 
   return state;
 }
 
-/// Displacement of the node of foot.top nearest to a place.
+/// Displacement of the node of foot.top nearest to a point.
 double moved(scene::Scene const& scene, dynamics::State const& state, int component,
-             std::vector<double> const& place) {
-  Index const node = scene.nearest(*scene.nodes_of("foot.top"), place);
+             std::vector<double> const& point) {
+  Index const node = scene.nearest(*scene.nodes_of("foot.top"), point);
   return state.u[scene.model->dim() * node + component];
 }
 

@@ -130,10 +130,10 @@ test::Input full_table() {
 
 /// Mean x of the nodes of four columns between 0 and 1 m whose last is so many times wider than the first.
 double graded_mean(double grading) {
-  double place = 0, sum = 0, width = 1;
+  double position = 0, sum = 0, width = 1;
   for (int k = 0; k < 4; ++k, width *= std::cbrt(grading))
-    sum += place += width;
-  return sum / (5 * place);
+    sum += position += width;
+  return sum / (5 * position);
 }
 
 struct Case {

@@ -93,7 +93,7 @@ TEST_CASE("a free obstacle in a quasi-static run, and what only a free one has")
   check_only(table, "obstacles.floor.inertia", {"mass"});
 }
 
-TEST_CASE("a probe of an unknown pair, set or place") {
+TEST_CASE("a probe of an unknown pair, set or point") {
   auto table = test::foot_on_floor();
   test::at(table, "probes.tip") = test::make("probe.contact", {{"pair", test::text("soul")}});
   check_only(table, "probes.tip.pair", {"\"soul\"", "did you mean \"sole\""});
