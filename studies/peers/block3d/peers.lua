@@ -25,8 +25,8 @@ return {
     pair(getfem, "largest", 32, { 290, 1291.5, 58806, 49 }, { 181.773956, 31.235582, 180.423175 }, 1e-4),
   },
   counts = {
-    { set = { cells = 8 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 60 } },
-    { set = { cells = 16 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 66 } },
-    { set = { cells = 24 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 70 } },
+    { set = { cells = 8 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 380, work = 1.399e8 } },
+    { set = { cells = 16 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 553, work = 4.531e9 } },
+    { set = { cells = 24 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 710, work = 2.991e10 } },
   },
 }
