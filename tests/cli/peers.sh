@@ -13,7 +13,7 @@ expect 0 "block3d cells=8, CalculiX: its stored results|GetFEM (stored)|press|al
 holds "peers.csv" grep -q "^block3d,cells=8,GetFEM,true,drag,N,31.8" out/peers/peers.csv
 holds "peers.json" grep -q '"agrees": true' out/peers/peers.json
 holds "the case's own output" [ -s out/peers/block3d_cells_8/cells8/manifest.json ]
-expect 0 "Siconos NSN_AC_HYB (stored)|error|energy" "$stiction" peers friction --quick --stored --out other
+expect 0 "Siconos NSN_AC_HYB (stored)|error|energy" "$stiction" peers friction_problems --quick --stored --out other
 mkdir empty
-expect 1 "p01_flat_nc49: no answer|there is no file" "$stiction" peers friction --quick --stored --problems empty --out missing
+expect 1 "p01_flat_nc49: no answer|there is no file" "$stiction" peers friction_problems --quick --stored --problems empty --out missing
 finish

@@ -97,7 +97,7 @@ test("an error above the bound of a friction problem is none that agrees", funct
     own.results.error = 2e-8
     return own
   end
-  equal(run({ is_there = none, ours = off }, { cases = { "friction" } }), 1)
+  equal(run({ is_there = none, ours = off }, { cases = { "friction_problems" } }), 1)
 end)
 
 test("counts may grow by a tenth and no more, and only those of the case's own parameters", function()

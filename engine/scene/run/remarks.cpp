@@ -66,7 +66,8 @@ void Remarks::seek_beneath(dynamics::State const& state) {
           "at t = {}, {} came in past a border of its counterpart's surface and lies {} beneath it, where no "
           "contact holds it: let the primary go on round the corner, or make the finer side the secondary "
           "one",
-          human(state.t, "s"), words_of(*scene_, pair, lost - points.begin()), human(-lost->gap, "m"));
+          human(state.t, "s"), words_of(*scene_, pair, static_cast<Index>(lost - points.begin())),
+          human(-lost->gap, "m"));
     return;
   }
 }

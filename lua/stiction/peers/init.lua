@@ -8,7 +8,7 @@ local record = require "stiction.peers.record"
 local report = require "stiction.report"
 local side = require "stiction.peers.side"
 
-local cases = { "block3d", "slide2d", "friction" }
+local cases = { "block3d", "slide2d", "friction_problems" }
 local sizes = { "small", "medium", "large", "largest" }
 
 local function index(list, word)

@@ -5,8 +5,8 @@
 -- problems/ holds /W_upper_packed (row by row, from the diagonal on), /q and /mu; mean diagonal of W and largest q are 1.
 -- `seconds` is processor time of the solver alone, from no forces.
 --
---     ./stiction run studies/peers/friction
---     ./stiction peers friction
+--     ./stiction run studies/peers/friction_problems
+--     ./stiction peers friction_problems
 local stiction = require "stiction"
 local checks = require "../common/checks.lua"
 local known = require "peers"
