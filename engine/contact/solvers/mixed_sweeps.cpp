@@ -31,23 +31,26 @@ public:
 
   Solution run(double tolerance, long most) {
     Solution solution;
-    double refine_at = std::numeric_limits<double>::infinity(), least = refine_at, halved = refine_at;
+    Vector const first = p_;
+    double refine_at = std::numeric_limits<double>::infinity(), least = refine_at, halved = refine_at,
+           target = tolerance;
     for (long since = 0; solution.iterations < most && since < enough_sweeps; ++since) {
       double const change = sweep();
       ++solution.iterations;
       if (!std::isfinite(change))
         break;
-      if (change <= tolerance || change < refine_at) {
+      if (change <= target || change < refine_at) {
         x_ = displacement(problem_, p_);
         solution.work += 1;
         forget();
         refine_at = refined * change;
       }
-      if (change <= tolerance) {
+      if (change <= target) {
         solution.verdict = judge(problem_, p_);
         solution.work += 1;
         if ((solution.converged = solution.verdict.relative() <= tolerance))
           break;
+        target *= 0.3;
       }
       if (change > astray * least)
         forget();
@@ -60,8 +63,11 @@ public:
     }
     solution.work += static_cast<double>(solution.iterations);
     solution.force = p_;
-    if (!solution.converged)
-      solution.verdict = judge(problem_, p_);
+    if (solution.converged)
+      return solution;
+    bool const sound = last_force_.size() > 0 && last_force_.allFinite();
+    solution.force = sound ? last_force_ : first; // of a sweep, not of a mixture
+    solution.verdict = judge(problem_, solution.force);
     return solution;
   }
 

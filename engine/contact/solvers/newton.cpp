@@ -17,7 +17,7 @@ constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; b
 constexpr int refinements = 3;
 constexpr long many = 60;     // rows, from which on sweeps come first
 constexpr int quick = 12;     // iterations, before what is sure takes over
-constexpr int proximals = 15; // in which the residual has to halve
+constexpr int proximals = 8;  // in which the residual has to halve
 constexpr int pivotings = 12; // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
@@ -361,7 +361,9 @@ private:
 
 core::Schema const& BipotentialNewton::schema() {
   static auto const made =
-      core::Describe<BipotentialNewton>{"newton", "bi-potential Newton (semismooth), all points at once",
+      core::Describe<BipotentialNewton>{"newton",
+                                        "bi-potential Newton (semismooth), all points at once; after mixed "
+                                        "sweeps where many without bonds touch",
                                         "(27)-(29)"}
           .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-16, 1, false, true},
                   core::Need::optional, "natural-map residual over the largest traction")
