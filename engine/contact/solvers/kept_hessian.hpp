@@ -19,7 +19,7 @@ public:
   explicit KeptHessian(Dense const& F)
       : F_(&F), normal_(F(Eigen::seqN(0, F.rows() / D, D), Eigen::all)),
         widths_(ix(static_cast<Index>(normal_.rows()))) {
-    for (std::size_t i = 0; i < widths_.size(); ++i) {
+    for (std::size_t i = 0; F.cols() > 0 && i < widths_.size(); ++i) {
       auto& width = widths_[i] = static_cast<Index>(F.cols());
       auto const rows = F.template middleRows<D>(D * static_cast<Index>(i));
       while (width > 0 && rows.col(width - 1).isZero(0))
@@ -55,7 +55,7 @@ private:
   [[nodiscard]] Dense assemble(Blocks const& K) const {
     constexpr std::size_t block = 32;
     Dense H = Dense::Identity(F_->cols(), F_->cols()), scaled;
-    for (std::size_t from = 0; from < K.size(); from += block) {
+    for (std::size_t from = 0; F_->cols() > 0 && from < K.size(); from += block) {
       std::size_t const end = std::min(from + block, K.size());
       Index const width = *std::max_element(widths_.begin() + static_cast<long>(from),
                                             widths_.begin() + static_cast<long>(end));
