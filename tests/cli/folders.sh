@@ -68,9 +68,11 @@ holds "after a kill: $(cat second)" cmp -s right got
 if command -v flock >/dev/null; then
   expect 2 "busy is in use by another process" flock busy/.lock "$stiction" run drag --out busy --no-figures
   # one that has only just taken it and not yet said who it is
-  flock busy/.lock sh -c 'echo >taken; sleep 0.4; printf "%s %s\nnow\nsome run\n" $$ "$(hostname)" >busy/.lock; sleep 3' &
+  flock busy/.lock sh -c 'echo >taken; sleep 0.3; printf "%s %s\nnow\nsome run\n" $$ "$(hostname)" >busy/.lock
+    for _ in $(seq 600); do [ -e over ] && break; sleep 0.1; done' &
   appears taken
   expect 2 "busy is in use by 'some run' (process |, since now)" "$stiction" run drag --out busy --no-figures
+  : >over
   wait $!
 fi
 
