@@ -125,23 +125,23 @@ private:
       Index const at = next_++ % memory;
       changes_.col(at) = change - last_change_;
       forces_.col(at) = p_ - last_force_;
-      places_.col(at) = x_ - last_place_;
+      displacements_.col(at) = x_ - last_x_;
       kept_ = std::min(kept_ + 1, memory);
     } else {
       changes_.resize(p_.size(), memory);
       forces_.resize(p_.size(), memory);
-      places_.resize(p_.size(), memory);
+      displacements_.resize(p_.size(), memory);
       next_ = 0;
     }
     has_last_ = true;
     last_change_ = change;
     last_force_ = p_;
-    last_place_ = x_;
+    last_x_ = x_;
     if (kept_ == 0)
       return;
     Vector const part = changes_.leftCols(kept_).colPivHouseholderQr().solve(change);
     p_ -= forces_.leftCols(kept_) * part;
-    x_ -= places_.leftCols(kept_) * part;
+    x_ -= displacements_.leftCols(kept_) * part;
   }
 
   Problem const& problem_;
@@ -152,8 +152,8 @@ private:
   double yardstick_ = 0;  ///< Pa
   bool has_last_ = false;
   Index kept_ = 0, next_ = 0;
-  Dense changes_, forces_, places_; ///< differences of successive sweeps, [dim n, memory]
-  Vector last_change_, last_force_, last_place_;
+  Dense changes_, forces_, displacements_; ///< differences of successive sweeps, [dim n, memory]
+  Vector last_change_, last_force_, last_x_;
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
@@ -134,6 +135,13 @@ private:
   double merit_ = 0, work_ = 0;
 };
 
+/// Is the symmetric part positive semi-definite, but for `least`?
+bool monotone(Dense const& W, double least) {
+  Dense symmetric = 0.5 * (W + W.transpose());
+  symmetric.diagonal().array() += least;
+  return Eigen::LLT<Dense>(symmetric).info() == Eigen::Success;
+}
+
 /// What Newton may do where it stagnates; hand_over: where it is slow, too.
 enum class Stuck { give_up, hand_over, sweep };
 
@@ -161,7 +169,7 @@ private:
     if (static_cast<long>(problem.free.size()) < many || !plain(problem))
       return {};
     auto solution = sweep_and_polish(problem, guess, settings_.tolerance);
-    return solution.converged ? solution : proximal(problem, std::move(solution));
+    return proximal(problem, std::move(solution));
   }
 
   [[nodiscard]] Solution sweep_and_polish(Problem const& problem, Vector const& guess, double tolerance) {
@@ -172,13 +180,18 @@ private:
   }
 
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
+  /// It goes there where W takes no energy from any forces.
   [[nodiscard]] Solution proximal(Problem const& problem, Solution solution) {
+    Dense const& W = problem.W.dense();
+    double const mean = W.diagonal().mean();
+    if (solution.converged || !monotone(W, 1e-10 * mean))
+      return solution;
     Problem nearby = problem;
-    Vector const diagonal = problem.W.dense().diagonal();
-    double part = 0.1 * diagonal.mean();
+    nearby.W = W;
+    double part = 0.1 * mean;
     double halved = solution.verdict.residual;
-    for (int idle = 0; idle < proximals && !solution.converged && part > 0; ++idle) {
-      nearby.W.entries().diagonal() = (diagonal.array() + part).matrix();
+    for (int idle = 0; idle < proximals && !solution.converged; ++idle) {
+      nearby.W.entries().diagonal() = (W.diagonal().array() + part).matrix();
       nearby.free = problem.free - part * solution.force;
       double const close = std::max(settings_.tolerance, 1e-2 * solution.verdict.relative());
       auto const inner = sweep_and_polish(nearby, solution.force, close);

@@ -23,9 +23,9 @@ private:
   double length_ = 0;
 };
 
-/// Depths, in parts of a pair's reach: less is not told from lying on the surface, more is no contact any
-/// longer.
-inline constexpr double least_depth = 0.1, most_depth = 6;
+/// Depths, in parts of a pair's reach: less is not told from lying on the surface; a start, or a point that
+/// comes in past a border, may be so deep; more is no contact any longer.
+inline constexpr double least_depth = 0.1, most_overlap = 0.2, most_depth = 6;
 
 /// What contact says of the ends of a way.
 struct WayEnds {

@@ -114,7 +114,7 @@ template<int D> bool ContactGeometry<D>::beneath(PointId point, PointKinematics<
   double before = now.gap;
   for (int a = 0; a < now.count; ++a)
     before -= now.H.template block<1, D>(0, D * a).dot(moved_.segment<D>(D * now.nodes[ix(a)]));
-  return before < -0.2 * model_->pairs[ix(point.pair)].reach;
+  return before < -contact::most_overlap * model_->pairs[ix(point.pair)].reach;
 }
 
 template<int D> std::optional<double> ContactGeometry<D>::mortar_area(PointId point) const {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "contact/tunnelling/inside.hpp"
+#include "contact/tunnelling/obstacle_tunnelling.hpp"
 #include "scene/build/builder.hpp"
 
 namespace stiction::scene {
@@ -82,13 +83,14 @@ void Builder::check_overlap(dynamics::State const& state) {
       continue;
     auto const& pair = scene_.model->pairs[p];
     std::size_t deepest = 0;
-    double gap = -0.2 * pair.reach;
+    double const admitted = -contact::most_overlap * pair.reach;
+    double gap = admitted;
     for (std::size_t i = 0; i < state.contacts[p].size(); ++i)
       if (auto const& point = state.contacts[p][i]; point.foot.found() && point.gap <= gap) {
         deepest = i;
         gap = point.gap;
       }
-    if (gap == -0.2 * pair.reach)
+    if (gap == admitted)
       continue;
     auto const& part = scene_.part.pairs.at(pair.name);
     complain({"pairs", pair.name},

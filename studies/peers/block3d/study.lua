@@ -35,10 +35,6 @@ local function scene(p)
   }
 end
 
-local function force(time, component, sign)
-  return function(run) return sign * run:at(time, "sole", "force_" .. component) end
-end
-
 return stiction.study {
   title = "A block pressed onto a rigid plane and dragged",
   question = "Are the forces those of GetFEM and CalculiX on the same mesh, at no more work than before?",
@@ -50,14 +46,9 @@ return stiction.study {
   quick = { sweep = { cells = { 8 } } },
   scene = scene,
   results = {
-    { name = "press", unit = "N", meaning = "normal force once it is pressed", force(1*s, "z", 1) },
-    { name = "drag", unit = "N", meaning = "friction at the end", force(2*s, "x", -1) },
-    { name = "normal", unit = "N", meaning = "normal force at the end", force(2*s, "z", 1) },
+    { name = "press", unit = "N", meaning = "normal force once it is pressed", checks.force("sole", "z", 1*s, 1) },
+    { name = "drag", unit = "N", meaning = "friction at the end", checks.force("sole", "x", 2*s, -1) },
+    { name = "normal", unit = "N", meaning = "normal force at the end", checks.force("sole", "z", 2*s, 1) },
   },
-  check = function(cases, check)
-    for _, case in ipairs(cases) do
-      checks.results(known, case, check)
-      checks.counts(known, case, case.cost, check)
-    end
-  end,
+  check = checks.of_cases(known),
 }

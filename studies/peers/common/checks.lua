@@ -49,4 +49,19 @@ function checks.counts(known, case, taken, check)
   end
 end
 
+--- The result that a component of a probe's force has at this time.
+function checks.force(probe, component, time, sign)
+  return function(run) return sign * run:at(time, probe, "force_" .. component) end
+end
+
+--- The check of a study whose cases' own costs are counted.
+function checks.of_cases(known)
+  return function(cases, check)
+    for _, case in ipairs(cases) do
+      checks.results(known, case, check)
+      checks.counts(known, case, case.cost, check)
+    end
+  end
+end
+
 return checks

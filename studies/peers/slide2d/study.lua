@@ -48,10 +48,6 @@ local function scene(p)
   }
 end
 
-local function force(time, component, sign)
-  return function(run) return sign * run:at(time, "top", "force_" .. component) end
-end
-
 return stiction.study {
   title = "A plate pressed onto a half disc and drawn across",
   question = "Are the forces those of GetFEM and CalculiX on the same meshes, at no more work than before?",
@@ -71,14 +67,9 @@ return stiction.study {
   quick = { sweep = { { material = "blatz_ko", mu = 0.5, cells = 8 } } },
   scene = scene,
   results = {
-    { name = "press", unit = "N/mm", meaning = "normal force once it is pressed", force(1*s, "y", -1) },
-    { name = "drag", unit = "N/mm", meaning = "friction at the end", force(2*s, "x", 1) },
-    { name = "normal", unit = "N/mm", meaning = "normal force at the end", force(2*s, "y", -1) },
+    { name = "press", unit = "N/mm", meaning = "normal force once it is pressed", checks.force("top", "y", 1*s, -1) },
+    { name = "drag", unit = "N/mm", meaning = "friction at the end", checks.force("top", "x", 2*s, 1) },
+    { name = "normal", unit = "N/mm", meaning = "normal force at the end", checks.force("top", "y", 2*s, -1) },
   },
-  check = function(cases, check)
-    for _, case in ipairs(cases) do
-      checks.results(known, case, check)
-      checks.counts(known, case, case.cost, check)
-    end
-  end,
+  check = checks.of_cases(known),
 }
