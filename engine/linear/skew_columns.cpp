@@ -1,13 +1,17 @@
 // Elimination of the columns of surface unknowns with a factor of the symmetric part.
 #include "linear/skew_columns.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace stiction::linear {
 
+namespace {
+constexpr Index most = 64;  // columns made at a time: enough for matrix products, little memory
+constexpr Index group = 24; // columns solved for together: whole nodes in the plane and in space
+} // namespace
+
 bool SkewColumns::add(Cholesky& factor, std::vector<ColumnEntry> entries, Index surface) {
-  constexpr Index most = 64; // columns at a time: enough for matrix products, little memory
   entries_ = std::move(entries);
   std::ranges::stable_sort(entries_, {}, &ColumnEntry::column);
   // L_c L_c^T + B_c - S_ci S_ii^-1 B_i = L_c (L_c^T + last rows of L^-1 B)
@@ -22,26 +26,37 @@ bool SkewColumns::add(Cholesky& factor, std::vector<ColumnEntry> entries, Index 
     factor.forward(B);
     sum.middleCols(first, count) += B.bottomRows(surface);
   }
-  inverse_ = Dense(L.triangularView<Eigen::Lower>() * sum).partialPivLu().inverse();
-  return inverse_.allFinite();
+  schur_.compute(L.triangularView<Eigen::Lower>() * sum);
+  columns_.emplace(surface, group, false);
+  double const least = schur_.matrixLU().diagonal().cwiseAbs().minCoeff();
+  return least > 0 && std::isfinite(least);
+}
+
+Index SkewColumns::compliance(Indices const& used, Dense& C) {
+  auto const solve = [this](Index first, Dense& X) {
+    X.setZero();
+    X.middleRows(first, X.cols()).setIdentity();
+    X = schur_.solve(X);
+  };
+  return columns_->gather(used, solve, C);
 }
 
 Vector SkewColumns::condense(Cholesky& factor, Vector const& z) const {
-  return inverse_ * (factor.trailing_factor().triangularView<Eigen::Lower>() * z.tail(inverse_.rows()));
+  return schur_.solve(factor.trailing_factor().triangularView<Eigen::Lower>() * z.tail(schur_.rows()));
 }
 
 void SkewColumns::expand(Cholesky& factor, Vector const& surface_load, Vector& z) {
   Dense const& L = factor.trailing_factor();
-  auto const first = z.size() - inverse_.rows();
-  Vector const force = L.triangularView<Eigen::Lower>() * z.tail(inverse_.rows());
-  Vector const motion = inverse_ * (force + surface_load);
+  auto const first = z.size() - schur_.rows();
+  Vector const force = L.triangularView<Eigen::Lower>() * z.tail(schur_.rows());
+  Vector const motion = schur_.solve(force + surface_load);
   interior_.setZero(z.size());
   for (auto const& [row, column, value] : entries_)
     if (row < first)
       interior_[row] += value * motion[column];
   factor.forward(interior_);
   z.head(first) -= interior_.head(first);
-  z.tail(inverse_.rows()) = L.transpose().triangularView<Eigen::Upper>() * motion;
+  z.tail(schur_.rows()) = L.transpose().triangularView<Eigen::Upper>() * motion;
 }
 
 } // namespace stiction::linear

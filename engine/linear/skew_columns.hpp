@@ -1,7 +1,11 @@
 // Columns of surface unknowns beside a factored symmetric matrix, which make it unsymmetric.
 #pragma once
+#include <Eigen/LU>
+#include <optional>
+
 #include "linear/bulk_factor.hpp"
 #include "linear/cholesky.hpp"
+#include "linear/surface_columns.hpp"
 
 namespace stiction::linear {
 
@@ -11,8 +15,9 @@ class SkewColumns {
 public:
   /// False if S + B is singular on the surface.
   [[nodiscard]] bool add(Cholesky& factor, std::vector<ColumnEntry> entries, Index surface);
-  /// Inverse of the Schur complement of S + B onto the surface. [surface, surface]
-  [[nodiscard]] Dense const& inverse() const { return inverse_; }
+  /// C(i, j): motion of surface unknown used[i] per load on used[j]; returns how many columns that took.
+  Index compliance(Indices const& used, Dense& C);
+  [[nodiscard]] double numbers() const { return columns_->numbers(); }
   /// From z = L^-1 b the surface unknowns of (S + B)^-1 b.
   [[nodiscard]] Vector condense(Cholesky& factor, Vector const& z) const;
   /// From z = L^-1 b what L^-T makes the solution for b + surface_load; surface_load: on the surface.
@@ -20,7 +25,8 @@ public:
 
 private:
   std::vector<ColumnEntry> entries_;
-  Dense inverse_;
+  Eigen::PartialPivLU<Dense> schur_; ///< Schur complement of S + B onto the surface
+  std::optional<SurfaceColumns> columns_;
   Vector interior_;
 };
 

@@ -86,15 +86,16 @@ public:
   }
 
   void compliance(Indices const& used, Dense& C) override {
-    if (skew_)
-      C = skew_->inverse()(used, used);
-    else
-      SparseFactor::compliance(used, C);
+    if (!skew_)
+      return SparseFactor::compliance(used, C);
+    auto const n = static_cast<double>(surface());
+    Index const columns = skew_->compliance(used, C);
+    spend(columns, 2 * n * n * columns);
   }
 
   [[nodiscard]] double surface_numbers() const override {
     auto const n = static_cast<double>(surface());
-    return (skew_ ? 2 : 1) * n * n + SparseFactor::surface_numbers();
+    return (skew_ ? 2 * n * n + skew_->numbers() : n * n) + SparseFactor::surface_numbers();
   }
 
 protected:
@@ -106,7 +107,7 @@ protected:
     if (columns.empty())
       return true;
     auto const n = static_cast<double>(surface());
-    spend(surface(), (2 * effort().entries + 3 * n * n) * n);
+    spend(surface(), (2 * effort().entries + 5.0 / 3 * n * n) * n); // B, product, LU
     return skew_.emplace().add(factor(), std::move(columns), surface());
   }
   /// Rows above `first` want neither half of the solution.

@@ -2,6 +2,7 @@
 #include "linear/surface_columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace stiction::linear {
 
@@ -37,7 +38,7 @@ Index SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) 
     if (!wanted[ix(g)] || groups_[ix(g)].size() > 0)
       continue;
     Index const first = g * width_, count = std::min(width_, surface_ - first);
-    groups_[ix(g)].resize(surface_ - first, count);
+    groups_[ix(g)].resize(symmetric_ ? surface_ - first : surface_, count);
     solve(first, groups_[ix(g)]);
     columns += count;
     numbers_ += static_cast<double>(groups_[ix(g)].size());
@@ -47,12 +48,16 @@ Index SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) 
   auto const n = static_cast<Index>(used.size());
   C.resize(n, n);
   for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) { // one number for (i, j) and (j, i)
-      Index const low = std::min(used[ix(i)], used[ix(j)]), high = std::max(used[ix(i)], used[ix(j)]);
-      Index const first = low / width_ * width_;
-      C(i, j) = groups_[ix(low / width_)](high - first, low - first);
-    }
+    for (Index i = 0; i < n; ++i)
+      C(i, j) = entry(used[ix(i)], used[ix(j)]);
   return columns;
+}
+
+double SurfaceColumns::entry(Index row, Index column) const {
+  if (symmetric_ && row < column) // one number for both
+    std::swap(row, column);
+  Index const first = column / width_ * width_;
+  return groups_[ix(column / width_)](symmetric_ ? row - first : row, column - first);
 }
 
 } // namespace stiction::linear

@@ -1,4 +1,4 @@
-// Columns of a symmetric compliance between surface unknowns, kept as long as the factor they come from.
+// Columns of a compliance between surface unknowns, kept as long as the factor they come from.
 #pragma once
 #include <functional>
 #include <vector>
@@ -8,15 +8,16 @@
 namespace stiction::linear {
 
 /// Columns are solved for in groups of neighbours, the same ones whatever is asked for, so that the numbers
-/// do not depend on the order of questions. Of a group only the rows from its own first on are kept,
-/// of its own block the lower triangle.
+/// do not depend on the order of questions. Of a symmetric compliance only the rows from a group's own first
+/// on are kept, of its own block the lower triangle.
 class SurfaceColumns {
 public:
   /// width: columns of a group.
-  SurfaceColumns(Index surface, Index width)
-      : surface_(surface), width_(width), groups_(ix((surface + width - 1) / width)) {}
+  SurfaceColumns(Index surface, Index width, bool symmetric = true)
+      : surface_(surface), width_(width), symmetric_(symmetric), groups_(ix((surface + width - 1) / width)) {}
 
-  /// Rows first, first + 1, ... of as many columns from `first` on as X has; X: [surface - first, any].
+  /// As many columns from `first` on as X has, [surface, any]; of a symmetric compliance their rows from
+  /// `first` on, [surface - first, any].
   using Solve = std::function<void(Index first, Dense& X)>;
   /// C(i, j): compliance between used[i] and used[j]; returns how many columns that took.
   Index gather(Indices const& used, Solve const& solve, Dense& C);
@@ -25,8 +26,10 @@ public:
 
 private:
   void drop(std::vector<bool> const& wanted);
+  [[nodiscard]] double entry(Index row, Index column) const;
 
   Index surface_, width_;
+  bool symmetric_;
   std::vector<Dense> groups_; ///< [groups], empty if not known
   double numbers_ = 0;        ///< in all groups
 };

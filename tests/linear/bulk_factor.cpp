@@ -201,6 +201,28 @@ TEST_SUITE("linear") {
     check_against(*factor, dense(pattern, values));
   }
 
+  TEST_CASE("columns beside the matrix: its compliance, too, is solved for where it is asked for") {
+    auto const pattern = grid(12);
+    auto const factor = make_bulk_factor(pattern, 144, true);
+    auto values = values_of(pattern, 8);
+    Dense A = dense(pattern, values);
+    std::vector<ColumnEntry> columns;
+    for (Index column = 1; column < 144; column += 2) {
+      columns.push_back({143 - column, column, 0.2});
+      A(143 - column, column) += 0.2;
+    }
+    REQUIRE(factor->factorize(values, columns));
+    Dense const inverse = A.inverse();
+    (void)factor->spent();
+    Dense C;
+    for (Indices const& used : {Indices{130, 125, 141}, Indices{141, 3, 125}}) {
+      factor->compliance(used, C);
+      CHECK((C - inverse(used, used)).norm() <= 1e-12 * inverse.norm());
+      CHECK(factor->spent().columns == 24);
+    }
+    check_against(*factor, A);
+  }
+
   TEST_CASE("a diagonal matrix is divided by: no factor, no columns") {
     auto const pattern = pattern_of(30, {});
     auto const factor = make_bulk_factor(pattern, 12);
