@@ -72,27 +72,27 @@ end
 --- aside, what was put aside of its own comes back.
 function output.settle(folder, cases)
   for _, case in ipairs(cases) do
-    local place, own = folder .. "/" .. case.id, key(case)
-    local there = key_in(place)
+    local own_folder, own = folder .. "/" .. case.id, key(case)
+    local there = key_in(own_folder)
     if there and there ~= own then
-      local aside = place .. "@" .. there
+      local aside = own_folder .. "@" .. there
       engine.remove(aside)
-      engine.rename(place, aside)
+      engine.rename(own_folder, aside)
     end
-    if (not there or there ~= own) and engine.kind_of_path(place .. "@" .. own) then
-      engine.remove(place)
-      engine.rename(place .. "@" .. own, place)
+    if (not there or there ~= own) and engine.kind_of_path(own_folder .. "@" .. own) then
+      engine.remove(own_folder)
+      engine.rename(own_folder .. "@" .. own, own_folder)
     end
   end
 end
 
 --- A case begins anew in its folder: its parameters are noted, its mark of having finished is gone.
 function output.begin(folder, case)
-  local place = folder .. "/" .. case.id
+  local own_folder = folder .. "/" .. case.id
   output.settle(folder, { case })
-  output.prepare(place)
-  engine.remove(place .. "/result.json")
-  engine.write_file(place .. "/case.json",
+  output.prepare(own_folder)
+  engine.remove(own_folder .. "/result.json")
+  engine.write_file(own_folder .. "/case.json",
     engine.encode_json({ case = case.id, parameters = output.plain(case.p) }, 2) .. "\n")
 end
 

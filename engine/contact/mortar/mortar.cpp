@@ -148,7 +148,7 @@ template<int D> void Mortar<D>::share(std::size_t s) {
     return;
   int const facet = samples_[s].facet;
   for (int k = 0; k < secondary_->facet(facet).corners(); ++k)
-    points_[ix(point_of(facet, k))].share += area(s, k);
+    points_[ix(point_of(facet, k))].share += hat_area(s, k);
 }
 
 template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obstacle) {
@@ -197,7 +197,7 @@ template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
     auto& mean = point.kinematics;
     if (!mean.found)
       continue;
-    double const c = area(s, k) / point.share;
+    double const c = hat_area(s, k) / point.share;
     mean.gap += c * pairing.gap;
     mean.slip += c * pairing.slip;
     if (c > point.heaviest) {

@@ -88,7 +88,7 @@ private:
   void share(std::size_t s);
   void add_mean(std::size_t s, Positions x);
   [[nodiscard]] Local<D> force_on(std::size_t s, std::vector<Local<D>> const& forces) const;
-  [[nodiscard]] double area(std::size_t s, int corner) const {
+  [[nodiscard]] double hat_area(std::size_t s, int corner) const {
     return samples_[s].area * samples_[s].hats[corner];
   }
   [[nodiscard]] int point_of(int facet, int corner) const { return points_of_[ix(facet)][ix(corner)]; }

@@ -28,7 +28,7 @@ template<int D> Local<D> Mortar<D>::force_on(std::size_t s, std::vector<Local<D>
     return sum;
   for (int k = 0; k < secondary_->facet(facet).corners(); ++k)
     if (auto const p = ix(point_of(facet, k)); points_[p].kinematics.found)
-      sum += area(s, k) / points_[p].share * forces[p];
+      sum += hat_area(s, k) / points_[p].share * forces[p];
   return sum;
 }
 

@@ -27,8 +27,8 @@ local function finished(study, options, folder)
     local result = output.read_result(folder, case)
     if result and result.verdict == "finished" and is_of(case, result) then
       changed = changed or not output.is_done(result, output.fingerprint(study, case), study)
-      local place = output.case_name(folder, case)
-      local entry = case_module.new(case.id, case.p, folder .. "/" .. place, place)
+      local name = output.case_name(folder, case)
+      local entry = case_module.new(case.id, case.p, folder .. "/" .. name, name)
       entry.results, entry.mark = result.results, mark(folder, case)
       list[#list + 1] = entry
     end

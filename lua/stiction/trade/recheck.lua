@@ -23,13 +23,13 @@ local function twin(cases, p, variant)
   end)]
 end
 
---- Adds the twins of a row to the groups that share a setting: {setting =, options =, cases =, places =}.
+--- Adds the twins of a row to the groups that share a setting: {setting =, options =, cases =, owners =}.
 local function add_twins(plan, entry, groups)
   for i, variant in ipairs(entry.variants) do
     local setting = variant.knob .. "=" .. record.setting(variant.value)
     local group = groups[setting]
     if not group then
-      group = { setting = setting, options = copy(plan.options), cases = {}, places = {} }
+      group = { setting = setting, options = copy(plan.options), cases = {}, owners = {} }
       group.options.set = table.move(plan.options.set or {}, 1, #(plan.options.set or {}), 1, {})
       table.insert(group.options.set, setting)
       group.options.case = nil
@@ -37,7 +37,7 @@ local function add_twins(plan, entry, groups)
       groups[setting], groups[#groups + 1] = group, group
     end
     group.cases[#group.cases + 1] = twin(group.all, entry.row.case.p, variant)
-    group.places[#group.cases] = { entry = entry, i = i }
+    group.owners[#group.cases] = { entry = entry, i = i }
   end
 end
 
@@ -59,9 +59,9 @@ local function run_group(plan, group)
     error(stopped, 0)
   end
   for k, row in ipairs(rows) do
-    local place = group.places[k]
-    place.entry.cases[place.i] = row.done and finished(own, row) or nil
-    place.entry.reason = place.entry.reason or not row.done
+    local owner = group.owners[k]
+    owner.entry.cases[owner.i] = row.done and finished(own, row) or nil
+    owner.entry.reason = owner.entry.reason or not row.done
       and ("with %s: %s"):format(group.setting, held and (row.result or {}).reason or tostring(stopped)) or nil
   end
   return held and stopped or nil
