@@ -12,6 +12,7 @@ bool BulkFactor::factorize(std::span<double> values, std::vector<ColumnEntry> co
   auto const& columns_at = pattern().columns;
   core::expect(values.size() == pattern().rows.size(), "one value per entry of the pattern");
   hold_ = 0;
+  identity_ = std::make_shared<char>();
   bool const at_once = hold == Hold::always && surface_ > 0;
   if (!at_once && take(values))
     return add(std::move(columns));

@@ -50,6 +50,8 @@ public:
   /// and corrections are those of the held matrix: without it, and without the stiffness that contact brings
   /// along, there may be none. Who adds the one takes away the other.
   [[nodiscard]] double hold() const { return hold_; }
+  /// Of the matrix last factored: who keeps it can tell whether that is still the same one.
+  [[nodiscard]] std::shared_ptr<void const> const& identity() const { return identity_; }
   /// Is the compliance?
   [[nodiscard]] virtual bool symmetric() const { return true; }
 
@@ -83,6 +85,7 @@ protected:
 private:
   Index surface_;
   double hold_ = 0;
+  std::shared_ptr<void const> identity_;
   Spent spent_;
 };
 

@@ -186,19 +186,28 @@ double expected(Cholesky const& factor, Index surface) {
   return effort.operations + near * n * column;
 }
 
+/// What of that the surface takes where it comes last.
+double dense_part(Index surface) {
+  auto const n = static_cast<double>(surface);
+  return (1.0 / 3 + near) * n * n * n;
+}
+
 } // namespace
 
+/// Other orders are looked at where the surface takes most of the work; elsewhere none can save half of it.
 std::unique_ptr<BulkFactor> make_sparse_factor(Pattern const& pattern, Index surface, bool skew) {
   std::unique_ptr<Cholesky> last, free;
-  if (!skew && surface >= small)
-    free = std::make_unique<Cholesky>(pattern, surface, Order::free);
   try {
     last = std::make_unique<Cholesky>(pattern, surface);
   } catch (core::OutOfMemory const&) { // more numbers than CHOLMOD can count
-    if (!free)
+    if (skew)
       throw;
   }
-  if (!free || (last && expected(*last, surface) <= expected(*free, surface)))
+  bool const enough = surface < small || 2 * dense_part(surface) < (last ? expected(*last, surface) : 0);
+  if (last && (skew || enough))
+    return std::make_unique<SurfaceLast>(surface, std::move(last));
+  free = std::make_unique<Cholesky>(pattern, surface, Order::free);
+  if (last && expected(*last, surface) <= expected(*free, surface))
     return std::make_unique<SurfaceLast>(surface, std::move(last));
   return std::make_unique<SurfaceAnywhere>(surface, std::move(free));
 }

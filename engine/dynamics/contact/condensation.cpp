@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace stiction::dynamics {
 
@@ -28,9 +29,9 @@ void Condensation::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const
         K_.push_back({unknowns[i], unknowns[j], value});
 }
 
-/// The unknowns that H or K touch, and the block of V between them.
-void Condensation::gather(linear::BulkFactor& bulk) {
-  slot_.assign(ix(bulk.surface()), -1);
+/// The unknowns that H or K touch.
+void Condensation::find_used(Index surface) {
+  slot_.assign(ix(surface), -1);
   used_.clear();
   auto use = [&](Index u) {
     if (slot_[ix(u)] >= 0)
@@ -45,7 +46,13 @@ void Condensation::gather(linear::BulkFactor& bulk) {
   support_ = static_cast<Index>(used_.size());
   for (auto const& h : H_)
     use(h.column);
-  bulk.compliance(used_, V_);
+}
+
+/// Does each component move one unknown, each another one, as of nodes over a plane along the axes?
+bool Condensation::one_to_one() const {
+  Index row = 0;
+  return std::ranges::all_of(H_, [&](Entry const& h) { return h.row == row++; }) && row == rows_ &&
+         static_cast<Index>(used_.size()) == rows_;
 }
 
 void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W,
@@ -54,55 +61,72 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   held_ = bulk.hold() > 0;
   for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
     K_.push_back({u, u, bulk.hold() / weight});
-  gather(bulk);
-  weight_ = weight;
-  Index const n = static_cast<Index>(used_.size()), m = rows_, s = support_;
-  right_.setZero(n, m + 1);
+  free.setZero(rows_);
   for (auto const& h : H_)
-    right_.col(h.row) += (weight * h.value) * V_.col(slot_[ix(h.column)]);
-  for (Index i = 0; i < n; ++i)
-    right_(i, m) = y[used_[ix(i)]];
-  W.setZero(m, m);
-  free.setZero(m);
-  for (auto const& h : H_) {
-    Index const slot = slot_[ix(h.column)];
-    if (symmetric_) // W is its own transpose
-      W.col(h.row) += h.value * right_.row(slot).head(m).transpose();
-    else
-      W.row(h.row) += h.value * right_.row(slot).head(m);
-    free[h.row] += h.value * right_(slot, m);
-  }
-
-  motion_.resize(s, m + 1);
-  if (s == 0)
+    free[h.row] += h.value * y[h.column];
+  Origin const made_of{bulk.identity(), weight, H_};
+  if (K_.empty() && made_of == made_of_ && W.rows() == rows_)
     return;
+  made_of_ = K_.empty() ? made_of : Origin{};
+  weight_ = weight;
+  find_used(bulk.surface());
+  if (support_ == 0 && one_to_one()) {
+    Vector const sides = Vector::NullaryExpr(rows_, [&](Index row) { return H_[ix(row)].value; });
+    bulk.compliance(used_, W);
+    for (auto const& h : H_)
+      W.col(h.row).array() *= (weight * h.value) * sides.array();
+    return;
+  }
+  set_mobility(bulk, y, W);
+  if (support_ > 0)
+    add_stiffness_of_contact(W, free);
+}
+
+/// W = weight H V H^T
+void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W) {
+  bulk.compliance(used_, V_);
+  right_.setZero(V_.rows(), rows_ + 1);
+  for (auto const& h : H_)
+    right_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]);
+  right_.col(rows_) = y(used_);
+  W.setZero(rows_, rows_);
+  for (auto const& h : H_)
+    if (auto const row = right_.row(slot_[ix(h.column)]).head(rows_); symmetric_) // W is its own transpose
+      W.col(h.row) += h.value * row.transpose();
+    else
+      W.row(h.row) += h.value * row;
+}
+
+/// Adds what K_geo does to W and free.
+void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
+  Index const m = rows_, s = support_;
   small_.setIdentity(s, s);
   bool const crowded = K_.size() > static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
   if (crowded) {
     K_all_.setZero(s, s);
     for (auto const& k : K_)
-      K_all_(slot_[ix(k.row)], slot_[ix(k.column)]) += weight * k.value;
+      K_all_(slot_[ix(k.row)], slot_[ix(k.column)]) += weight_ * k.value;
     small_.noalias() -= V_.topLeftCorner(s, s) * K_all_;
   }
   for (auto const& k : K_)
     if (!crowded)
-      small_.col(slot_[ix(k.column)]) -= (weight * k.value) * V_.col(slot_[ix(k.row)]).head(s);
+      small_.col(slot_[ix(k.column)]) -= (weight_ * k.value) * V_.col(slot_[ix(k.row)]).head(s);
   motion_ = small_.partialPivLu().solve(right_.topRows(s));
   K_motion_.setZero(s, m + 1);
   if (crowded)
     K_motion_.noalias() = K_all_ * motion_;
   for (auto const& k : K_)
     if (!crowded)
-      K_motion_.row(slot_[ix(k.row)]) += (weight * k.value) * motion_.row(slot_[ix(k.column)]);
+      K_motion_.row(slot_[ix(k.row)]) += (weight_ * k.value) * motion_.row(slot_[ix(k.column)]);
   if (!symmetric_) {
     left_.setZero(s, m);
     for (auto const& h : H_)
-      left_.col(h.row) += (weight * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
+      left_.col(h.row) += (weight_ * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
   }
   // H V = (weight V^T H^T)^T / weight
   auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
-  W.noalias() += (1 / weight) * (HV * K_motion_.leftCols(m));
-  free.noalias() += (1 / weight) * (HV * K_motion_.col(m));
+  W.noalias() += (1 / weight_) * (HV * K_motion_.leftCols(m));
+  free.noalias() += (1 / weight_) * (HV * K_motion_.col(m));
 }
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.

@@ -15,8 +15,10 @@ public:
 
   /// weight: of the step's end reaction in the balance. With V the bulk's compliance, (I - weight V K_geo) du
   /// = y + weight V H^T p gives x = free + W p, where x = H du. What holds the bulk's surface is taken away
-  /// like a K_geo.
+  /// like a K_geo. W is left as it is where nothing that it is made of has changed since the last problem.
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
+  /// W is not what it was left as.
+  void forget() { made_of_ = {}; }
   /// Has the problem last eliminated a K_geo?
   [[nodiscard]] bool turns() const { return support_ > 0; }
   /// Of the problem last eliminated: would the bulk with K_geo be stable without contact, V^-1 - weight K_geo
@@ -29,11 +31,23 @@ private:
   struct Entry {
     Index row, column; ///< row of H or unknown of K; unknown
     double value;
+    bool operator==(Entry const&) const = default;
+  };
+  /// What W is made of where there is no K.
+  struct Origin {
+    std::shared_ptr<void const> bulk; ///< its matrix
+    double weight = 0;
+    std::vector<Entry> H;
+    bool operator==(Origin const&) const = default;
   };
   Index rows_ = 0;
   bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
   std::vector<Entry> H_, K_;
-  void gather(linear::BulkFactor& bulk);
+  Origin made_of_; ///< the last W
+  void find_used(Index surface);
+  [[nodiscard]] bool one_to_one() const;
+  void set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W);
+  void add_stiffness_of_contact(Dense& W, Vector& free);
 
   Indices used_, slot_; ///< unknowns that K and H touch, those of K first; the slot of each there or -1
   double weight_ = 1;   ///< of the problem last eliminated

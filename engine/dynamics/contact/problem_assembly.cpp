@@ -34,8 +34,10 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     problem.points.push_back(point.data);
     guess.segment<C>(first) = point.force;
     problem.start[first] = points.before(point).gap;
-    if (points.pair_of(point).self)
+    if (points.pair_of(point).self) {
       separate_twins<C>(problem, first, point.force);
+      condensation_.forget();
+    }
   }
   return guess;
 }

@@ -1,0 +1,114 @@
+// The Delassus operator condensed from bulk, rows of H and stiffness of contact, against dense algebra; and
+// that it is made anew only when one of them has changed.
+#include "dynamics/contact/condensation.hpp"
+
+#include <Eigen/LU>
+#include <doctest/doctest.h>
+#include <numeric>
+
+#include "linear/systems.hpp"
+
+using namespace stiction;
+using namespace stiction::dynamics;
+
+namespace {
+
+constexpr Index surface = 12;
+
+struct Bulk {
+  linear::Pattern pattern = test::grid(6);
+  std::unique_ptr<linear::BulkFactor> factor = linear::make_bulk_factor(pattern, surface);
+  std::vector<double> values;
+  Dense V; ///< compliance of the surface
+  void take(unsigned seed) {
+    values = test::values_of(pattern, seed);
+    V = test::dense(pattern, values).inverse().bottomRightCorner(surface, surface);
+    REQUIRE(factor->factorize(values));
+  }
+};
+
+/// Rows of H over the surface: two unknowns each, or one and with a sign.
+Dense rows_of(bool one_each) {
+  Dense H = Dense::Zero(4, surface);
+  for (Index i = 0; i < 4; ++i) {
+    H(i, 2 * i + 1) = i % 2 == 0 ? 1 : -1;
+    if (!one_each)
+      H(i, 2 * i + 2) = 0.3 * (i + 1);
+  }
+  return H;
+}
+
+void pose(Condensation& condensation, Dense const& H, Dense const& K) {
+  Indices all(surface);
+  std::iota(all.begin(), all.end(), 0);
+  condensation.clear();
+  condensation.add_point(all, H.topRows(2));
+  condensation.add_point(all, H.bottomRows(2));
+  condensation.add_stiffness(all, K);
+}
+
+} // namespace
+
+TEST_SUITE("dynamics") {
+  TEST_CASE("bulk and stiffness of contact are condensed onto points as dense algebra has it") {
+    Bulk bulk;
+    bulk.take(3);
+    Vector const y = Vector::LinSpaced(surface, -1, 3), p = Vector::LinSpaced(4, 2, -1);
+    double const weight = 0.7;
+    for (bool const one_each : {true, false})
+      for (double const stiffness : {0.0, 0.2}) {
+        INFO("one unknown each " << one_each << ", stiffness " << stiffness);
+        Dense const H = rows_of(one_each);
+        Dense K = Dense::Zero(surface, surface);
+        K(2, 3) = K(3, 2) = K(5, 5) = stiffness;
+        Condensation condensation;
+        pose(condensation, H, K);
+        Dense W;
+        Vector free, c = Vector::Zero(surface);
+        condensation.eliminate(*bulk.factor, y, weight, W, free);
+        Dense const A = (Dense::Identity(surface, surface) - weight * bulk.V * K).inverse();
+        Dense const expected = weight * H * A * bulk.V * H.transpose();
+        CHECK((W - expected).norm() <= 1e-12 * expected.norm());
+        CHECK((free - H * A * y).norm() <= 1e-12 * free.norm());
+        condensation.add_forces(p, weight, c);
+        Vector const du = A * (y + weight * bulk.V * H.transpose() * p);
+        CHECK((c - weight * (K * du + H.transpose() * p)).norm() <= 1e-12 * c.norm());
+      }
+  }
+
+  TEST_CASE("the Delassus operator stays while bulk, points and weight do") {
+    Bulk bulk;
+    bulk.take(3);
+    Vector y = Vector::LinSpaced(surface, -1, 3);
+    Dense const none = Dense::Zero(surface, surface);
+    Condensation condensation;
+    Dense W, mark;
+    Vector free;
+    auto const eliminate = [&](double weight) {
+      mark = W = Dense::Constant(4, 4, 7);
+      condensation.eliminate(*bulk.factor, y, weight, W, free);
+      return W != mark; // was it made?
+    };
+    for (bool const one_each : {true, false}) {
+      Dense const H = rows_of(one_each);
+      pose(condensation, H, none);
+      CHECK(eliminate(1));
+      y *= -2;
+      CHECK_FALSE(eliminate(1));
+      CHECK((free - H * y).norm() <= 1e-12 * free.norm());
+      CHECK(eliminate(0.5)); // another weight
+      pose(condensation, 1.1 * H, none);
+      CHECK(eliminate(0.5)); // other rows
+      pose(condensation, 1.1 * H, 0.1 * Dense::Identity(surface, surface));
+      CHECK(eliminate(0.5)); // with stiffness, twice
+      CHECK(eliminate(0.5));
+      pose(condensation, H, none);
+      CHECK(eliminate(0.5)); // and without it again
+      bulk.take(5);
+      CHECK(eliminate(0.5)); // another matrix
+      CHECK_FALSE(eliminate(0.5));
+      condensation.forget();
+      CHECK(eliminate(0.5));
+    }
+  }
+}
