@@ -140,7 +140,8 @@ void Commands::add_others() {
   value<std::string>(solve, "file", "FILE", "Contact problem saved by a run (HDF5)")->required();
   value<std::string>(solve, "--with", "SOLVER", "A solver of 'stiction help solver' (default: all)");
   value<double>(solve, "--tolerance", "NUMBER", "Natural-map residual to reach");
-  auto& bench = command("bench", "Time one case of a study (default: the first), phase by phase");
+  auto& bench = command("bench", "Time one case of a study (default: the first), phase by phase, beside the "
+                                 "work that it cannot do without");
   study(bench);
   study_options(bench);
   one_case(bench);
@@ -158,6 +159,7 @@ void Commands::add_internal() {
   one_case(one)->required();
   out(one)->required();
   flag(one, "trade", "");
+  flag(one, "alone", "");
   value<std::string>(one, "--fingerprint", "HEX", "");
   value<double>(one, "--rehearse", "N", "");
   auto& test = command("luatest", "");

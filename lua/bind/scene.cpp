@@ -141,8 +141,8 @@ std::string option(lua_State* lua, char const* name) {
   return text;
 }
 
-/// run(scene, {out =, case_id =, manifest =, rehearse =}, progress) -> result; progress(snapshot) is called
-/// once a step
+/// run(scene, {out =, case_id =, manifest =, rehearse =, alone =}, progress) -> result; progress(snapshot) is
+/// called once a step
 int run(lua_State* lua) {
   luaL_checktype(lua, 2, LUA_TTABLE);
   luaL_checktype(lua, 3, LUA_TFUNCTION);
@@ -153,7 +153,9 @@ int run(lua_State* lua) {
   options.manifest_json = option(lua, "manifest");
   lua_getfield(lua, 2, "rehearse");
   options.rehearse = static_cast<int>(lua_tonumber(lua, -1));
-  lua_pop(lua, 1);
+  lua_getfield(lua, 2, "alone");
+  options.alone = lua_toboolean(lua, -1) != 0;
+  lua_pop(lua, 2);
   options.stop = &stop_flag();
   std::optional<EndsAtOnce> now(std::in_place); // until the first step is done
   options.progress = [lua, &now](scene::Progress const& progress) {

@@ -22,6 +22,9 @@ local function words_for(case, options)
   if options.trade then
     words[#words + 1] = "--trade"
   end
+  if options.alone then
+    words[#words + 1] = "--alone"
+  end
   for _, setting in ipairs(options.set or {}) do
     words[#words + 1] = "--set"
     words[#words + 1] = setting

@@ -46,8 +46,8 @@ expect 1 "check failed: mu0: the plane pushes back: value false, expected true|3
   "$stiction" run wrong --no-figures
 holds "checks.json names the failure" grep -q '"pass": false' out/wrong/checks.json
 
-expect 0 "A block on a plane|phase|iterations" "$stiction" bench "$tiny" --quick
-expect 0 '"phases"|"factorizations"' "$stiction" bench "$tiny" --json
+expect 0 "A block on a plane|phase|iterations|needed|factorization|times what it cannot do without" "$stiction" bench "$tiny" --quick
+expect 0 '"phases"|"factorizations"|"limit"' "$stiction" bench "$tiny" --json
 expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
 expect 2 "no finished case in out/wrong with these parameters" "$stiction" figures wrong --set steps=7
 rm out/wrong/mu0/result.json

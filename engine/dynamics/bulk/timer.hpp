@@ -1,19 +1,26 @@
-// Adds the time of a block to a phase.
+// Adds the processor time of a block to a phase.
 #pragma once
-#include <chrono>
+#include <ctime>
 
 namespace stiction::dynamics {
 
 class Timer {
 public:
   explicit Timer(double& seconds) : seconds_(&seconds) {}
-  ~Timer() { *seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  ~Timer() { *seconds_ += now() - start_; }
   Timer(Timer const&) = delete;
   Timer& operator=(Timer const&) = delete;
 
 private:
+  /// Of this thread so far, s.
+  [[nodiscard]] static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
   double* seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double start_ = now();
 };
 
 } // namespace stiction::dynamics

@@ -15,6 +15,7 @@
 #include "record/manifest.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/probes.hpp"
+#include "scene/run/alone.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
@@ -80,6 +81,10 @@ public:
     return finish();
   }
 
+  [[nodiscard]] std::map<std::string, double> alone() {
+    auto const& stage = scene_->part.schedule.stages.front();
+    return scene::alone(stepper_, *scene_->model, state_, stage.until / stage.steps);
+  }
   [[nodiscard]] MeshControl const& meshes() const { return meshes_; }
   [[nodiscard]] std::vector<Warning> warnings() const { return warnings_of(*scene_, state_); }
 
@@ -382,6 +387,9 @@ RunResult run(core::Input const& input, RunOptions const& options) {
       told.push_back({{"text", warning.text}, {"change", warning.change}});
     record::write_manifest(options.out / "manifest.json", manifest);
     auto result = run_once(running);
+    if (options.alone && result.verdict == "finished")
+      for (auto const& [name, seconds] : running.alone())
+        result.counters["alone_" + name] = seconds;
     result.warnings = warnings;
     auto const& control = running.meshes();
     bool const last = result.verdict != "finished" || control.fine_enough() || pass >= control.passes();

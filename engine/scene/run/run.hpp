@@ -28,6 +28,9 @@ struct RunOptions {
   std::atomic<bool> const* stop = nullptr; ///< set by a signal: the run ends with verdict "stopped"
   /// For tests: every so many steps is first made and thrown away, then made again; 0: none.
   int rehearse = 0;
+  /// Measure at the end what passes, factorizations and solutions take alone: counters alone_force_pass, ...
+  /// s.
+  bool alone = false;
 };
 
 struct RunResult {
@@ -40,7 +43,7 @@ struct RunResult {
   long steps = 0, iterations = 0, factorizations = 0, cuts = 0;
   double seconds = 0;
   std::map<std::string, double>
-      phases; ///< seconds per phase: assembly, factorization, contact, solve, output
+      phases; ///< processor seconds per phase: assembly, factorization, contact, solve, output
   std::map<std::string, double> counters; ///< cells evaluated, contact iterations, peak memory (bytes) ...
 };
 

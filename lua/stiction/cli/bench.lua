@@ -21,7 +21,7 @@ local standard = {
 local function measure(options, study, case, folder)
   local found
   local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
-    trust = options.trust, jobs = 1, quiet = true }
+    trust = options.trust, jobs = 1, quiet = true, alone = true }
   hold.note(folder, study)
   output.settle(folder, { case })
   local stopped = jobs.run({ case }, settings, function(_, result)
@@ -37,17 +37,18 @@ local function measure(options, study, case, folder)
   return found
 end
 
+--- Processor time, without what reading the study took.
 local function show_phases(result)
-  local rows, known = { { "phase", "s", "%" } }, 0
+  local rows, known, all = { { "phase", "s", "%" } }, 0, result.counters.cpu_seconds
   local function add(name, seconds)
-    rows[#rows + 1] = { name, ("%.3f"):format(seconds), ("%.1f"):format(100 * seconds / result.seconds) }
+    rows[#rows + 1] = { name, ("%.3f"):format(seconds), ("%.1f"):format(100 * seconds / all) }
   end
   for _, name in ipairs(ordered.keys(result.phases)) do
     known = known + result.phases[name]
     add(name, result.phases[name])
   end
-  add("other", result.seconds - known)
-  add("all", result.seconds)
+  add("other", all - known)
+  add("all", all)
   report.table(rows)
 end
 
@@ -63,12 +64,34 @@ local function show_counters(result)
   report.table(rows)
 end
 
---- What the contact costs beside the bulk's own work.
-local function show_ratio(result)
-  local bulk = result.phases.assembly + result.phases.factorization + result.phases.solve
+--- {needed, times: what was needed of each, s alone, s for all of them}, and the sum over all.
+local function limit(result)
+  local counters, parts, sum = result.counters, {}, 0
+  local function add(name, times)
+    local each = counters["alone_" .. name]
+    parts[#parts + 1] = { name, times, each, times * each }
+    sum = sum + times * each
+  end
+  add("force_pass", counters.force_passes)
+  add("stiffness_pass", counters.stiffness_passes)
+  add("factorization", result.factorizations)
+  add("solve", counters.solves)
+  return parts, sum
+end
+
+--- What the case took beside passes, factorizations and solves that could not be done without.
+local function show_limit(result)
+  local rows, parts, sum = { { "needed", "times", "ms alone", "s" } }, limit(result)
+  for _, part in ipairs(parts) do
+    rows[#rows + 1] = { part[1], ("%d"):format(part[2]), ("%.3g"):format(1e3 * part[3]), ("%.3f"):format(part[4]) }
+  end
+  rows[#rows + 1] = { "all", "", "", ("%.3f"):format(sum) }
   report.line()
-  report.line("%.3g s per Newton iteration, %.2f times assembly, factorization and solves; peak memory %.0f MB",
-    result.seconds / result.iterations, result.seconds / bulk, result.counters.peak_memory / 1e6)
+  report.table(rows)
+  report.line()
+  report.line("%.2f times what it cannot do without; %.3g ms per iteration; peak memory %.0f MB",
+    result.counters.cpu_seconds / sum, 1e3 * result.counters.cpu_seconds / result.iterations,
+    result.counters.peak_memory / 1e6)
 end
 
 local function bench(options)
@@ -81,13 +104,13 @@ local function bench(options)
     return {
       study = study.name, case = case.id, seconds = result.seconds, steps = result.steps,
       iterations = result.iterations, factorizations = result.factorizations, cuts = result.cuts,
-      phases = result.phases, counters = result.counters,
+      phases = result.phases, counters = result.counters, limit = select(2, limit(result)),
     }
   end
   report.line("%s, case %s", study.title, case.id)
   show_phases(result)
   show_counters(result)
-  show_ratio(result)
+  show_limit(result)
 end
 
 return function(options)

@@ -81,7 +81,7 @@ local function run(options, study)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options),
-      rehearse = options.rehearse or 0 }
+      rehearse = options.rehearse or 0, alone = options.alone }
     result = engine.run(study:scene_of(case), settings, progress_teller())
   end
   if result.verdict == "finished" then

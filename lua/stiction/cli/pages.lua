@@ -13,7 +13,7 @@ figures STUDY  draw the figures again from the output
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
-bench [STUDY]  time one case, phase by phase
+bench [STUDY]  time one case, phase by phase, beside what it cannot do without
 peers [CASE]   run cases that other programs have run, side by side with them; 'stiction help peers'
 extremes       drive small scenes to extremes; a map of how each ends
 help [TOPIC]   this help; help --html DIR: all of it as one page to search
