@@ -24,9 +24,9 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-int write_file(std::filesystem::path const& path, std::string_view bytes) {
+int write_file(std::filesystem::path const& path, std::string_view bytes, int how = O_TRUNC) {
   constexpr int mode = 0666; // less the user's umask
-  int const descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+  int const descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | how | O_CLOEXEC, mode);
   if (descriptor < 0)
     return errno;
   int const failed = write_all(descriptor, bytes);
@@ -61,6 +61,11 @@ void replace_file(std::filesystem::path const& path, std::string_view bytes) {
     return;
   ::unlink(part.c_str());
   throw unwritable(path, std::strerror(failed));
+}
+
+void append_file(std::filesystem::path const& path, std::string_view bytes) {
+  if (int const failed = write_file(path, bytes, O_APPEND); failed != 0)
+    throw unwritable(path, std::strerror(failed));
 }
 
 void prepare_output(std::filesystem::path const& folder) {

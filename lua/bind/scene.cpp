@@ -129,6 +129,7 @@ void push(lua_State* lua, scene::RunResult const& result) {
   set(lua, "iterations", result.iterations);
   set(lua, "factorizations", result.factorizations);
   set(lua, "cuts", result.cuts);
+  set(lua, "contact", result.contact);
   set(lua, "seconds", result.seconds);
   set(lua, "phases", result.phases);
   set(lua, "counters", result.counters);

@@ -16,6 +16,7 @@ void set_vector(lua_State* lua, char const* name, Vector const& values) {
 void push(lua_State* lua, scene::SolverAnswer const& answer) {
   lua_newtable(lua);
   set(lua, "converged", answer.converged);
+  set(lua, "method", answer.method);
   set(lua, "iterations", answer.iterations);
   set(lua, "work", answer.work);
   set(lua, "residual", answer.residual);
@@ -26,7 +27,7 @@ void push(lua_State* lua, scene::SolverAnswer const& answer) {
 }
 
 /// solve(path, solver, tolerance) -> {text =, converged =, contacts =, components =, doubts = {texts}, free =
-/// {}, answers = {solver = {converged =, iterations =, work =, residual =, relative =, seconds =, force =,
+/// {}, answers = {solver = {converged =, method =, iterations =, work =, residual =, relative =, seconds =, force =,
 /// ...}}}
 int solve(lua_State* lua) {
   EndsAtOnce const now; // nothing is written

@@ -160,7 +160,7 @@ local own_identity -- as this process found it: what is installed meanwhile did 
 --- files of its scene or saved problem.
 function output.fingerprint(study, case)
   own_identity = own_identity or identity_of_program()
-  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p))
+  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p)) 
     .. output.data_identity(study, case))
 end
 
@@ -244,7 +244,7 @@ local function words_warned(result)
   return table.concat(words, " | ")
 end
 
-local measures = { "verdict", "steps", "iterations", "seconds" }
+local measures = { "verdict", "steps", "iterations", "contact", "seconds" }
 
 local function summary_head(study, names, claimed)
   local head = { "case" }

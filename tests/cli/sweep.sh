@@ -7,8 +7,9 @@ expect 0 "checks held|output: out/tiny" "$stiction" run "$tiny" --jobs 2 --no-fi
 for file in summary.csv checks.json mu0/series.h5 mu0.2/manifest.json mu0.4/result.json; do
   holds "$file is missing" [ -s "out/tiny/$file" ]
 done
-holds "the head of summary.csv" grep -q '^case,mu,force_y,force_x,verdict,steps,iterations,seconds,set,warnings$' out/tiny/summary.csv
+holds "the head of summary.csv" grep -q '^case,mu,force_y,force_x,verdict,steps,iterations,contact,seconds,set,warnings$' out/tiny/summary.csv
 holds "three finished rows" [ "$(grep -c ',finished,' out/tiny/summary.csv)" = 3 ]
+holds "what answered contact" grep -q ",finished,[0-9]*,[0-9]*,newton [0-9]*," out/tiny/summary.csv
 expect 0 "mu0.4  finished" "$stiction" run "$tiny" --list
 
 # the same with one job: the same numbers to the last bit

@@ -71,7 +71,10 @@ template<class Choice> class Sweeps : public Solver {
 public:
   explicit Sweeps(Choice const& choice) : choice_(choice) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
-    return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+    auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess); });
+    if (solution.converged)
+      solution.method = std::is_same_v<Choice, BipotentialUzawa> ? Method::uzawa : Method::gauss_seidel;
+    return solution;
   }
 
 private:

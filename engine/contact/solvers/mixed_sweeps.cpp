@@ -63,8 +63,10 @@ public:
     }
     solution.work += static_cast<double>(solution.iterations);
     solution.force = p_;
-    if (solution.converged)
+    if (solution.converged) {
+      solution.method = Method::sweeps;
       return solution;
+    }
     bool const sound = last_force_.size() > 0 && last_force_.allFinite();
     solution.force = sound ? last_force_ : first; // of a sweep, not of a mixture
     solution.verdict = judge(problem_, solution.force);

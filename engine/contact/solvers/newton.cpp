@@ -6,6 +6,7 @@
 
 #include "contact/solvers/minimum.hpp"
 #include "contact/solvers/mixed_sweeps.hpp"
+#include "contact/solvers/newton.hpp"
 #include "contact/solvers/pivoting.hpp"
 #include "contact/solvers/rounding.hpp"
 #include "contact/solvers/solver.hpp"
@@ -142,6 +143,13 @@ bool monotone(Dense const& W, double least) {
   return Eigen::LLT<Dense>(symmetric).info() == Eigen::Success;
 }
 
+/// The same as this method's, if it converged.
+Solution by(Method method, Solution solution) {
+  if (solution.converged)
+    solution.method = method;
+  return solution;
+}
+
 /// What Newton may do where it stagnates; hand_over: where it is slow, too.
 enum class Stuck { give_up, hand_over, sweep };
 
@@ -155,6 +163,13 @@ public:
       solution = frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
     solution.iterations = spent_.iterations;
     solution.work = spent_.work;
+    return solution;
+  }
+
+  /// Newton's steps from the guess.
+  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
+    auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
+    spend(solution.iterations, solution.work);
     return solution;
   }
 
@@ -202,6 +217,7 @@ private:
       solution.force = inner.force;
       solution.verdict = verdict;
       solution.converged = verdict.relative() <= settings_.tolerance;
+      solution = by(Method::proximal, std::move(solution));
       if (verdict.residual < 0.5 * halved) {
         halved = verdict.residual;
         idle = 0;
@@ -219,9 +235,10 @@ private:
       if (solution.converged)
         return solution;
     }
-    for (auto const& go : {descend, minimise})
+    for (auto const& [go, method] :
+         {std::pair{&descend, Method::descent}, std::pair{&minimise, Method::minimisation}})
       if (auto const end = go(problem, guess, 20L * settings_.iterations)) {
-        solution = landed(problem, *end);
+        solution = by(method, landed(problem, *end));
         if (solution.converged)
           return solution;
       }
@@ -245,7 +262,10 @@ private:
   /// Newton's answer if no bond is leaped over: else it went to another branch.
   [[nodiscard]] Solution near(Problem const& problem, Vector const& guess) {
     Solution solution = polish(problem, guess, Stuck::give_up);
-    solution.converged = solution.converged && !leaps(problem, guess, solution.force);
+    if (solution.converged && leaps(problem, guess, solution.force)) {
+      solution.converged = false;
+      solution.method = Method::none;
+    }
     return solution;
   }
 
@@ -266,7 +286,7 @@ private:
       if (!found || found->force.size() == 0 || !found->force.allFinite())
         return;
       spend(1, static_cast<double>(found->pivots));
-      auto next = polish(problem, found->force, Stuck::give_up);
+      auto next = by(Method::pivoting, polish(problem, found->force, Stuck::give_up));
       if (next.converged || next.verdict.residual < solution.verdict.residual)
         solution = std::move(next);
       if (found->force == about)
@@ -279,9 +299,9 @@ private:
   [[nodiscard]] Solution last_of_all(Problem const& problem, Solution solution) {
     if (auto swept = from_nothing(problem); swept.converged)
       return swept;
-    for (auto const& force : enumerate(problem, solution.force))
+    for (auto const& force : enumerate(problem, solution.force).answers)
       if (auto tried = polish(problem, force, Stuck::give_up); tried.converged)
-        return tried;
+        return by(Method::enumeration, std::move(tried));
     return solution;
   }
 
@@ -299,11 +319,6 @@ private:
     spent_.work += work;
   }
 
-  [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
-    auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
-    spend(solution.iterations, solution.work);
-    return solution;
-  }
   template<int D> Solution run(Problem const& problem, Vector const& guess, Stuck stuck) const {
     NewtonRun<D> newton(problem, guess);
     Solution solution;
@@ -337,12 +352,14 @@ private:
     // Sweeps are slow where Newton is quick, but they do not cycle. Where the residual no longer falls there
     // may be nothing to sweep to.
     double before = std::numeric_limits<double>::infinity();
+    auto method = Method::newton;
     for (int swept = 0; stuck == Stuck::sweep && stagnated && !solution.converged && swept < most_sweeps;
          swept += sweeps) {
       if (!(solution.verdict.relative() < 0.99 * before))
         break;
       before = solution.verdict.relative();
       newton.sweep(sweeps);
+      method = Method::gauss_seidel;
       solution.iterations += sweeps;
       judged();
     }
@@ -359,7 +376,7 @@ private:
       solution.force = newton.force();
     }
     solution.work = newton.work() + judgements;
-    return solution;
+    return by(method, std::move(solution));
   }
 
   struct Spent {
@@ -371,6 +388,12 @@ private:
 };
 
 } // namespace
+
+Solution newton_from(Problem const& problem, Vector const& guess, double tolerance) {
+  BipotentialNewton settings;
+  settings.tolerance = tolerance;
+  return NewtonSolver(settings).polish(problem, guess, Stuck::give_up);
+}
 
 core::Schema const& BipotentialNewton::schema() {
   static auto const made =

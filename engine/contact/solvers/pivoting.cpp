@@ -193,8 +193,10 @@ std::optional<PivotedForces> pivot_in(Problem const& problem, Vector const& forc
 /// What a point may do in the plane; the slides take the sign of their push.
 enum class Does { open, stick, slide_back, slide_on };
 
-/// The dry forces in which every point does what it is told, checked against what it then must not do.
-std::optional<Vector> forces_of(Linear const& linear, Vector const& free, std::vector<Does> const& told) {
+/// The dry forces in which every point does what it is told, checked against what it then must not do;
+/// `single` turns false where it may do so with many forces.
+std::optional<Vector> forces_of(Linear const& linear, Vector const& free, std::vector<Does> const& told,
+                                bool& single) {
   auto const n = static_cast<Index>(told.size());
   Dense A = Dense::Zero(2 * n, 2 * n);
   Vector b = Vector::Zero(2 * n);
@@ -220,6 +222,7 @@ std::optional<Vector> forces_of(Linear const& linear, Vector const& free, std::v
   Vector const dry = factor.solve(b), x = linear.W * dry + free;
   double const force = tied * dry.lpNorm<Eigen::Infinity>(), way = tied * free.lpNorm<Eigen::Infinity>();
   bool fits = dry.allFinite() && (A * dry - b).lpNorm<Eigen::Infinity>() <= force;
+  single = single && (!fits || factor.isInvertible());
   for (Index i = 0; i < n && fits; ++i) {
     double const r = dry[2 * i], t = dry[2 * i + 1], s = x[2 * i + 1];
     if (told[ix(i)] == Does::open)
@@ -234,10 +237,11 @@ std::optional<Vector> forces_of(Linear const& linear, Vector const& free, std::v
 
 } // namespace
 
-std::vector<Vector> enumerate(Problem const& problem, Vector const& force) {
-  std::vector<Vector> answers;
+Enumerated enumerate(Problem const& problem, Vector const& force) {
+  Enumerated tried;
   if (problem.dim != 2 || problem.size() > enumerated)
-    return answers;
+    return tried;
+  tried.all = true;
   auto const linear = linear_about<2>(problem, displacement(problem, force), force);
   Vector free = linear.free;
   for (Index i = 0; i < problem.size(); ++i)
@@ -246,10 +250,10 @@ std::vector<Vector> enumerate(Problem const& problem, Vector const& force) {
   for (long all = 1L << (2 * problem.size()), k = 0; k < all; ++k) {
     for (Index i = 0; i < problem.size(); ++i)
       told[ix(i)] = static_cast<Does>((k >> (2 * i)) & 3);
-    if (auto const dry = forces_of(linear, free, told))
-      answers.push_back(whole<2>(linear, *dry));
+    if (auto const dry = forces_of(linear, free, told, tried.all))
+      tried.answers.push_back(whole<2>(linear, *dry));
   }
-  return answers;
+  return tried;
 }
 
 std::optional<PivotedForces> pivot(Problem const& problem, Vector const& force, From from) {

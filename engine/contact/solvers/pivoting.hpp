@@ -21,9 +21,14 @@ struct PivotedForces {
 /// and coefficients constant. Nothing where the problem is larger than `pivoting_rows`.
 [[nodiscard]] std::optional<PivotedForces> pivot(Problem const& problem, Vector const& force, From from);
 
-/// All answers of that linear problem in the plane, by trying every status of every point: open, sticking,
+struct Enumerated {
+  std::vector<Vector> answers; ///< [dim n], N
+  bool all = false; ///< there are no others: every status was tried, and each leaves one answer or none
+};
+
+/// Answers of that linear problem in the plane, by trying every status of every point: open, sticking,
 /// sliding either way. For at most `enumerated` points.
-[[nodiscard]] std::vector<Vector> enumerate(Problem const& problem, Vector const& force);
+[[nodiscard]] Enumerated enumerate(Problem const& problem, Vector const& force);
 
 inline constexpr Index pivoting_rows = 1200, enumerated = 5;
 

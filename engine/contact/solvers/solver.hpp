@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "contact/problem/problem.hpp"
+#include "contact/solvers/method.hpp"
 
 namespace stiction::contact {
 
@@ -14,8 +15,9 @@ struct Solution {
   long iterations = 0; ///< Newton iterations or sweeps
   double work = 0;     ///< multiply-adds with W and in factorizations, over those of one product W p
   Verdict verdict;
-  bool converged = false; ///< verdict.relative() <= the tolerance asked for, or rounded
-  bool rounded = false;   ///< only as far as rounding allows
+  bool converged = false;       ///< verdict.relative() <= the tolerance asked for, or rounded
+  bool rounded = false;         ///< only as far as rounding allows
+  Method method = Method::none; ///< that converged
 };
 
 class Solver {

@@ -15,6 +15,8 @@ struct Cost {
   double assembly = 0, factorization = 0, contact = 0, solve = 0; ///< s
   long force_passes = 0, stiffness_passes = 0, factorizations = 0, shifted_factorizations = 0, solves = 0;
   long newton_iterations = 0, contact_iterations = 0, contact_problems = 0;
+  contact::Methods
+      answered{}; ///< contact problems by what answered them; the one of an unconverged step: none
   double contact_rounded = 0; ///< largest residual that rounding kept a contact solver at, of its yardstick
   double contact_operations = 0; ///< of the contact solver, floating-point, leading terms
   long compliance_columns = 0;   ///< of the surface, solved for

@@ -74,6 +74,7 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   cost.add(bulk.spent());
   ++cost.contact_problems;
   auto solution = solve_problem(*solver_, problem_, guess, cost);
+  ++cost.answered[static_cast<std::size_t>(solution.method)];
   rows_ = points_.active();
   forces_ = std::move(solution.force);
   if (!solution.converged)

@@ -39,7 +39,8 @@ std::string Recorder::problem(contact::Problem const& problem, std::string const
 
 void Recorder::change(record::StepChange const& change) {
   log_.add(change);
-  ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
+  if (change.what != "step")
+    ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
 }
 
 void Recorder::close() {

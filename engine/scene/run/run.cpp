@@ -99,6 +99,7 @@ public:
           "`largest`; give the stages their steps, and no accuracy");
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
+    result_.contact = contact::words(cost.answered);
     result_.phases = {{"assembly", cost.assembly},
                       {"factorization", cost.factorization},
                       {"contact", cost.contact},
@@ -211,11 +212,12 @@ private:
 
   void note(dynamics::Decision const& decision, double dt) {
     auto tell = [&](char const* what, char const* cause, std::string const& reason) {
-      recorder_.change({state_.t, dt, pace_->wanted(), what, cause, reason});
+      recorder_.change({state_.t, dt, pace_->wanted(), what, cause, reason, ""});
     };
     if (!decision.accepted()) {
       ++result_.cuts;
-      return tell("cut", name_of(decision.cut), decision.reason);
+      return recorder_.change({state_.t, dt, pace_->wanted(), "cut", name_of(decision.cut), decision.reason,
+                               contact::words(answered())});
     }
     if (!pace_->aim().empty())
       tell("aimed", "event", pace_->aim());
@@ -247,7 +249,7 @@ private:
       if (halved_ > 0 && ++successes_ >= 2 && done % (2 * size) == 0) {
         --halved_;
         successes_ = 0;
-        recorder_.change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged"});
+        recorder_.change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
       }
     }
     return true;
@@ -257,7 +259,15 @@ private:
     patience_.begin_attempt();
     if (options_->rehearse > 0 && ++attempts_ % options_->rehearse == 0)
       static_cast<void>(stepper_.step(state_, dt));
+    answered_before_ = stepper_.cost().answered;
     return stepper_.step(state_, dt);
+  }
+
+  /// Contact problems of the last attempt.
+  [[nodiscard]] contact::Methods answered() const {
+    auto counts = stepper_.cost().answered;
+    std::ranges::transform(counts, answered_before_, counts.begin(), std::minus{});
+    return counts;
   }
 
   /// Empty while there is none.
@@ -281,7 +291,8 @@ private:
     successes_ = 0;
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       remarks_.examine(stepper_.contact(), state_.t + dt, contact::Checked::all);
-    recorder_.change({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason});
+    recorder_.change(
+        {state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, contact::words(answered())});
     auto const enough = patience_.lost();
     return (++halved_ <= floor && enough.empty()) || give_up(outcome, dt, enough);
   }
@@ -300,6 +311,8 @@ private:
   }
 
   void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
+    if (auto const contact = contact::words(answered()); !contact.empty())
+      recorder_.change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     if (++result_.steps == 1)
@@ -351,7 +364,8 @@ private:
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
   long attempts_ = 0;
-  std::size_t blocks_ = 0; ///< that SuiteSparse had taken from the system after the first step
+  contact::Methods answered_before_{}; ///< the last attempt
+  std::size_t blocks_ = 0;             ///< that SuiteSparse had taken from the system after the first step
 };
 
 /// One run into the folder, on the meshes that the scene has.

@@ -41,6 +41,7 @@ struct RunResult {
   std::vector<std::string>
       remarks; ///< no single answer by theory, energy made or lost: one sentence per kind
   long steps = 0, iterations = 0, factorizations = 0, cuts = 0;
+  std::string contact; ///< what answered its contact problems, and how many each: "sweeps 40 newton 2"
   double seconds = 0;
   std::map<std::string, double>
       phases; ///< processor seconds per phase: assembly, factorization, contact, solve, output

@@ -45,6 +45,7 @@ SolverAnswer answer_of(std::string const& name, contact::SolverChoice const& cho
   double const seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   SolverAnswer answer{name,
                       solution.converged,
+                      std::string(contact::name_of(solution.method)),
                       solution.iterations,
                       solution.work,
                       solution.verdict.residual,
@@ -58,9 +59,10 @@ SolverAnswer answer_of(std::string const& name, contact::SolverChoice const& cho
 
 std::string line_of(SolverAnswer const& answer) {
   return fmt::format(
-      "{:<14}{:<16}{:>8} iterations  residual {:.3e} Pa, {:.3e} of the largest traction  {:.4f} s\n",
-      answer.solver, answer.converged ? "converged" : "NOT CONVERGED", answer.iterations, answer.residual,
-      answer.relative, answer.seconds);
+      "{:<14}{:<16}{:<14}{:>8} iterations  residual {:.3e} Pa, {:.3e} of the largest traction  {:.4f} s\n",
+      answer.solver, answer.converged ? "converged by" : "NOT CONVERGED",
+      answer.converged ? answer.method : "", answer.iterations, answer.residual, answer.relative,
+      answer.seconds);
 }
 
 /// At the first answer; where there is none, at all points.

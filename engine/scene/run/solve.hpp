@@ -12,6 +12,7 @@ namespace stiction::scene {
 struct SolverAnswer {
   std::string solver;
   bool converged = false;
+  std::string method; ///< that gave the answer
   long iterations = 0;
   double work = 0;                   ///< in products W p
   double residual = 0, relative = 0; ///< Pa; over the largest traction

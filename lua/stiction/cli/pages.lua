@@ -22,7 +22,14 @@ test [--all]   build and run the tests
 STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.
 Exit codes: 0 all held; 1 a case failed, a check did not hold, or the run was stopped; 2 bad input.
 Output of run, below out/<study> or --out DIR: summary.csv, checks.json, figures.json, figures/, and a
-folder per case with series.h5, fields.pvd, manifest.json, result.json.
+folder per case with series.h5, fields.pvd, steps.csv, manifest.json, result.json.
+
+steps.csv has a row for every step with contact problems, and for every cut and growth of the step with its reason;
+its column `contact` counts what answered the problems of that attempt ("sweeps 3 newton 1"), as that of summary.csv
+does for a whole case. The newton solver, the default, tries in this order: sweeps (Gauss-Seidel with Anderson's
+mixing; many points without bonds), newton, proximal (the proximal point method); without friction descent and
+minimisation of the potential; with it gauss_seidel (plain sweeps), pivoting (Lemke's method) and enumeration (every
+status of every point). none: nothing did.
 
 A remark at the end of a case (also in its result.json and manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
@@ -64,8 +71,8 @@ run:  id, p, time (list, s); series(group, name, component) -> list, unit; max(g
       time; at(time, group, name). All numbers SI. stiction.numeric: max, min, extreme, argmax, argmin,
       interpolate(xs, ys, x), first_where(list, test, start), integral(xs, ys), map(list, f).
       Of a saved contact problem (problem: file relative to the study, solver = "all", tolerance = 1e-8): contacts,
-      components, doubts, free, and for each solver a table like run.newton: converged, iterations, work (in products W p),
-      residual, relative, seconds, force, displacement. output{problems_every = n} saves such files.
+      components, doubts, free, and for each solver a table like run.newton: converged, method, iterations, work (in
+      products W p), residual, relative, seconds, force, displacement. output{problems_every = n} saves such files.
 cases: a list; cases:find{mu = 0} (nil if absent), cases:where{...}, cases:values("peak"), cases.quick;
       each case is a run with results by name.
 check: equal(name, value, expected, tolerance), close(name, value, expected, relative), within(name, value,
@@ -114,12 +121,12 @@ Results are computed when a case ends; a changed function needs 'stiction run ST
 pages.solve = [[
 stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
 
-FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder, and
-output{problems_every = n} saves that of every n-th step. It is solved by SOLVER ('stiction help solver' lists them;
-default: all in turn) to a relative natural-map residual (default 1e-10), from no forces. Each line tells whether the
-solver converged, its iterations, its work in products W p and the residual, which is judged apart from all solvers; below
-stands where theory promises no single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one
-did not; 2: no such file or solver. A study may do the same in place of a scene: problem = function(p) return { file =
+FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder;
+output{problems_every = n} saves that of every n-th step there. It is solved by SOLVER ('stiction help solver' lists them; default: all in turn) to a relative natural-map residual (default
+1e-10), from no forces. Each line tells whether the solver converged, by which method ('stiction help commands' lists
+them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
+single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one did not; 2: no such file or
+solver. A study may do the same in place of a scene: problem = function(p) return { file =
 "...h5", solver = "newton", tolerance = 1e-8 } end.]]
 
 pages.peers = [[

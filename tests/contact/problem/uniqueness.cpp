@@ -106,7 +106,7 @@ TEST_SUITE("contact") {
                    -0.45, 9.95, 0.55, 10)
                       .finished();
       problem.free = Eigen::Vector4d(-1, 0, -1, 0);
-      auto const answers = enumerate(problem, Vector::Zero(4));
+      auto const answers = enumerate(problem, Vector::Zero(4)).answers;
       bool several = false, told = false;
       for (auto const& force : answers) {
         CHECK(judge(problem, force).relative() < 1e-8);

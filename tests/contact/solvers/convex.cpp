@@ -99,7 +99,7 @@ TEST_SUITE("contact") {
           point.mu = 1.5 * uniform(random);
         if (trial % 3 == 2)
           problem.W.entries().diagonal().array() -= 2e-7; // may be indefinite
-        auto const known = enumerate(problem, Vector::Zero(2 * n));
+        auto const known = enumerate(problem, Vector::Zero(2 * n)).answers;
         auto const answer = solve(BipotentialNewton{}, problem);
         INFO("n " << n << ", trial " << trial << ", known " << known.size() << ", "
                   << answer.verdict.relative());

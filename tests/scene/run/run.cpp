@@ -234,6 +234,10 @@ TEST_CASE("a contact problem that no solver step can solve is kept for `solve`")
   auto const result = run(table, folder / "case");
   CHECK(result.verdict == "not converged");
   CHECK(result.reason.find("failed.h5") != std::string::npos);
+  std::stringstream log;
+  log << std::ifstream(folder / "case/steps.csv").rdbuf();
+  CHECK(log.str().find(",cut,not_converged,") != std::string::npos);
+  CHECK(log.str().find(",none ") != std::string::npos); // uzawa answered nothing
   auto const report = scene::solve_file(folder / "case/problems/failed.h5", "newton", 1e-10);
   CHECK(report.converged);
 }

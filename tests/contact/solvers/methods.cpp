@@ -1,0 +1,52 @@
+// Which method answered a problem is said.
+#include <doctest/doctest.h>
+#include <filesystem>
+
+#include "contact/solvers.hpp"
+#include "record/problem_file.hpp"
+
+using namespace stiction;
+using namespace stiction::contact;
+using namespace stiction::test;
+
+namespace {
+
+Problem saved(std::string const& name) {
+  return record::load_problem(std::filesystem::path(__FILE__).parent_path().parent_path() / "problems" /
+                              (name + ".h5"));
+}
+
+std::string method_of(Problem const& problem) {
+  BipotentialNewton solver;
+  solver.tolerance = 1e-8;
+  return std::string(name_of(solve(solver, problem).method));
+}
+
+} // namespace
+
+TEST_SUITE("contact") {
+  TEST_CASE("the default solver says what gave its answer") {
+    CHECK(method_of(random_problem(3, 20, 1, 0.5)) == "sweeps");
+    CHECK(method_of(random_problem(3, 19, 1, 0.5)) == "newton"); // fewer than 60 rows
+    CHECK(method_of(saved("belt_90")) == "proximal");            // sweeps and Newton cycle
+    CHECK(method_of(saved("bar_snaps")) == "descent");
+    CHECK(method_of(saved("belt_180_indefinite")) == "pivoting");
+  }
+
+  TEST_CASE("each of the other solvers names itself, and one that gives up names nothing") {
+    auto const problem = random_problem(2, 10, 1, 0.5);
+    CHECK(solve(BipotentialUzawa{}, problem).method == Method::uzawa);
+    CHECK(solve(GaussSeidel{}, problem).method == Method::gauss_seidel);
+    BipotentialUzawa once;
+    once.iterations = 1;
+    CHECK(solve(once, problem).method == Method::none);
+  }
+
+  TEST_CASE("counts of methods in words") {
+    Methods counts{};
+    CHECK(words(counts).empty());
+    counts[static_cast<std::size_t>(Method::newton)] = 1;
+    counts[static_cast<std::size_t>(Method::sweeps)] = 40;
+    CHECK(words(counts) == "sweeps 40 newton 1");
+  }
+}
