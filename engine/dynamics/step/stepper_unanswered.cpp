@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "contact/solvers/answers.hpp"
 #include "contact/solvers/pivoting.hpp"
 #include "dynamics/step/stepper.hpp"
 
@@ -49,13 +50,11 @@ std::string Stepper::unanswered() const {
     return failed;
   auto const held = held_and_pressed();
   std::string const why = held.empty() ? held : ": " + held;
-  if (problem.dim > 2)
-    return failed + why;
-  auto const found = contact::pivot(problem, forces, contact::From::nothing);
+  auto const found = problem.dim > 2 ? std::nullopt : contact::pivot(problem, forces, contact::From::nothing);
   return failed +
          (found && found->none
               ? ": pivoting shows that its problem, linear about the last forces, has no answer"
-              : "") +
+              : ": " + words(contact::without_answer(problem, forces), problem.dim)) +
          why;
 }
 

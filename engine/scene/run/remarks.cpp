@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "contact/solvers/answers.hpp"
 #include "scene/description/human.hpp"
 
 namespace stiction::scene {
@@ -19,6 +20,13 @@ contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked 
   if (problem.points.empty())
     return {};
   return contact::doubts(problem, contact.forces(), contact::displacement(problem, contact.forces()), which);
+}
+
+/// "2 answers were found ..." to the last problem.
+std::string answers_of(dynamics::ContactSystem const& contact) {
+  auto const& problem = contact.problem();
+  auto const text = words(contact::seek_answers(problem, contact.forces()), problem.dim);
+  return text.empty() ? "others were not sought, as it is large" : text;
 }
 
 /// "point 17 of pair floor", counted from one as in the pair's line of points.
@@ -45,8 +53,8 @@ void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact:
   auto const found = doubts(contact, which);
   auto const note = [&](Remark& remark, auto const& doubt) {
     if (++remark.steps == 1)
-      remark.text = fmt::format("at t = {}, {}: {}", human(t, "s"), words_of(*scene_, contact, doubt.worst),
-                                words(doubt));
+      remark.text = fmt::format("at t = {}, {}: {}; here {}", human(t, "s"),
+                                words_of(*scene_, contact, doubt.worst), words(doubt), answers_of(contact));
   };
   if (found.friction.any())
     note(friction_, found.friction);

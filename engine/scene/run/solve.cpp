@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "contact/problem/uniqueness.hpp"
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/answers.hpp"
 #include "core/error.hpp"
 #include "record/problem_file.hpp"
 
@@ -80,6 +80,10 @@ std::vector<std::string> doubts_of(contact::Problem const& problem,
   if (found.softening.any())
     lines.push_back(fmt::format("contact {} ({} such alone): {}", found.softening.worst + 1,
                                 found.softening.points, words(found.softening)));
+  if (lines.empty())
+    return lines;
+  if (auto const text = words(contact::seek_answers(problem, at->force), problem.dim); !text.empty())
+    lines.back() += "; here " + text;
   return lines;
 }
 

@@ -34,8 +34,10 @@ status of every point). none: nothing did.
 A remark at the end of a case (also in its result.json and manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
 of a pulled bond's force (bonds snap; RCC without viscosity: 3 C beta^2 A). Each kind is told once, at its first step,
-with the number of steps. W: the displacements of a contact point for unit forces on it. In dynamics a remark also
-tells when the time steps made more than 1 % of the largest energy of the run, or lost more than 10 %.]]
+with the number of steps, and with the answers to that step that were found from other starts; of up to five dry points
+in the plane all statuses are tried, so that it is sure that there are no others. W: the displacements of a contact
+point for unit forces on it. In dynamics a remark also tells when the time steps made more than 1 % of the largest
+energy of the run, or lost more than 10 %.]]
 
 pages.units = [[
 local units = stiction.units; local mm, ms = units.mm, units.ms

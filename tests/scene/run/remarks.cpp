@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "folder.hpp"
 #include "scene/run/run.hpp"
@@ -82,6 +83,7 @@ TEST_CASE("a tilted rod that slides with more friction than 4/3 is remarked on, 
   REQUIRE(jams.remarks.size() == 1);
   CHECK(jams.remarks[0].find("mu |W_nt|") != std::string::npos);
   CHECK(jams.remarks[0].find("mu below 1.3") != std::string::npos);
+  CHECK(jams.remarks[0].find("; here only this one was found") != std::string::npos); // it slides freely
   CHECK(all(run(rod(1.2, -1), folder).remarks) == "");
 }
 
@@ -91,6 +93,7 @@ TEST_CASE("a rod that slides downhill jams with more friction than 4/3, and the 
   CAPTURE(all(jams.remarks));
   REQUIRE(jams.remarks.size() == 2);
   CHECK(jams.remarks[0].find("more than one answer, or none") != std::string::npos);
+  CHECK(std::regex_search(jams.remarks[0], std::regex("; here (it is|none|only|all|\\d+ answers)")));
   CHECK(jams.remarks[1].find("lost energy") != std::string::npos); // it stands still at once
   auto const slides = run(rod(1.2, 1), folder);
   CHECK(slides.cuts == 0);
