@@ -18,7 +18,8 @@ namespace stiction::record {
 /// Throws core::RunError with the system's reason; the part is removed then.
 void replace_file(std::filesystem::path const& path, std::string_view bytes);
 
-/// Adds `bytes` to the end of a file, which is made if missing. Throws core::RunError with the system's reason.
+/// Adds `bytes` to the end of a file, which is made if missing. Throws core::RunError with the system's
+/// reason.
 void append_file(std::filesystem::path const& path, std::string_view bytes);
 
 /// Makes `folder` (and its parents) and tries to write there. Throws core::RunError with the reason and the

@@ -27,7 +27,8 @@ void push(lua_State* lua, scene::SolverAnswer const& answer) {
 }
 
 /// solve(path, solver, tolerance) -> {text =, converged =, contacts =, components =, doubts = {texts}, free =
-/// {}, answers = {solver = {converged =, method =, iterations =, work =, residual =, relative =, seconds =, force =,
+/// {}, answers = {solver = {converged =, method =, iterations =, work =, residual =, relative =, seconds =,
+/// force =,
 /// ...}}}
 int solve(lua_State* lua) {
   EndsAtOnce const now; // nothing is written
