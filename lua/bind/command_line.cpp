@@ -83,6 +83,8 @@ void Commands::add_run() {
                      "Results or curves of the trade, comma separated, that the accuracy is about");
   flag(run, "check-accuracy",
        "Run the cases again with each setting a level finer, and say what they may be off by");
+  value<double>(run, "--problems", "N", "Save the contact problem of every N-th step as well, for solve")
+      ->check(CLI::Range(1, 1000000).description(""));
   flag(run, "force", "Run finished cases again");
   flag(run, "strict", "Run nothing that explain would warn of");
   flag(run, "no-figures", "Draw no figures");
@@ -162,6 +164,7 @@ void Commands::add_internal() {
   flag(one, "alone", "");
   value<std::string>(one, "--fingerprint", "HEX", "");
   value<double>(one, "--rehearse", "N", "");
+  value<double>(one, "--problems", "N", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();

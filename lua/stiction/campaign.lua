@@ -115,8 +115,8 @@ function campaign.run(plan, rows)
   campaign.write_summary(plan, rows)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
-    trust = options.trust, trade = options.trade, jobs = math.floor(options.jobs or engine.cores()),
-    fingerprints = fingerprints }
+    trust = options.trust, trade = options.trade, problems = options.problems,
+    jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints }
   return jobs.run(pending, settings, function(case, result)
     local row = row_of[case.id]
     row.result, row.fresh, row.done = result, true, result.verdict == "finished"

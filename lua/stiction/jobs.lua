@@ -13,6 +13,9 @@ local function words_for(case, options)
   if options.fingerprints then
     words[#words + 1], words[#words + 2] = "--fingerprint", options.fingerprints[case.id]
   end
+  if options.problems then
+    words[#words + 1], words[#words + 2] = "--problems", ("%d"):format(options.problems)
+  end
   if options.quick then
     words[#words + 1] = "--quick"
   end

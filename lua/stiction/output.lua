@@ -160,7 +160,7 @@ local own_identity -- as this process found it: what is installed meanwhile did 
 --- files of its scene or saved problem.
 function output.fingerprint(study, case)
   own_identity = own_identity or identity_of_program()
-  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p)) 
+  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p)) .. (case.problems or "")
     .. output.data_identity(study, case))
 end
 

@@ -5,6 +5,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
+local parts = require "stiction.parts"
 local units = require "stiction.units"
 
 local study = {}
@@ -182,6 +183,11 @@ function methods.scene_of(self, case)
   if type(case.scene) ~= "table" then
     fault.input("study.scene must end with: return stiction.scene{ ... }; it gave %s",
       case.scene == nil and "nothing" or "a " .. type(case.scene))
+  end
+  if case.problems then
+    local own = copy(case.scene.output or {})
+    own.problems_every = case.problems
+    case.scene.output = parts.constructors().output(own)
   end
   return case.scene
 end

@@ -284,6 +284,7 @@ function sweep.cases(study, options)
   local cases, seen = {}, {}
   for _, entry in ipairs(swept) do
     local case = make_case(study, names, entry, swept[1], values)
+    case.problems = options.problems and math.floor(options.problems)
     if not seen[case.id] then
       cases[#cases + 1], seen[case.id] = case, case
     elseif not plan.cases or differ(case.p, seen[case.id].p) then

@@ -36,6 +36,14 @@ holds "checks of two cases" [ -s one/checks.json ]
 expect 0 "1 of 3 cases finished" "$stiction" run "$tiny" --case mu0.2 --out one --no-figures
 holds "the checks of an earlier run are left as if of this" [ ! -e one/checks.json ]
 
+# contact problems kept for solve; a run that keeps others runs anew
+expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --problems 10 --out kept --no-figures
+holds "of every tenth step" [ -s kept/mu0.2/problems/000010.h5 ] && holds "of others" [ ! -e kept/mu0.2/problems/000005.h5 ]
+expect 0 "converged by    newton" "$stiction" solve kept/mu0.2/problems/000010.h5 --with newton
+expect 0 "checks held" "$stiction" run "$tiny" --quick --problems 10 --out kept --no-figures
+holds "kept once" [ "$(grep -c started output)" = 0 ]
+expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --problems 5 --out kept --no-figures
+
 # a changed script makes its results stale
 changed stale ''
 expect 0 "checks held" "$stiction" run stale --no-figures

@@ -124,7 +124,8 @@ pages.solve = [[
 stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
 
 FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder;
-output{problems_every = n} saves that of every n-th step there. It is solved by SOLVER ('stiction help solver' lists them; default: all in turn) to a relative natural-map residual (default
+output{problems_every = n} in a scene, or 'stiction run STUDY --problems n', saves that of every n-th step there. It is
+solved by SOLVER ('stiction help solver' lists them; default: all in turn) to a relative natural-map residual (default
 1e-10), from no forces. Each line tells whether the solver converged, by which method ('stiction help commands' lists
 them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
 single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one did not; 2: no such file or

@@ -16,8 +16,15 @@ SOLVERS = ("NSGS NSGS_POC NSN_AC NSN_AC_HYB NSN_FB NSN_NM ADMM PROX_NSN VI_EG VI
 
 
 def load(path):
-    """u = W r + q, components (n, t1, t2) point by point; W symmetric, stored row by row from its diagonal on."""
+    """u = W r + q, components (n, t1, t2) point by point; W symmetric, stored row by row from its diagonal on, or as a run
+    leaves it, then scaled as the others are."""
     with h5py.File(path) as f:
+        if "W" in f:
+            points = f["points"][:]
+            if f["dim"][0] != 3 or (points[:, 2] >= 0).any() or (f["friction"][:] >= 0).any() or "shift" in f:
+                raise ValueError(path + " is not a dry problem in space")
+            W, q = f["W"][:].T, f["free"][:]
+            return W / np.diag(W).mean(), q / np.abs(q).max(), points[:, 1]
         q, mu = f["q"][:], f["mu"][:]
         W = np.zeros((len(q), len(q)))
         W[np.triu_indices(len(q))] = f["W_upper_packed"][:]

@@ -73,56 +73,9 @@ for _, name in ipairs(solvers) do
   end
 end
 
-local function solved(case, solver)
-  return case.results[solver .. "_relative"] <= tolerance
-end
-
---- Cost of the cheapest solver on a case, nil where none has an answer; a problem solved by its guess costs 1.
-local function cost(case, solver, measure)
-  return solved(case, solver) and math.max(1, case.results[solver .. "_" .. measure]) or nil
-end
-local function least(case, measure)
-  local best
-  for _, solver in ipairs(solvers) do
-    local own = cost(case, solver, measure)
-    best = own and math.min(own, best or own) or best
-  end
-  return best
-end
-
---- Steps of the profile: at ratio x[i] the part rises to y[i].
-local function profile(cases, solver, measure, last)
-  local ratios, x, y = {}, { 1 }, { 0 }
-  for _, case in ipairs(cases) do
-    local own = cost(case, solver, measure)
-    if own then
-      ratios[#ratios + 1] = own / least(case, measure)
-    end
-  end
-  table.sort(ratios)
-  for i, ratio in ipairs(ratios) do
-    table.move({ ratio, ratio }, 1, 2, #x + 1, x)
-    table.move({ y[#y], i / #cases }, 1, 2, #y + 1, y)
-  end
-  x[#x + 1], y[#y + 1] = last, y[#y]
-  return x, y
-end
-
-local function profile_figure(cases, measure, title)
-  local curves, last = {}, 10
-  for _, case in ipairs(cases) do
-    for _, solver in ipairs(solvers) do
-      local own = cost(case, solver, measure)
-      last = own and math.max(last, 1.2 * own / least(case, measure)) or last
-    end
-  end
-  for i, solver in ipairs(solvers) do
-    local x, y = profile(cases, solver, measure, last)
-    curves[i] = { label = solver, x = x, y = y }
-  end
-  return stiction.figure.lines { name = measure, title = title, curves = curves, legend = "below",
-    x = { label = "cost over the least of all solvers", log = true }, y = { label = "part of problems answered", range = { 0, 1 } } }
-end
+local profile = require "../../peers/common/profile.lua".of { solvers = solvers, tolerance = tolerance,
+  lines = stiction.figure.lines }
+local solved = profile.solved
 
 return stiction.study {
   title = "Contact solvers on saved problems",
@@ -164,6 +117,6 @@ return stiction.study {
   end,
   figures = function(cases)
     return { stiction.figure.panel { name = "profile", columns = 2, figures = {
-      profile_figure(cases, "iterations", "by iterations"), profile_figure(cases, "work", "by work") } } }
+      profile.figure(cases, "iterations", "by iterations"), profile.figure(cases, "work", "by work") } } }
   end,
 }

@@ -1,0 +1,109 @@
+-- Which contact solver answers how many of the problems of our own studies, and at what cost: performance profiles.
+--
+-- problems.lua lists them by study, case and step; collect.sh runs the studies and leaves the files in a folder:
+--
+--     studies/peers/solver_profile/collect.sh /tmp/problems
+--     ./stiction run studies/peers/solver_profile --set folder=/tmp/problems
+--
+-- All start from no force. Cost: iterations or sweeps; work in products W p, so that it repeats. The quick form takes the
+-- friction problems that are kept beside.
+local stiction = require "stiction"
+local listed = require "problems"
+
+local solvers = { "newton", "uzawa", "gauss_seidel" }
+local methods = { "none", "sweeps", "newton", "proximal", "descent", "minimisation", "gauss_seidel", "uzawa", "pivoting",
+  "enumeration" }
+local tolerance = 1e-8
+local profile = require "../common/profile.lua".of { solvers = solvers, tolerance = tolerance, lines = stiction.figure.lines }
+
+local names = {}
+for _, group in ipairs(listed) do
+  for _, step in ipairs(group.steps) do
+    names[#names + 1] = group.folder .. "/" .. step
+  end
+end
+
+local results = {
+  { name = "rows", unit = "1", meaning = "components of all contacts", function(run) return run.contacts * run.components end },
+  { name = "method", unit = "1", meaning = "what in the newton solver answered: place in the list of study.lua, less 1",
+    function(run)
+      for i, name in ipairs(methods) do
+        if name == run.newton.method then return i - 1 end
+      end
+      return -1
+    end },
+}
+for _, name in ipairs(solvers) do
+  for _, row in ipairs {
+    { "iterations", "iterations or sweeps" }, { "work", "work in products W p" }, { "relative", "residual over the largest traction" },
+  } do
+    results[#results + 1] = { name = name .. "_" .. row[1], unit = "1", meaning = row[2] .. " of " .. name,
+      function(run) return run[name][row[1]] end }
+  end
+end
+
+--- "sweeps 3 newton 1": what in the default solver answered these.
+local function words_of_methods(cases)
+  local counts, words = {}, {}
+  for _, case in ipairs(cases) do
+    counts[case.results.method + 1] = (counts[case.results.method + 1] or 0) + 1
+  end
+  for i, name in ipairs(methods) do
+    words[#words + 1] = counts[i] and ("%s %d"):format(name, counts[i])
+  end
+  return table.concat(words, ", ")
+end
+
+local function row_of(key, cases)
+  local row, rows = { key, #cases }, 0
+  for _, case in ipairs(cases) do
+    rows = math.max(rows, case.results.rows)
+  end
+  row[3] = rows
+  for _, solver in ipairs(solvers) do
+    row[#row + 1] = #profile.ratios(cases, solver, "work")
+  end
+  row[#row + 1] = words_of_methods(cases)
+  return row
+end
+
+local function groups_of(cases)
+  local order, groups = {}, {}
+  for _, case in ipairs(cases) do
+    local key = case.p.problem:match("^[^/]+")
+    if not groups[key] then
+      order[#order + 1], groups[key] = key, {}
+    end
+    table.insert(groups[key], case)
+  end
+  return order, groups
+end
+
+return stiction.study {
+  title = "Contact solvers on the problems of our own studies",
+  question = "How many of the contact problems of studies does each solver answer, and within how much of the least cost?",
+  chosen = { folder = { "problems", "where collect.sh left them" } },
+  sweep = { problem = names },
+  quick = { sweep = { problem = { "p01_flat_nc49", "p02_wavy_nc100", "p09_rigidbox_nc144" } },
+    set = { folder = "../friction_problems/problems" } },
+  case_id = function(p) return (p.problem:gsub("/problems/", "_"):gsub("/", "_")) end,
+  problem = function(p) return { file = p.folder .. "/" .. p.problem .. ".h5", tolerance = tolerance } end,
+  results = results,
+  check = function(cases, check)
+    local rows, order, groups = {}, groups_of(cases)
+    for i, key in ipairs(order) do
+      rows[i] = row_of(key, groups[key])
+    end
+    rows[#rows + 1] = row_of("all", cases)
+    check.table { title = "Contact problems answered", columns = { "study", "problems", "rows at most", "newton", "uzawa",
+      "gauss_seidel", "newton's answers by" }, rows = rows }
+    local answered = #profile.ratios(cases, "newton", "work")
+    check.equal("answered by the default solver", answered, #cases, 0)
+    local ratios = profile.ratios(cases, "newton", "work")
+    check.within("median of the default's work over the least", ratios[(#ratios + 1) // 2] or math.huge, 1, 4)
+  end,
+  figures = function(cases)
+    return { stiction.figure.panel { name = "profile", columns = 2, figures = {
+      profile.figure(cases, "iterations", "by iterations"), profile.figure(cases, "work", "by work") } } }
+  end,
+}
