@@ -2,11 +2,13 @@
 #include "bind/engine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
+#include <link.h>
 #include <unistd.h>
 
 #include "bind/push.hpp"
@@ -31,10 +33,10 @@ int read_file(lua_State* lua) {
   std::ifstream file(path, std::ios::binary);
   if (!file || fs::is_directory(path))
     return refuse(lua, fmt::format("cannot read {}", path));
-  std::ostringstream text; // in blocks: each start reads the program itself, for its hash
-  if (file.peek() != std::ifstream::traits_type::eof()) // nothing read would count as a failure
-    text << file.rdbuf();
-  push(lua, text.str());
+  std::string text;
+  for (std::array<char, 1 << 16> block; file.read(block.data(), block.size()) || file.gcount() > 0;)
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  push(lua, text);
   return 1;
 }
 
@@ -150,6 +152,38 @@ int program(lua_State* lua) {
   return 1;
 }
 
+/// The note that the linker leaves of all that it wrote, as hexadecimal digits; "" if it left none.
+std::string build_id(dl_phdr_info const& loaded) {
+  for (auto const* part = loaded.dlpi_phdr; part != loaded.dlpi_phdr + loaded.dlpi_phnum; ++part) {
+    auto const* at = reinterpret_cast<unsigned char const*>(loaded.dlpi_addr + part->p_vaddr);
+    auto const* const end = part->p_type == PT_NOTE ? at + part->p_memsz : at;
+    while (at < end) {
+      ElfW(Nhdr) note;
+      std::memcpy(&note, at, sizeof note);
+      auto const padded = [](ElfW(Word) size) { return (size + 3U) & ~3U; };
+      auto const* const words = at + sizeof note + padded(note.n_namesz);
+      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4)
+        return fmt::format("{:02x}", fmt::join(words, words + note.n_descsz, ""));
+      at = words + padded(note.n_descsz);
+    }
+  }
+  return "";
+}
+
+/// build_id() -> text that no other program has, as the linker wrote it; nil if it wrote none
+int own_build_id(lua_State* lua) {
+  std::string id;
+  auto const take = [](dl_phdr_info* loaded, std::size_t, void* text) {
+    *static_cast<std::string*>(text) = build_id(*loaded);
+    return 1; // the program itself comes first
+  };
+  dl_iterate_phdr(take, &id);
+  if (id.empty())
+    return 0;
+  push(lua, id);
+  return 1;
+}
+
 /// program_folder() -> the folder that this executable was started from
 int program_folder(lua_State* lua) {
   push(lua, fs::read_symlink("/proc/self/exe").parent_path().string());
@@ -170,6 +204,7 @@ void add_file_functions(lua_State* lua) {
   add<remove>(lua, "remove");
   add<hash>(lua, "hash");
   add<program>(lua, "program");
+  add<own_build_id>(lua, "build_id");
   add<program_folder>(lua, "program_folder");
 }
 

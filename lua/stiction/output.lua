@@ -151,7 +151,7 @@ local function identity_of_program()
   for _, file in ipairs(engine.list(engine.library_root() .. "/stiction", true)) do
     files[#files + 1] = file:find("%.lua$") and file or nil
   end
-  return loader.hash(files) .. loader.hash { "/proc/self/exe" }
+  return loader.hash(files) .. (engine.build_id() or loader.hash { "/proc/self/exe" })
 end
 
 local own_identity -- as this process found it: what is installed meanwhile did not make its results

@@ -8,7 +8,7 @@ cd "$build"
 cpack -G DEB -B "$work" >"$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit 1; }
 package=$(ls "$work"/stiction_*.deb)
 depends=$(dpkg-deb -f "$package" Depends)
-for needed in libcholmod liblua5.4 libhdf5 fonts-dejavu-core; do
+for needed in libcholmod libhdf5 fonts-dejavu-core; do
   case $depends in *$needed*) ;; *) echo "the package does not depend on $needed: $depends"; exit 1 ;; esac
 done
 dpkg-deb -x "$package" "$work/root"
