@@ -71,26 +71,22 @@ double largest_cell(Model const& model) {
 
 } // namespace
 
-BulkSystem::BulkSystem(Model const& model, StepWeights const& weights)
+BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
     : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces) {
   on_surface_ = contact_nodes(model);
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
   own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
-  number_unknowns(model);
-  if (!diagonal_)
-    build_maps(model);
-  if (weights.skin) {
-    skin_more_ = 1 - weights.xi;
-    skin_.emplace(model, on_surface_);
-    skin_->map_entries(kept_.front().factor->pattern(), unknown_of_);
-  }
+  if (purpose == Purpose::steps)
+    make_matrix(model, weights);
   mass_.dead_load.setZero(model.dofs());
   bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
                                                              [](auto const& rigid) { return rigid.free(); });
   if (weights.inertia || loaded)
     mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
+  if (purpose == Purpose::beginning)
+    return;
   if (weights.inertia)
     set_mass(weights);
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
@@ -100,6 +96,17 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights)
                                [](auto const& body) { return material::linear(body->material); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
+}
+
+void BulkSystem::make_matrix(Model const& model, StepWeights const& weights) {
+  number_unknowns(model);
+  if (!diagonal_)
+    build_maps(model);
+  if (!weights.skin)
+    return;
+  skin_more_ = 1 - weights.xi;
+  skin_.emplace(model, on_surface_);
+  skin_->map_entries(kept_.front().factor->pattern(), unknown_of_);
 }
 
 void BulkSystem::number_unknowns(Model const& model) {

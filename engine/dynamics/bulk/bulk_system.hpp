@@ -27,9 +27,12 @@ struct Cost {
   }
 };
 
+/// What a system is for: steps, or the state before the first, which wants forces and mass and no matrix.
+enum class Purpose { steps, beginning };
+
 class BulkSystem {
 public:
-  BulkSystem(Model const& model, StepWeights const& weights);
+  BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose = Purpose::steps);
 
   [[nodiscard]] Index unknowns() const { return static_cast<Index>(dof_of_.size()); }
   /// Number of the free unknown behind a degree of freedom, -1 if driven; contact unknowns come last.
@@ -109,6 +112,7 @@ private:
   [[nodiscard]] bool make(StepWeights const& weights, Cost& cost);
   void choose_factor(FactorSource source, StepWeights const& weights);
   [[nodiscard]] std::unique_ptr<linear::BulkFactor> spare();
+  void make_matrix(Model const& model, StepWeights const& weights);
   void number_unknowns(Model const& model);
   void set_mass(StepWeights const& weights);
   void build_maps(Model const& model);

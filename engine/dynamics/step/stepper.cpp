@@ -30,8 +30,8 @@ core::Schema const& StepControl::schema() {
   return made;
 }
 
-Stepper::Stepper(Model const& model)
-    : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_),
+Stepper::Stepper(Model const& model, Purpose purpose)
+    : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_, purpose),
       contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)

@@ -38,7 +38,8 @@ struct Outcome {
 /// Owns workspace only; every call starts from the state it is given.
 class Stepper {
 public:
-  explicit Stepper(Model const& model);
+  /// Of one made for the beginning alone only `initial` and `contact` may be asked.
+  explicit Stepper(Model const& model, Purpose purpose = Purpose::steps);
 
   /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
   [[nodiscard]] State initial();

@@ -67,7 +67,7 @@ Scene Builder::run() {
   add_pairs();
   check_probes();
   settle();
-  dynamics::Stepper stepper(model);
+  dynamics::Stepper stepper(model, dynamics::Purpose::beginning);
   auto const start = stepper.initial();
   check_overlap(start);
   check_supports(stepper.contact(), start);

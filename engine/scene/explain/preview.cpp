@@ -21,7 +21,7 @@ Preview preview(core::Input const& input) {
   for (auto const& [name, width] : series.names())
     preview.columns.push_back({name, width});
   preview.end = scene.part.schedule.stages.back().until;
-  dynamics::Stepper stepper(*scene.model);
+  dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
   preview.warnings = warnings_of(scene, stepper.initial());
   return preview;
 }
