@@ -11,31 +11,47 @@ namespace {
 constexpr std::size_t most_corners = 4; // of a facet in 3D
 using Key = std::array<Index, most_corners>;
 
-struct Side {
-  Key key; ///< sorted corners, the same for both cells that share the facet
-  Facet facet;
-};
-
-Side make_side(Index const* cell, std::vector<int> const& local, int dim) {
-  Side side{{}, {}};
-  for (int const node : local)
-    side.facet.nodes.push_back(cell[node]);
+/// Sorted corners, the same for both cells that share the facet.
+Key key_of(Index const* cell, std::vector<int> const& local, int dim) {
+  Key key;
+  key.fill(-1);
   std::size_t const corners = dim == 2 ? 2 : local.size() % 3 == 0 ? 3 : 4;
-  side.key.fill(-1);
-  std::copy_n(side.facet.nodes.begin(), corners, side.key.begin());
-  std::sort(side.key.begin(), side.key.end());
-  return side;
+  for (std::size_t k = 0; k < corners; ++k)
+    key[k] = cell[local[k]];
+  std::sort(key.begin(), key.end());
+  return key;
 }
 
-std::vector<Side> sides_of_all_cells(Mesh const& mesh) {
-  std::vector<Side> sides;
+/// Calls visit(nodes of a cell, its facet's local nodes, dimension of the cell) in the order of the cells.
+template<class Visit> void each_side(Mesh const& mesh, Visit const& visit) {
   for (auto const& block : mesh.blocks) {
     CellInfo const& cell = info(block.kind);
     for (std::size_t first = 0; first < block.nodes.size(); first += static_cast<std::size_t>(cell.nodes))
       for (auto const& local : cell.facets)
-        sides.push_back(make_side(&block.nodes[first], local, cell.dim));
+        visit(&block.nodes[first], local, cell.dim);
   }
-  return sides;
+}
+
+/// Which of the sides no other one equals. Those with the same largest node stand side by side.
+std::vector<bool> single(std::vector<Key> const& sides, Index nodes) {
+  std::size_t const slots = static_cast<std::size_t>(nodes) + 1;
+  auto const slot = [&](Key const& key) { // a mesh that has not been checked may name any node
+    return static_cast<std::size_t>(key.back()) % slots;
+  };
+  std::vector<std::size_t> first(slots + 1, 0), place(sides.size());
+  for (auto const& key : sides)
+    ++first[slot(key) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  auto next = first;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    place[next[slot(sides[i])]++] = i;
+  std::vector<bool> alone(sides.size(), true);
+  for (std::size_t v = 0; v < slots; ++v)
+    for (std::size_t i = first[v]; i < first[v + 1]; ++i)
+      for (std::size_t k = i + 1; k < first[v + 1]; ++k)
+        if (sides[place[i]] == sides[place[k]])
+          alone[place[i]] = alone[place[k]] = false;
+  return alone;
 }
 
 } // namespace
@@ -48,26 +64,20 @@ Index Mesh::cell_count() const {
 }
 
 std::vector<Facet> boundary(Mesh const& mesh) {
-  auto const sides = sides_of_all_cells(mesh);
-  std::vector<std::size_t> order(sides.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return sides[a].key != sides[b].key ? sides[a].key < sides[b].key : a < b;
+  std::vector<Key> sides;
+  each_side(mesh, [&](Index const* cell, auto const& local, int dim) {
+    sides.push_back(key_of(cell, local, dim));
   });
-  std::vector<std::size_t> single;
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t end = i + 1;
-    while (end < order.size() && sides[order[end]].key == sides[order[i]].key)
-      ++end;
-    if (end == i + 1)
-      single.push_back(order[i]);
-    i = end;
-  }
-  std::sort(single.begin(), single.end()); // back to the order of the cells
+  auto const alone = single(sides, mesh.node_count());
   std::vector<Facet> facets;
-  facets.reserve(single.size());
-  for (std::size_t const i : single)
-    facets.push_back(sides[i].facet);
+  std::size_t at = 0;
+  each_side(mesh, [&](Index const* cell, auto const& local, int) {
+    if (!alone[at++])
+      return;
+    auto& nodes = facets.emplace_back().nodes;
+    for (int const node : local)
+      nodes.push_back(cell[node]);
+  });
   return facets;
 }
 

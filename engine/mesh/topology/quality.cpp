@@ -24,6 +24,8 @@ struct Cell {
 };
 
 using Locals = std::vector<int>;
+/// Of one corner, [dim, dim], m.
+using Edges = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
 
 std::vector<Locals> neighbours_of(CellInfo const& cell) {
   Matrix const& nodes = reference_nodes(cell.kind);
@@ -63,10 +65,10 @@ std::vector<Locals> const& neighbours(CellKind kind) {
   return all.at(static_cast<std::size_t>(kind));
 }
 
-/// Edges that leave one corner. [dim, dim], m
-Matrix edges_at(Mesh const& mesh, Cell const& cell, int corner) {
+/// Edges that leave one corner.
+Edges edges_at(Mesh const& mesh, Cell const& cell, int corner) {
   auto const& ends = neighbours(cell.info->kind)[static_cast<std::size_t>(corner)];
-  Matrix edges(mesh.dim, mesh.dim);
+  Edges edges(mesh.dim, mesh.dim);
   for (int i = 0; i < mesh.dim; ++i)
     edges.row(i) =
         mesh.nodes.row(cell.nodes[ends[static_cast<std::size_t>(i)]]) - mesh.nodes.row(cell.nodes[corner]);
@@ -77,7 +79,7 @@ Matrix edges_at(Mesh const& mesh, Cell const& cell, int corner) {
 double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < cell.info->corners; ++i) {
-    Matrix const edges = edges_at(mesh, cell, i);
+    Edges const edges = edges_at(mesh, cell, i);
     double const lengths = edges.rowwise().norm().prod();
     least = std::min(least, lengths > 0 ? edges.determinant() / lengths : 0.0);
   }
@@ -87,7 +89,7 @@ double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
 }
 
 /// Takes the angles at one corner into account: in 2D beyond 180 degrees too, in 3D between every two edges.
-void add_angles(Quality& result, Matrix const& edges) {
+void add_angles(Quality& result, Edges const& edges) {
   double const degree = 180 / std::numbers::pi;
   for (Eigen::Index i = 0; i < edges.rows(); ++i)
     for (Eigen::Index j = i + 1; j < edges.rows(); ++j) {
@@ -109,7 +111,7 @@ double mapped_jacobian(Mesh const& mesh, Cell const& cell, Interpolation const& 
     coordinates.row(i) = mesh.nodes.row(cell.nodes[i]);
   double least = std::numeric_limits<double>::infinity(), sum = 0;
   for (auto const& gradient : rule.gradients) {
-    double const determinant = (coordinates.transpose() * gradient).determinant();
+    double const determinant = Edges(coordinates.transpose() * gradient).determinant();
     least = std::min(least, determinant);
     sum += std::abs(determinant);
   }
@@ -218,7 +220,7 @@ Quality quality(Mesh const& mesh) {
   for_each_cell(mesh, [&](Cell const& cell) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (int i = 0; i < cell.info->corners; ++i) {
-      Matrix const edges = edges_at(mesh, cell, i);
+      Edges const edges = edges_at(mesh, cell, i);
       add_angles(result, edges);
       shortest = std::min(shortest, edges.rowwise().norm().minCoeff());
       longest = std::max(longest, edges.rowwise().norm().maxCoeff());
