@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "linear/cholmod_view.hpp"
+#include "linear/node_order.hpp"
 
 namespace stiction::linear {
 
@@ -59,9 +60,28 @@ Pattern interior(Pattern const& pattern, std::vector<bool> const& last, Indices&
   return part;
 }
 
+/// CHOLMOD's own limits, above which it looks for a better order than AMD's: operations per number of the
+/// factor, and numbers of the factor per entry. It sees a factor of nodes, not of their `width` unknowns
+/// each.
+void choose_methods(cholmod_common& common, cholmod_sparse& view, double width) {
+  constexpr double operations_per_number = 500, numbers_per_entry = 5;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_AMD;
+  common.method[1].ordering = CHOLMOD_METIS;
+  cholmod_factor* factor = cholmod_analyze(&view, &common);
+  bool const dear =
+      width * common.fl >= operations_per_number * common.lnz && common.lnz >= numbers_per_entry * common.anz;
+  cholmod_free_factor(&factor, &common);
+  common.nmethods = dear ? 2 : 1;
+}
+
 } // namespace
 
 Indices elimination_order(Pattern const& pattern, std::vector<bool> const& last) {
+  return elimination_order(pattern, last, 1);
+}
+
+Indices elimination_order(Pattern const& pattern, std::vector<bool> const& last, double width) {
   Indices order;
   Pattern part = interior(pattern, last, order);
   if (!order.empty()) {
@@ -70,6 +90,8 @@ Indices elimination_order(Pattern const& pattern, std::vector<bool> const& last)
     common.print = 0;
     cholmod_sparse view = view_of(part);
     common.supernodal = CHOLMOD_SUPERNODAL;
+    if (width > 1)
+      choose_methods(common, view, width);
     cholmod_factor* factor = cholmod_analyze(&view, &common);
     core::expect(factor != nullptr, "CHOLMOD to order the unknowns");
     Indices permuted;

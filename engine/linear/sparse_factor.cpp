@@ -175,26 +175,29 @@ private:
   Dense loads_;
 };
 
-constexpr Index small = 1000; // surface unknowns below which nothing but the surface last is looked at
-constexpr double near = 0.25; // part of the surface that is expected to be near contact
+constexpr double small = 1000; // surface unknowns below which nothing but the surface last is looked at
+constexpr double near = 0.25;  // part of the surface that is expected to be near contact
 
 /// Operations of a factorization with the columns that it is expected to be asked for.
-double expected(Cholesky const& factor, Index surface) {
-  auto const n = static_cast<double>(surface);
-  auto const effort = factor.effort();
-  double const column = factor.order() == Order::given ? n * n : 4 * effort.entries;
-  return effort.operations + near * n * column;
+double expected(Effort const& effort, double surface, double column) {
+  return effort.operations + near * surface * column;
 }
 
 /// What of that the surface takes where it comes last.
-double dense_part(Index surface) {
-  auto const n = static_cast<double>(surface);
-  return (1.0 / 3 + near) * n * n * n;
+double dense_part(double surface) {
+  return (1.0 / 3 + near) * surface * surface * surface;
 }
 
 } // namespace
 
-/// Other orders are looked at where the surface takes most of the work; elsewhere none can save half of it.
+bool worth_another_order(Effort const& last, double surface) {
+  return surface >= small && 2 * dense_part(surface) >= expected(last, surface, surface * surface);
+}
+
+bool surface_goes_last(Effort const& last, Effort const& free, double surface) {
+  return expected(last, surface, surface * surface) <= expected(free, surface, 4 * free.entries);
+}
+
 std::unique_ptr<BulkFactor> make_sparse_factor(Pattern const& pattern, Index surface, bool skew) {
   std::unique_ptr<Cholesky> last, free;
   try {
@@ -203,11 +206,10 @@ std::unique_ptr<BulkFactor> make_sparse_factor(Pattern const& pattern, Index sur
     if (skew)
       throw;
   }
-  bool const enough = surface < small || 2 * dense_part(surface) < (last ? expected(*last, surface) : 0);
-  if (last && (skew || enough))
+  if (last && (skew || !worth_another_order(last->effort(), surface)))
     return std::make_unique<SurfaceLast>(surface, std::move(last));
   free = std::make_unique<Cholesky>(pattern, surface, Order::free);
-  if (last && expected(*last, surface) <= expected(*free, surface))
+  if (last && surface_goes_last(last->effort(), free->effort(), surface))
     return std::make_unique<SurfaceLast>(surface, std::move(last));
   return std::make_unique<SurfaceAnywhere>(surface, std::move(free));
 }

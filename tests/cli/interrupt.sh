@@ -53,7 +53,7 @@ for signal in INT TERM; do
     # shellcheck disable=SC2086 # words
     "$stiction" $command >output 2>&1 </dev/null &
     id=$!
-    sleep 1.5
+    case $command in explain*) sleep 0.3 ;; *) sleep 1.5 ;; esac # which has its answer within a second
     if kill -0 "$id"; then
       began=$(date +%s)
       kill -"$signal" "$id"

@@ -6,14 +6,16 @@
 namespace stiction::scene {
 
 Explanation explain(Scene const& scene) {
-  dynamics::Stepper stepper(*scene.model);
-  auto const facts = facts_of(scene, stepper.initial());
+  dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
+  auto const start = stepper.initial();
+  auto const facts = facts_of(scene, start);
   Explanation explanation;
   describe_scene(facts, explanation);
-  describe_cost(facts, stepper.bulk(), explanation);
+  bool const cheap = describe_cost(facts, start, stepper.bulk(), explanation);
   describe_numbers(facts, explanation);
   add_warnings(facts, explanation);
-  add_advice(facts, explanation);
+  if (cheap) // it factors at rest
+    add_advice(facts, explanation);
   return explanation;
 }
 

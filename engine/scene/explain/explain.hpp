@@ -28,7 +28,7 @@ struct Explanation {
   std::vector<Warning> warnings;
 };
 
-/// Assembles and factors once at rest to measure the cost; takes no step.
+/// Takes no step, and factors nothing that is not small.
 [[nodiscard]] Explanation explain(Scene const& scene);
 /// Throws InputError with every complaint about the table.
 [[nodiscard]] Explanation explain(core::Input const& input);

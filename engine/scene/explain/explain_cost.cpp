@@ -1,135 +1,138 @@
-// Memory from the analysed pattern, time from one force, one assembly and one factorization at rest.
+// Memory and time of a run: what it is forecast to count, at the speeds that this machine shows now.
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
 
-#include "dynamics/bulk/timer.hpp"
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
+#include "scene/explain/forecast.hpp"
+#include "scene/explain/machine.hpp"
 
 namespace stiction::scene {
 
 namespace {
 
-/// Of a step: Newton iterations, and how often the matrix is assembled and factored anew; about what the
-/// studies of this repository take (3.8 and 0.35 in section, 4.3 and 0.25 in space, 5.8 and 0.07 with
-/// inertia).
-constexpr double iterations = 4, factorizations = 1.0 / 3;
-constexpr Index most_columns =
-    480; // of the surface's compliance that are timed: few are near contact if many
+// Parts of the speed of large dense products: small fronts of a factor, and what is no product at all.
+constexpr double front = 200; // columns of a front at which a factorization has half of it
+constexpr double part_of_solver = 0.3, part_of_columns = 0.3, part_of_elimination = 0.4;
+// What takes as long as so many operations of dense products.
+constexpr double started = 1e9, frame_node = 1e5, pattern_entry = 1.2e4, factor_unknown = 2e4,
+                 solve_unknown = 8e3, point = 3e4, step_written = 6e6;
+constexpr double part_of_stream = 0.5,
+                 part_of_cache = 1.5; // what is read not in a row, from memory or caches
+constexpr double cache = 4e6;         // bytes
+constexpr double vector_passes = 30;  // over all degrees of freedom, an iteration
+constexpr double small_unknowns = 2e4, small_operations = 1e9; // of a factor that takes no time worth telling
+constexpr double gathered = 20; // passes over the compliance that make a problem of it
 
-/// Seconds of one pass each.
-struct Passes {
-  double force = 0, assembly = 0, factorization = 0, inverse = 0, solve = 0;
-  bool regular = false; ///< did the factorization at rest succeed?
+/// Seconds of the run by what they go into.
+struct Seconds {
+  double once = 0;                                     ///< ordering and patterns
+  double assembly = 0, factorization = 0, columns = 0; ///< of one factor
+  double force = 0, solve = 0, contact = 0;            ///< of one iteration
+  double step = 0;                                     ///< beside its iterations
+  [[nodiscard]] double iteration() const { return force + solve + contact; }
+  [[nodiscard]] double factor() const { return assembly + factorization + columns; }
 };
 
-/// The first call warms caches and takes memory; the second is timed.
-template<class Call> double seconds_of(Call&& call) {
-  call();
-  double seconds = 0;
-  {
-    dynamics::Timer const timer(seconds);
-    call();
-  }
-  return seconds;
+double read(Machine const& machine, double bytes) {
+  return bytes / (machine.stream * (bytes < cache ? part_of_cache : part_of_stream));
 }
 
-Passes measure(Facts const& facts, dynamics::BulkSystem& bulk) {
-  auto const& model = *facts.scene->model;
-  Vector const u = Vector::Zero(model.dofs());
-  auto const weights = dynamics::weights(model.scheme);
-  Passes passes;
-  Vector force, rhs = Vector::Ones(bulk.unknowns());
-  passes.force = seconds_of([&] { static_cast<void>(bulk.internal_force(u, force)); });
-  dynamics::Cost cold, cost;
-  passes.regular = bulk.factorize(u, weights, facts.longest_step, cold) &&
-                   bulk.factorize(u, weights, facts.longest_step, cost);
-  passes.assembly = cost.assembly;
-  passes.factorization = cost.factorization;
-  if (!passes.regular)
-    return passes;
-  {
-    dynamics::Timer const timer(passes.inverse);
-    Indices all(ix(std::min(bulk.factor().surface(), most_columns)));
-    std::iota(all.begin(), all.end(), 0);
-    Dense compliance;
-    bulk.factor().compliance(all, compliance);
-  }
-  passes.solve = seconds_of([&] { bulk.factor().solve(rhs); });
-  return passes;
+double contact_seconds(Machine const& machine, ContactForecast const& contact) {
+  double const r = contact.rows;
+  double const solver = contact.sweeps ? contact.iterations * read(machine, 4 * r * r)
+                                       : contact.operations / (part_of_solver * machine.products);
+  return solver + contact.elimination / (part_of_elimination * machine.products) +
+         read(machine, 8 * gathered * contact.used * contact.used);
 }
 
-/// Gradients and volumes at the quadrature points, as solid::PreparedBlock keeps them, bytes.
-double cell_memory(Facts const& facts) {
-  double numbers = 0;
-  int const width = facts.scene->part.kinematics == solid::Kinematics::three_dimensional ? 3 : 2;
-  for (auto const& body : facts.bodies)
-    for (auto const& block : body.body->mesh.blocks) {
-      auto const nodes = static_cast<double>(mesh::info(block.kind).nodes);
-      auto const cells = static_cast<double>(block.nodes.size()) / nodes;
-      auto const points = static_cast<double>(mesh::stiffness_rule(block.kind).weights.size());
-      numbers += cells * (points * (width * nodes + 1) + nodes * (nodes + 1) / 4 * width * width);
-    }
-  return 8 * numbers;
+Seconds seconds_of(Facts const& facts, Forecast const& all) {
+  auto const machine = measure_machine();
+  auto const passes = measure_passes(*facts.scene->model);
+  auto const& fill = all.fill;
+  double const dofs = static_cast<double>(facts.scene->model->dofs());
+  auto const as_products = [&](double operations) { return operations / machine.products; };
+  Seconds time;
+  auto const& part = facts.scene->part;
+  auto const frames =
+      static_cast<double>(part.output.frames) * static_cast<double>(part.schedule.stages.size()) + 1;
+  double const nodes = facts.scene->model->node_count();
+  time.once =
+      1.5 * fill.seconds + as_products(started + pattern_entry * fill.entries + frame_node * frames * nodes);
+  time.assembly = passes.stiffness + read(machine, all.cells_bytes + 8 * fill.entries);
+  double const columns = fill.factor.operations / std::max(1.0, fill.factor.entries);
+  time.factorization = as_products(fill.factor.operations * (1 + front / std::max(1.0, columns)) +
+                                   factor_unknown * fill.unknowns) +
+                       read(machine, 16 * fill.factor.entries);
+  time.columns = as_products(all.contact.column_operations / part_of_columns);
+  time.force = passes.force + read(machine, 0.5 * all.cells_bytes + 8 * vector_passes * dofs);
+  time.solve = read(machine, 16 * fill.factor.entries) + as_products(solve_unknown * fill.unknowns);
+  double points = 0;
+  for (auto const& pair : facts.pairs)
+    points += pair.pair->size();
+  time.contact = contact_seconds(machine, all.contact) + as_products(point * points);
+  time.step = as_products(step_written) + time.force;
+  return time;
 }
 
 void add(Section& section, Line line) {
   section.lines.push_back(std::move(line));
 }
+void add(Section& section, char const* name, double count, std::string meaning) {
+  add(section, {name, counted(count), count, "1", std::move(meaning)});
+}
 
-void add_memory(Facts const& facts, dynamics::BulkSystem& bulk, Section& section) {
-  auto const effort = bulk.factor().effort();
-  auto const entries = static_cast<double>(bulk.factor().pattern().entries());
-  Index const trailing = bulk.factor().surface();
-  double const columns =
-      static_cast<double>(std::min(trailing, most_columns)) * static_cast<double>(trailing);
-  double const factor = 8 * effort.entries, cells = cell_memory(facts),
-               dense = 8 * (bulk.factor().surface_numbers() + columns);
-  double const matrix = entries * (4 + 8 + (facts.dynamic() ? 8 : 0));
-  add(section, {"unknowns", counted(bulk.unknowns()), static_cast<double>(bulk.unknowns()), "1", "free"});
-  add(section, {"contact unknowns", counted(trailing), static_cast<double>(trailing), "1",
-                "of contact surfaces; what they give way is found for those near contact"});
-  add(section,
-      {"factor", counted(effort.entries), effort.entries, "1",
-       fmt::format("numbers of the Cholesky factor; {:.2g} Gflop to make it", effort.operations * 1e-9)});
-  double const total = factor + matrix + dense + cells;
+void add_sizes(Forecast const& all, Section& section) {
+  auto const& [fill, contact] = std::pair{all.fill, all.contact};
+  add(section, "unknowns", fill.unknowns, "free");
+  add(section, "contact unknowns", fill.surface,
+      "of contact surfaces; what they give way is found for those near contact");
+  add(section, "factor", fill.factor.entries,
+      fmt::format("numbers of the Cholesky factor; {:.2g} Gflop to make it", fill.factor.operations * 1e-9));
+  if (contact.rows > 0)
+    add(section, "contact rows", contact.rows,
+        fmt::format("of a contact problem, about {:.0f} points near contact at once; about {:.0f} {} each",
+                    contact.points, contact.iterations, contact.sweeps ? "sweeps" : "factorizations"));
+  double const total = all.memory();
   add(section,
       {"memory", human(total, "B"), total, "B",
-       fmt::format("factor {}, matrix {}, contact surfaces {}, cells {}; runs peak at about 1.5 times "
-                   "that, and 25 MB for the program",
-                   human(factor, "B"), human(matrix, "B"), human(dense, "B"), human(cells, "B"))});
+       fmt::format("at the peak: factor {}, matrix {}, contact surfaces {}, cells {}, the program {}",
+                   human(all.factor_bytes, "B"), human(all.matrix_bytes, "B"), human(all.contact_bytes, "B"),
+                   human(all.cells_bytes, "B"), human(all.base_bytes, "B"))});
+}
+
+void add_time(Forecast const& all, Seconds const& time, Section& section) {
+  double const each = all.iterations / all.steps;
+  double const step = time.step + each * time.iteration();
+  double const total = time.once + all.steps * time.step + all.iterations * time.iteration() +
+                       all.factorizations * time.factor();
+  add(section, "steps", all.steps, "if none is halved");
+  add(section, "iterations", all.iterations, "of Newton's method, as studies of this kind take them");
+  add(section, "factorizations", all.factorizations, "as studies of this kind take them");
+  add(section, {"operations", fmt::format("{:.2g}", all.work()), all.work(), "1", "of the whole run"});
+  add(section, {"once", human(time.once, "s"), time.once, "s", "ordering of the unknowns, patterns, frames"});
+  add(section,
+      {"one factor", human(time.factor(), "s"), time.factor(), "s",
+       fmt::format("assembly {}, factorization {}, compliance of the surface {}", human(time.assembly, "s"),
+                   human(time.factorization, "s"), human(time.columns, "s"))});
+  add(section, {"one step", human(step, "s"), step, "s",
+                fmt::format("{:.2g} iterations of force {}, solve {} and contact {}", each,
+                            human(time.force, "s"), human(time.solve, "s"), human(time.contact, "s"))});
+  add(section, {"time", human(total, "s"), total, "s",
+                "at the speed of this machine as busy as it is; steps that are cut come on top"});
 }
 
 } // namespace
 
-void describe_cost(Facts const& facts, dynamics::BulkSystem& bulk, Explanation& explanation) {
+bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::BulkSystem const& bulk,
+                   Explanation& explanation) {
+  auto const all = forecast(facts, start, bulk);
+  auto const time = seconds_of(facts, all);
   Section section{"Cost", {}};
-  add_memory(facts, bulk, section);
-  auto const passes = measure(facts, bulk);
-  auto const steps = static_cast<double>(facts.steps);
-  add(section, {"steps", counted(steps), steps, "1", "if none is halved"});
-  if (!passes.regular) {
-    add(section, {"time", "not known", std::numeric_limits<double>::quiet_NaN(), "s",
-                  "the stiffness at rest is singular, so that no factorization could be timed"});
-    explanation.sections.push_back(std::move(section));
-    return;
-  }
-  double const passed = bulk.linear() ? 1 : iterations, // explicit schemes: the matrix is M alone
-      renewed = bulk.linear() ? 0 : factorizations;
-  double const step = passes.force + passed * (passes.force + passes.solve) +
-                      renewed * (passes.assembly + passes.factorization + passes.inverse);
-  add(section,
-      {"one step", human(step, "s"), step, "s",
-       fmt::format("Newton iterations {} times force {} and solve {}; {} assembly {}, factorization {} and "
-                   "compliance of the surface {}",
-                   passed, human(passes.force, "s"), human(passes.solve, "s"),
-                   renewed > 0 ? "in every third step" : "once in the run", human(passes.assembly, "s"),
-                   human(passes.factorization, "s"), human(passes.inverse, "s"))});
-  add(section, {"time", human(steps * step, "s"), steps * step, "s",
-                "measured at rest on this machine as busy as it is; the numbers of iterations and "
-                "factorizations are guesses, contact solver and output are not counted"});
+  add_sizes(all, section);
+  add_time(all, time, section);
   explanation.sections.push_back(std::move(section));
+  return all.fill.unknowns < small_unknowns && all.fill.factor.operations < small_operations;
 }
 
 } // namespace stiction::scene

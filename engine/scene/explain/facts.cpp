@@ -1,8 +1,6 @@
 // Facts of bodies and of the run.
 #include "scene/explain/facts.hpp"
 
-#include "mesh/topology/quality.hpp"
-
 namespace stiction::scene {
 
 namespace {
@@ -27,6 +25,20 @@ void count_unknowns(dynamics::Model const& model, std::size_t b, BodyFacts& fact
   facts.free = static_cast<Index>(driven.size()) - facts.driven;
 }
 
+/// Of the cells' corners, m.
+double smallest_edge(mesh::Mesh const& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (auto const& block : mesh.blocks) {
+    auto const& cell = mesh::info(block.kind);
+    for (std::size_t first = 0; first < block.nodes.size(); first += ix(cell.nodes))
+      for (auto const& [a, b] : cell.edges)
+        least = std::min(
+            least, (mesh.nodes.row(block.nodes[first + ix(a)]) - mesh.nodes.row(block.nodes[first + ix(b)]))
+                       .squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
 BodyFacts body_facts(Scene const& scene, std::size_t b) {
   auto const& model = *scene.model;
   auto const& body = *model.bodies[b];
@@ -36,7 +48,7 @@ BodyFacts body_facts(Scene const& scene, std::size_t b) {
   facts.mass = mass_of(model.cells[b]);
   facts.sides.head(model.dim()) =
       (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).transpose();
-  facts.smallest_edge = mesh::quality(body.mesh).min_edge;
+  facts.smallest_edge = smallest_edge(body.mesh);
   facts.start_speed =
       model.velocity.middleRows(model.first_node[b], body.mesh.node_count()).rowwise().norm().maxCoeff();
   count_unknowns(model, b, facts);

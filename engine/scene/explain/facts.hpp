@@ -84,8 +84,10 @@ struct Facts {
 void describe_scene(Facts const& facts, Explanation& explanation);
 /// explain_numbers.cpp: the numbers that decide.
 void describe_numbers(Facts const& facts, Explanation& explanation);
-/// explain_cost.cpp: memory and time, by one assembly and factorization at rest.
-void describe_cost(Facts const& facts, dynamics::BulkSystem& bulk, Explanation& explanation);
+/// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any
+/// purpose.
+bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::BulkSystem const& bulk,
+                   Explanation& explanation);
 /// explain_rigid.cpp: a stiff body that may be an obstacle.
 void advise_rigid(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings);
 /// explain_warnings.cpp: what is likely to go wrong; assembles nothing.

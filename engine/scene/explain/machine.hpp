@@ -1,0 +1,21 @@
+// How fast this machine is now: what seconds of a forecast are made of.
+#pragma once
+#include "dynamics/model/model.hpp"
+
+namespace stiction::scene {
+
+struct Machine {
+  double products = 0; ///< operations of dense products, 1/s
+  double stream = 0;   ///< bytes read from memory, 1/s
+};
+/// Takes some milliseconds.
+[[nodiscard]] Machine measure_machine();
+
+/// Seconds of one pass over all cells at rest.
+struct PassSeconds {
+  double force = 0, stiffness = 0;
+};
+/// From some cells of each block.
+[[nodiscard]] PassSeconds measure_passes(dynamics::Model const& model);
+
+} // namespace stiction::scene
