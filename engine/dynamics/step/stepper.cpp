@@ -15,6 +15,7 @@ namespace stiction::dynamics {
 namespace {
 constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
+constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
 constexpr double unreached = 1e100;    // gap of a point without counterpart, m
 } // namespace
 
@@ -113,13 +114,20 @@ void Stepper::start_rates(State& state) {
   state.a = bulk_.mass().solve(force, held);
 }
 
-/// First guess: on with the old rates, or at rest.
+/// First guess: on with the old rates, or at rest, with driven unknowns where they are driven. Where they
+/// would leap out of bodies that are not linear, they first go on like these, and the first correction takes
+/// both there along the tangent.
 void Stepper::predict(State const& old, double dt, Start start) {
   double const t1 = old.t + dt;
   d_ = (start == Start::onward ? dt : 0.0) * old.v;
+  lead_.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
-      d_[dof] = motion->path.value(t1) - old.u[dof];
+      lead_[dof] = motion->path.value(t1) - old.u[dof] - d_[dof];
+  leads_ = !bulk_.linear_bodies() && !weights_.explicit_forces &&
+           lead_.lpNorm<Eigen::Infinity>() > leap * bulk_.cell_size();
+  if (!leads_)
+    arrive(old, t1);
   gather_external(old.t, external_old_);
   gather_external(t1, external_);
   if (weights_.skin)
@@ -127,6 +135,23 @@ void Stepper::predict(State const& old, double dt, Start start) {
   contact_->begin(old, t1, dt, start != Start::unturned);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
   previous_worst_ = previous_imbalance_;
+}
+
+/// Puts driven unknowns where they are driven.
+void Stepper::arrive(State const& old, double t1) {
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    if (auto const* motion = driver_[ix(dof)])
+      d_[dof] = motion->path.value(t1) - old.u[dof];
+  leads_ = false;
+}
+
+/// value = force(u) becomes what the tangent says of force(u + lead), by a difference.
+template<class Force> void Stepper::look_ahead(Force const& force, Vector& value) {
+  double const part = 1e-6 * bulk_.cell_size() / lead_.lpNorm<Eigen::Infinity>();
+  Vector ahead;
+  force(u_ + part * lead_, ahead);
+  if (ahead.allFinite())
+    value += (ahead - value) / part;
 }
 
 /// F_int(u1) and its energy; false if a cell has turned inside out.
@@ -176,6 +201,8 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     internal_ = old.internal;
   else if (!internal_forces(outcome))
     return false;
+  if (leads_)
+    look_ahead([&](Vector const& u, Vector& f) { static_cast<void>(bulk_.internal_force(u, f)); }, internal_);
   if (weights_.inertia)
     accelerate(old, dt);
   else
@@ -198,11 +225,13 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   if (weights_.skin) {
     Timer const timer(cost_.assembly);
     bulk_.skin_force(u_, excess_);
+    if (leads_)
+      look_ahead([&](Vector const& u, Vector& f) { bulk_.skin_force(u, f); }, excess_);
     excess_ -= skin_old_;
     unbalanced_ += excess_;
   }
   Timer const timer(cost_.contact);
-  contact_->locate(u_, outcome.iterations >= settle_after);
+  contact_->locate(leads_ ? Vector(u_ + lead_) : u_, outcome.iterations >= settle_after);
   contact_->reaction(reaction_);
   return true;
 }
@@ -372,6 +401,8 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     }
     if (!correct(dt, outcome))
       return outcome;
+    if (leads_)
+      arrive(old, old.t + dt);
   }
   if (!weights_.explicit_forces || internal_forces(outcome))
     finish(old, dt, outcome);

@@ -60,6 +60,8 @@ private:
   [[nodiscard]] Outcome attempt(State const& old, double dt, Start start);
   void gather_external(double t, Vector& force) const;
   void predict(State const& old, double dt, Start start);
+  void arrive(State const& old, double t1);
+  template<class Force> void look_ahead(Force const& force, Vector& value);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool internal_forces(Outcome& outcome);
   [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
@@ -98,6 +100,8 @@ private:
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, correction_, surface_,
       surface_load_;
   Vector mass_rate_, damping_;
+  Vector lead_;                    ///< what driven unknowns lack to where they are driven, m
+  bool leads_ = false;             ///< the next correction moves them by it
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N

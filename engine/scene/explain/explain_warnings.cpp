@@ -16,6 +16,7 @@ constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive l
 constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
 constexpr double part_of_bond = 0.25;                     // beta in a step
 constexpr double part_of_cell = 0.5;                      // approach in a step
+constexpr double coarse = 1.5;                            // over the primary's facets
 constexpr double locking = 0.45;                          // Poisson's ratio
 constexpr double small_strain = 0.05;
 constexpr double softened = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
@@ -198,6 +199,21 @@ void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings
     }
 }
 
+/// Single points far apart dent a finer surface each by itself; sliding from node to node of it they snap.
+void coarse_points(PairFacts const& pair, Warnings& warnings) {
+  if (pair.pair->mortar || pair.pair->self || pair.adheres() || !pair.primary ||
+      !(pair.size > coarse * pair.primary_size))
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: node to segment with points {} apart, on a primary whose nodes are {} apart and go "
+           "into the other body between them: steps in which it slides may find no balance",
+           pair.pair->name, human(pair.size, "m"), human(pair.primary_size, "m")),
+       fmt::format("in stiction.pair of {}: secondary = \"{}\", primary = \"{}\", or discretisation = "
+                   "\"mortar\"",
+                   pair.pair->name, pair.part->primary, pair.part->secondary)});
+}
+
 /// The axis along which all nodes share one coordinate; -1 if there is none.
 int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
   double const extent = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
@@ -341,6 +357,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     closing_steps(all, pair, warnings);
     strain(all, pair, warnings);
     quadratic_faces(all, pair, warnings);
+    coarse_points(pair, warnings);
     if (pair.pair->law.adhesion)
       adhesion(all, pair, warnings);
   }

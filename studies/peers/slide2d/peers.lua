@@ -37,8 +37,8 @@ return {
     pair(getfem, "large", blatz_ko(0.5, 24), { 73.0, 104.9, 19298, 295 }, { 24.079140, 12.781169, 25.627561 }, 2e-3),
   },
   counts = {
-    counts(blatz_ko(0.2, 8), 290, 20, 359, 1.051e9), counts(blatz_ko(0.5, 8), 302, 23, 385, 1.144e9),
-    counts(blatz_ko(0.2, 16), 315, 29, 9125, 8.601e9), counts(blatz_ko(0.5, 16), 309, 32, 11868, 9.199e9),
-    counts(neo_hookean(0.5, 8), 291, 13, 364, 8.904e8), counts(neo_hookean(0.5, 16), 302, 21, 10668, 6.941e9),
+    counts(blatz_ko(0.2, 8), 285, 17, 353, 9.725e8), counts(blatz_ko(0.5, 8), 303, 21, 380, 1.099e9),
+    counts(blatz_ko(0.2, 16), 302, 22, 8824, 7.107e9), counts(blatz_ko(0.5, 16), 298, 25, 11653, 7.723e9),
+    counts(neo_hookean(0.5, 8), 288, 12, 354, 8.615e8), counts(neo_hookean(0.5, 16), 308, 16, 10870, 6.001e9),
   },
 }

@@ -50,6 +50,25 @@ TEST_CASE("the ledger starts with the motion and the bonds there are") {
   CHECK(ledger.start == doctest::Approx(ledger.bond + ledger.kinetic));
 }
 
+TEST_CASE("nodes driven by more than a cell take their neighbourhood along") {
+  auto table = test::foot_on_floor();
+  auto rubber =
+      test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
+  test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {4, 20}}, std::move(rubber));
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 1, 2}, {0, 0, 0.2}, {0, -0.1, -0.1})}); // cells are 0.05 high
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const pressed = test::march(stepper, stepper.initial(), 1, 1);
+  long const down = stepper.cost().newton_iterations;
+  auto const dragged = test::march(stepper, pressed, 1, 1);
+  CHECK(down <= 6);
+  for (Index const node : test::nodes_of(scene, "foot.top")) {
+    CHECK(pressed.u[2 * node + 1] == -0.1);
+    CHECK(dragged.u[2 * node] == 0.2);
+  }
+}
+
 TEST_CASE("the longest stable step of one square cell is its side over the speed of waves") {
   auto table = test::foot_on_floor();
   test::at(table, "bodies.foot") = test::block({{0, 0}, {2, 2}, {1, 1}}, test::linear_elastic(1000, 0), 4);

@@ -246,6 +246,19 @@ TEST_CASE("points at the nodes of quadratic cells in space are advised against b
   CHECK_FALSE(warns(input, "contact points at the nodes"));
 }
 
+TEST_CASE("points far apart on a finer primary are advised against, but not under mortar") {
+  auto input = two_blocks(); // the upper one carries the points
+  at(input, "bodies.upper.mesh.cells") = values({8, 2});
+  CHECK_FALSE(warns(input, "node to segment with points"));
+  at(input, "bodies.lower.mesh.cells") = values({16, 2});
+  auto const found = warnings(input, "node to segment with points");
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0].change, "secondary = \"lower.top\", primary = \"upper.bottom\""));
+  CHECK(contains(found[0].change, "mortar"));
+  at(input, "pairs.joint.discretisation") = text("mortar");
+  CHECK_FALSE(warns(input, "node to segment with points"));
+}
+
 TEST_CASE("a plane of symmetry that is free to open is named with the motion that holds it") {
   auto input = make("scene");
   at(input, "kinematics") = text("three_dimensional");
