@@ -152,22 +152,31 @@ int program(lua_State* lua) {
   return 1;
 }
 
-/// The note that the linker leaves of all that it wrote, as hexadecimal digits; "" if it left none.
-std::string build_id(dl_phdr_info const& loaded) {
-  for (auto const* part = loaded.dlpi_phdr; part != loaded.dlpi_phdr + loaded.dlpi_phnum; ++part) {
-    auto const* at = reinterpret_cast<unsigned char const*>(loaded.dlpi_addr + part->p_vaddr);
-    auto const* const end = part->p_type == PT_NOTE ? at + part->p_memsz : at;
-    while (at < end) {
-      ElfW(Nhdr) note;
-      std::memcpy(&note, at, sizeof note);
-      auto const padded = [](ElfW(Word) size) { return (size + 3U) & ~3U; };
-      auto const* const words = at + sizeof note + padded(note.n_namesz);
-      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4)
-        return fmt::format("{:02x}", fmt::join(words, words + note.n_descsz, ""));
-      at = words + padded(note.n_descsz);
-    }
+/// The build id among these notes, as hexadecimal digits; "" if there is none.
+std::string id_among(unsigned char const* at, unsigned char const* end) {
+  auto const padded = [](ElfW(Word) size) { return (size + 3U) & ~3U; };
+  while (at < end) {
+    ElfW(Nhdr) note;
+    std::memcpy(&note, at, sizeof note);
+    auto const* const words = at + sizeof note + padded(note.n_namesz);
+    if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4)
+      return fmt::format("{:02x}", fmt::join(words, words + note.n_descsz, ""));
+    at = words + padded(note.n_descsz);
   }
   return "";
+}
+
+/// What the linker noted of all that it wrote.
+std::string build_id(dl_phdr_info const& loaded) {
+  std::string id;
+  for (int k = 0; k < loaded.dlpi_phnum && id.empty(); ++k) {
+    auto const& part = loaded.dlpi_phdr[k];
+    auto const* const at = // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader tells addresses as numbers
+        reinterpret_cast<unsigned char const*>(loaded.dlpi_addr + part.p_vaddr);
+    if (part.p_type == PT_NOTE)
+      id = id_among(at, at + part.p_memsz);
+  }
+  return id;
 }
 
 /// build_id() -> text that no other program has, as the linker wrote it; nil if it wrote none

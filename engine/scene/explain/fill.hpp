@@ -14,8 +14,9 @@ struct Fill {
 };
 
 /// bulk: of the model, for any purpose. Where there are more nodes than `most`, neighbours are taken together
-/// until there are fewer, and the rest follows from the laws of nested dissection (George 1973): in the plane
+/// until there are fewer, and the rest follows from the laws of nested dissection: in the plane
 /// n log n numbers and n^(3/2) operations, in space n^(4/3) and n^2.
-[[nodiscard]] Fill fill_of(dynamics::Model const& model, dynamics::BulkSystem const& bulk, Index most = 10000);
+[[nodiscard]] Fill fill_of(dynamics::Model const& model, dynamics::BulkSystem const& bulk,
+                           Index most = 10000);
 
 } // namespace stiction::scene
