@@ -370,8 +370,8 @@ test("each column of errors is that of its result, and empty where nothing is cl
   engine.write_file = function(_, written) text = written end
   output.write_summary("", study, { "mu" }, rows, accuracy.known(asked(), { rows[1].case, rows[2].case }, {}))
   engine.write_file = write
-  equal(text, "case,mu,a,b,c,verdict,steps,iterations,seconds,a_error,b_error,c_error,set,warnings\n"
-    .. "s5_mu0.2,0.2,1,2,4,finished,,,,0.1,0.2,0.3,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,\n")
+  equal(text, "case,mu,a,b,c,verdict,steps,iterations,contact,seconds,a_error,b_error,c_error,set,warnings\n"
+    .. "s5_mu0.2,0.2,1,2,4,finished,,,,,0.1,0.2,0.3,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,,\n")
 end)
 
 --- Names of the checks that fail.
