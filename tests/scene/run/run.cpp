@@ -59,8 +59,9 @@ test::Input deep_press() {
   auto table = test::foot_on_floor();
   test::at(table, "bodies.foot.material") =
       test::make("material.blatz_ko", {{"shear_modulus", test::value(400, "Pa")}});
-  test::at(table, "motions") = test::list(
-      {test::drive("foot.top", {0, 0.25, 1}, {}, {0, -0.5, -0.51}), test::fix("foot.all", true, false)});
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 0.25, 1}, {0, 1.5, 1.5}, {0, -0.3, -0.306}),
+                  test::fix("foot.bottom", true, false)});
   test::at(table, "schedule") = test::schedule({{1, 1}});
   test::at(table, "probes.push") = test::make("probe.force", {{"set", test::text("foot.top")}});
   return table;
