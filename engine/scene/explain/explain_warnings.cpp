@@ -111,7 +111,7 @@ void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
   double const part = pair.motion.closing_step / pair.size;
   if (std::isfinite(part) && part > part_of_cell)
     warnings.push_back(
-        {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps will be halved",
+        {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps may be halved",
                      pair.pair->name, part),
          more_steps(all, pair.motion.closing_stage, part / good_part)});
 }
