@@ -199,7 +199,8 @@ void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings
     }
 }
 
-/// Single points far apart dent a finer surface each by itself; sliding from node to node of it they snap.
+/// Single points far apart dent a finer surface each by itself; slides of such pairs were seen to find no
+/// balance.
 void coarse_points(PairFacts const& pair, Warnings& warnings) {
   if (pair.pair->mortar || pair.pair->self || pair.adheres() || !pair.primary ||
       !(pair.size > coarse * pair.primary_size))
