@@ -182,9 +182,9 @@ void add_memory(Facts const& facts, Forecast& all) {
   all.cells_bytes = cell_bytes(facts) + 400 * static_cast<double>(facts.scene->model->dofs());
   all.factor_bytes = 8 * fill.factor.entries;
   all.matrix_bytes = fill.entries * (2 * sizeof(Index) + sizeof(double)) * (facts.dynamic() ? 1.5 : 1.0);
-  all.contact_bytes = 8 * (dense + (contact.sweeps ? 1.5 : 3) * square + 2 * contact.support * contact.used +
-                           contact.columns * fill.surface * (fill.surface_last ? 0.5 : 0.5) +
-                           (fill.surface_last ? fill.surface * fill.surface : 0));
+  all.contact_bytes =
+      8 * (dense + (contact.sweeps ? 1.5 : 3) * square + 2 * contact.support * contact.used +
+           0.5 * contact.columns * fill.surface + (fill.surface_last ? fill.surface * fill.surface : 0));
 }
 
 } // namespace
