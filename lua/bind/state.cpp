@@ -95,7 +95,7 @@ State make_state(bool trust) {
   }
   close_doors(lua);
   fix_randomness(lua);
-  lua_gc(lua, LUA_GCINC, 1000, 0, 0); // scripts are short: the library alone fills more than one round
+  lua_gc(lua, LUA_GCINC, 400, 0, 0); // scripts are short: the library alone fills more than one round
   preload_engine(lua);
   watch_script(lua);
   return state;
