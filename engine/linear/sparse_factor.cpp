@@ -18,8 +18,6 @@ namespace stiction::linear {
 
 namespace {
 
-constexpr Index at_once = 512; // surface unknowns up to which all columns take no longer than some
-
 /// Columns of a group: whole nodes in the plane and in space; fewer where a column costs more.
 Index width(Order order, Index surface) {
   if (order == Order::free)

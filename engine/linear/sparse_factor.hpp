@@ -4,6 +4,9 @@
 
 namespace stiction::linear {
 
+/// Surface unknowns up to which all columns are made at once: that takes no longer than some.
+inline constexpr Index at_once = 512;
+
 /// skew: will there be columns beside the symmetric matrix? They want the surface last.
 [[nodiscard]] std::unique_ptr<BulkFactor> make_sparse_factor(Pattern const& pattern, Index surface,
                                                              bool skew);

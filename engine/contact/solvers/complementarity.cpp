@@ -318,7 +318,9 @@ LemkeResult lemke_from(Dense const& M, Vector const& q, std::vector<Index> const
     else
       others.push_back(i);
   Eigen::PartialPivLU<Dense> const factor(M(set, set));
-  Dense const across = factor.solve(Dense(M(set, others)));
+  Dense across(set.size(), others.size());
+  if (!others.empty()) // Eigen's solve would bind a reference to nothing
+    across = factor.solve(Dense(M(set, others)));
   Vector const held = factor.solve(Vector(q(set)));
   LemkeResult failed;
   if (!across.allFinite() || !held.allFinite())

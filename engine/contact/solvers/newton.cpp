@@ -17,7 +17,6 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
-constexpr long many = 60;     // rows, from which on sweeps come first
 constexpr int quick = 12;     // iterations, before what is sure takes over
 constexpr int proximals = 8;  // in which the residual has to halve
 constexpr int pivotings = 12; // with the bonds linear about the last answer

@@ -64,10 +64,10 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   free.setZero(rows_);
   for (auto const& h : H_)
     free[h.row] += h.value * y[h.column];
-  Origin const made_of{bulk.identity(), weight, H_};
-  if (K_.empty() && made_of == made_of_ && W.rows() == rows_)
+  bool const same = made_of_.bulk == bulk.identity() && made_of_.weight == weight && made_of_.H == H_;
+  if (K_.empty() && same && W.rows() == rows_)
     return;
-  made_of_ = K_.empty() ? made_of : Origin{};
+  made_of_ = K_.empty() ? Origin{bulk.identity(), weight, H_} : Origin{};
   weight_ = weight;
   find_used(bulk.surface());
   if (support_ == 0 && one_to_one()) {

@@ -38,7 +38,6 @@ private:
     std::shared_ptr<void const> bulk; ///< its matrix
     double weight = 0;
     std::vector<Entry> H;
-    bool operator==(Origin const&) const = default;
   };
   Index rows_ = 0;
   bool symmetric_ = true, held_ = false; ///< the bulk last eliminated

@@ -17,6 +17,16 @@ constexpr int settle_after = 6;        // iterations after which no point change
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
 constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
 constexpr double unreached = 1e100;    // gap of a point without counterpart, m
+
+/// What an attempt did not reach; imbalance of the bodies, N. A point's residual is infinite where the last
+/// problem did not hold it.
+std::string unmet(Outcome const& outcome, double imbalance) {
+  if (!std::isfinite(imbalance))
+    return "with forces beyond all numbers";
+  if (!std::isfinite(outcome.out_of_balance))
+    return "with points still coming into contact or changing their bonding";
+  return fmt::format("out of balance by {:.1e} of the largest force", outcome.out_of_balance);
+}
 } // namespace
 
 core::Schema const& StepControl::schema() {
@@ -201,8 +211,11 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     internal_ = old.internal;
   else if (!internal_forces(outcome))
     return false;
-  if (leads_)
+  if (leads_) {
+    Timer const timer(cost_.assembly);
     look_ahead([&](Vector const& u, Vector& f) { static_cast<void>(bulk_.internal_force(u, f)); }, internal_);
+    ++cost_.force_passes;
+  }
   if (weights_.inertia)
     accelerate(old, dt);
   else
@@ -388,15 +401,13 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     if (outcome.iterations > 0 && converged(outcome))
       break;
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
-      outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
-                                   outcome.out_of_balance, outcome.iterations);
+      outcome.reason = fmt::format("{} after {} iterations", unmet(outcome, now), outcome.iterations);
       return outcome;
     }
     if (enough_ && enough_()) {
       outcome.verdict = StepVerdict::interrupted;
       outcome.reason =
-          fmt::format("left off after {} iterations, out of balance by {:.1e} of the largest force",
-                      outcome.iterations, outcome.out_of_balance);
+          fmt::format("left off after {} iterations, {}", outcome.iterations, unmet(outcome, now));
       return outcome;
     }
     if (!correct(dt, outcome))

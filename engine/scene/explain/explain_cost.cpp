@@ -131,8 +131,13 @@ bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::B
   Section section{"Cost", {}};
   add_sizes(all, section);
   add_time(all, time, section);
+  bool const cheap = all.fill.unknowns < small_unknowns && all.fill.factor.operations < small_operations;
+  if (!cheap)
+    add(section, {"advice", "not sought", std::numeric_limits<double>::quiet_NaN(), "1",
+                  "whether a body may be rigid or the run quasi-static takes a factorization at rest; ask "
+                  "`explain` of a coarser mesh"});
   explanation.sections.push_back(std::move(section));
-  return all.fill.unknowns < small_unknowns && all.fill.factor.operations < small_operations;
+  return cheap;
 }
 
 } // namespace stiction::scene

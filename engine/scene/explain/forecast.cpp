@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/solvers/newton.hpp"
+#include "linear/sparse_factor.hpp"
 #include "mesh/cells/cell.hpp"
 
 namespace stiction::scene {
@@ -22,9 +24,6 @@ constexpr double bearing = 0.6;         // of the points near contact: they bear
 constexpr double plain_sweeps = 100;    // a contact problem
 constexpr double newton_iterations = 3; // a contact problem
 constexpr double unknown_part = 0.3;    // of a surface, near contact where its way is not known
-constexpr Index whole = 512,
-                many =
-                    60; // surface unknowns whose columns are all made; rows from which on sweeps come first
 
 /// That mix_sweeps takes: 34 for 243 rows, 65 for 1875.
 double mixed_sweeps(double rows) {
@@ -126,7 +125,7 @@ void add_solver(Facts const& facts, ContactForecast& contact) {
   auto const& choice = facts.scene->model->solver;
   double const r = contact.rows, square = 2 * r * r;
   bool const newton = std::holds_alternative<contact::BipotentialNewton>(choice);
-  contact.sweeps = !newton || (r >= many && plain(facts));
+  contact.sweeps = !newton || (r >= static_cast<double>(contact::many) && plain(facts));
   contact.iterations = !contact.sweeps ? newton_iterations : newton ? mixed_sweeps(r) : plain_sweeps;
   contact.operations = contact.iterations * (contact.sweeps ? square : square * (r / 3 + 3));
 }
@@ -136,10 +135,10 @@ void add_elimination(Fill const& fill, ContactForecast& contact) {
   double const n = fill.surface, s = std::min(contact.support, n), m = contact.rows;
   contact.used = std::min(contact.used, n);
   contact.support = s;
-  contact.columns = n <= whole && fill.surface_last ? n : contact.used;
-  contact.column_operations = !fill.surface_last ? 4 * fill.factor.entries * contact.columns
-                              : n <= whole       ? n * n * n
-                                                 : 2.0 / 3 * n * n * contact.columns;
+  contact.columns = n <= linear::at_once && fill.surface_last ? n : contact.used;
+  contact.column_operations = !fill.surface_last     ? 4 * fill.factor.entries * contact.columns
+                              : n <= linear::at_once ? n * n * n
+                                                     : 2.0 / 3 * n * n * contact.columns;
   contact.elimination *= contact.used;
   contact.elimination += contact.used * contact.used;
   contact.elimination += s * s * (2.0 / 3 * s + 2 * s + 2 * m) + 2 * m * m * s;

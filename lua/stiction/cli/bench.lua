@@ -37,7 +37,7 @@ local function measure(options, study, case, folder)
   return found
 end
 
---- Processor time, without what reading the study took.
+--- Processor time of the case's process; other: its start and reading the study as well.
 local function show_phases(result)
   local rows, known, all = { { "phase", "s", "%" } }, 0, result.counters.cpu_seconds
   local function add(name, seconds)

@@ -2,9 +2,22 @@
 -- cost of all solvers on each. Cases are saved contact problems; their results hold <solver>_relative and <solver>_<measure>.
 local profile = {}
 
---- {solvers = names, tolerance = of the largest traction} -> methods solved, least, figure.
+--- {solvers = names, tolerance = of the largest traction} -> methods add_results, solved, least, ratios, figure.
 function profile.of(settings)
   local solvers, own = settings.solvers, {}
+
+  --- Appends each solver's cost and residual to the results of a study.
+  function own.add_results(results)
+    for _, name in ipairs(solvers) do
+      for _, row in ipairs {
+        { "iterations", "iterations or sweeps" }, { "work", "work in products W p" },
+        { "relative", "residual over the largest traction" },
+      } do
+        results[#results + 1] = { name = name .. "_" .. row[1], unit = "1", meaning = row[2] .. " of " .. name,
+          function(run) return run[name][row[1]] end }
+      end
+    end
+  end
 
   function own.solved(case, solver)
     return case.results[solver .. "_relative"] <= settings.tolerance

@@ -33,14 +33,7 @@ local results = {
       return -1
     end },
 }
-for _, name in ipairs(solvers) do
-  for _, row in ipairs {
-    { "iterations", "iterations or sweeps" }, { "work", "work in products W p" }, { "relative", "residual over the largest traction" },
-  } do
-    results[#results + 1] = { name = name .. "_" .. row[1], unit = "1", meaning = row[2] .. " of " .. name,
-      function(run) return run[name][row[1]] end }
-  end
-end
+profile.add_results(results)
 
 --- "sweeps 3 newton 1": what in the default solver answered these.
 local function words_of_methods(cases)

@@ -64,18 +64,11 @@ local results = {
     function(run) return #run.doubts end },
   { name = "disagreement", unit = "1", meaning = "largest relative difference of displacements between solvers", disagreement },
 }
-for _, name in ipairs(solvers) do
-  for _, row in ipairs {
-    { "iterations", "iterations or sweeps" }, { "work", "work in products W p" }, { "relative", "residual over the largest traction" },
-  } do
-    results[#results + 1] = { name = name .. "_" .. row[1], unit = "1", meaning = row[2] .. " of " .. name,
-      function(run) return run[name][row[1]] end }
-  end
-end
 
 local profile = require "../../peers/common/profile.lua".of { solvers = solvers, tolerance = tolerance,
   lines = stiction.figure.lines }
 local solved = profile.solved
+profile.add_results(results)
 
 return stiction.study {
   title = "Contact solvers on saved problems",

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "contact/problem/uniqueness.hpp"
+#include "contact/saved.hpp"
 #include "contact/solvers.hpp"
-#include "record/problem_file.hpp"
 
 using namespace stiction;
 using namespace stiction::contact;
@@ -32,8 +32,7 @@ Problem with_product(Problem const& problem) {
 
 std::vector<std::filesystem::path> saved_problems() {
   std::vector<std::filesystem::path> files;
-  for (auto const& entry : std::filesystem::directory_iterator(
-           std::filesystem::path(__FILE__).parent_path().parent_path() / "problems"))
+  for (auto const& entry : std::filesystem::directory_iterator(saved_problems_folder()))
     if (entry.path().extension() == ".h5")
       files.push_back(entry.path());
   return files;
@@ -99,9 +98,9 @@ TEST_SUITE("contact") {
   }
 
   TEST_CASE("saved problems: Newton asks for the entries and answers alike") {
-    for (auto const* name : {"plate_mu04_slide", "block_3d_flat", "hertz_frictionless", "greco_mu15"}) {
-      auto const problem = record::load_problem(std::filesystem::path(__FILE__).parent_path().parent_path() /
-                                                "problems" / (std::string(name) + ".h5"));
+    for (auto const* name : {"plate_mu04_slide", "block_3d_flat", "hertz_frictionless", "greco_mu15",
+                             "belt_90"}) { // the last by proximal points
+      auto const problem = saved(name);
       auto const other = with_product(problem);
       INFO(name);
       auto const one = solve(BipotentialNewton{}, problem), two = solve(BipotentialNewton{}, other);

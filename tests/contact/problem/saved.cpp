@@ -1,23 +1,13 @@
 // Problems saved by runs: all solvers agree where an answer is due, and none lies where it is not.
 #include <doctest/doctest.h>
-#include <filesystem>
 
+#include "contact/saved.hpp"
 #include "contact/solvers.hpp"
 #include "contact/solvers/mixed_sweeps.hpp"
-#include "record/problem_file.hpp"
 
 using namespace stiction;
 using namespace stiction::contact;
 using namespace stiction::test;
-
-namespace {
-
-Problem saved(std::string const& name) {
-  return record::load_problem(std::filesystem::path(__FILE__).parent_path().parent_path() / "problems" /
-                              (name + ".h5"));
-}
-
-} // namespace
 
 TEST_SUITE("contact") {
   TEST_CASE("saved problems of a plate sliding on a cylinder, and of a 3D block: all solvers agree") {

@@ -1,6 +1,7 @@
 // Random convex problems, and random ones with friction that are known to have an answer: the default solver
 // has to find one.
 #include <doctest/doctest.h>
+#include <numeric>
 
 #include "contact/solvers.hpp"
 #include "contact/solvers/complementarity.hpp"
@@ -144,6 +145,13 @@ TEST_SUITE("contact") {
       REQUIRE(pivoted.end == Pivoted::answered);
       CHECK((*exchanged - pivoted.z).norm() <= 1e-5 * (1 + pivoted.z.norm()));
       CHECK((M * pivoted.z + q).minCoeff() >= -1e-9 * (1 + pivoted.z.norm()));
+      for (int const held : {n / 2, n}) { // some rows at rest from the start, and all
+        std::vector<Index> set(static_cast<std::size_t>(held));
+        std::iota(set.begin(), set.end(), 0);
+        auto const other = lemke_from(M, q, set, 1000);
+        REQUIRE(other.end == Pivoted::answered);
+        CHECK((other.z - pivoted.z).norm() <= 1e-5 * (1 + pivoted.z.norm()));
+      }
     }
   }
 }

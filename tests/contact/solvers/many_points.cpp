@@ -65,26 +65,6 @@ TEST_SUITE("contact") {
       }
   }
 
-  TEST_CASE("many points of an operator known by its product alone have the same answer") {
-    std::mt19937 random(9);
-    for (int const rank : {6, 12}) {
-      auto const problem = of_rank(40, rank, random);
-      auto by_product = problem;
-      Dense const& W = problem.W.dense();
-      Dense blocks(W.rows(), 3);
-      for (Index i = 0; i < problem.size(); ++i)
-        blocks.middleRows<3>(3 * i) = W.block<3, 3>(3 * i, 3 * i);
-      by_product.W = Delassus(blocks, [&W](Index first, auto const& force, auto x) {
-        x += W.middleCols(first, force.size()) * force;
-      });
-      BipotentialNewton solver;
-      solver.tolerance = 1e-9;
-      auto const wanted = solve(solver, problem), answer = solve(solver, by_product);
-      CHECK(answer.converged);
-      CHECK((answer.force - wanted.force).norm() <= 1e-8 * wanted.force.norm());
-    }
-  }
-
   TEST_CASE(
       "a Hessian whose blocks change is that of the new blocks, and is refused where it is indefinite") {
     std::mt19937 random(2);

@@ -1,20 +1,14 @@
 // Which method answered a problem is said.
 #include <doctest/doctest.h>
-#include <filesystem>
 
+#include "contact/saved.hpp"
 #include "contact/solvers.hpp"
-#include "record/problem_file.hpp"
 
 using namespace stiction;
 using namespace stiction::contact;
 using namespace stiction::test;
 
 namespace {
-
-Problem saved(std::string const& name) {
-  return record::load_problem(std::filesystem::path(__FILE__).parent_path().parent_path() / "problems" /
-                              (name + ".h5"));
-}
 
 std::string method_of(Problem const& problem) {
   BipotentialNewton solver;

@@ -47,12 +47,6 @@ return stiction.study {
   results = {
     { name = "steps", unit = "1", meaning = "steps beyond those asked for",
       function(run) return #run.time - 1 - down - aside end },
-    { name = "iterations", unit = "1", meaning = "Newton iterations per step",
-      function(run)
-        local sum, all = 0, run:series("step", "iterations")
-        for k = 2, #all do sum = sum + all[k] end
-        return sum / (#all - 1)
-      end },
   },
   check = function(cases, check)
     for _, one in ipairs(cases) do check.within("steps beyond those asked for, " .. one.id, one.results.steps, 0, 0) end
