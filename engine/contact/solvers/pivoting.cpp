@@ -1,4 +1,4 @@
-// The complementarity problem of Coulomb's friction with facets: pressures, pushes along them, slips.
+// The complementarity problem of Coulomb's friction with facets: pressures, friction along facets, slips.
 #include "contact/solvers/pivoting.hpp"
 
 #include <Eigen/LU>
@@ -58,7 +58,7 @@ template<int D> Vector whole(Linear const& linear, Vector const& dry) {
   return force;
 }
 
-/// Unknowns of a point: pressure; with friction also pushes along the facets, and the slip.
+/// Unknowns of a point: pressure; with friction also forces along the facets, and the slip.
 template<int D> class Cone {
 public:
   Cone(Problem const& problem, Linear const& linear, int facets) : linear_(linear) {
@@ -119,12 +119,12 @@ public:
       if (from == From::closed || slip_[ix(i)] < 0)
         continue;
       bool const slides = state.status == interface::Status::slip;
-      Local<D> const push = state.dry - state.residual;
+      Local<D> const trial = state.dry - state.residual;
       Index best = -1;
       double most = 0;
       for (auto const& way : ways_)
-        if (way.point == i && !way.normal && way.direction.dot(push) > most) {
-          most = way.direction.dot(push);
+        if (way.point == i && !way.normal && way.direction.dot(trial) > most) {
+          most = way.direction.dot(trial);
           best = way.row;
         }
       if (best < 0)
@@ -190,7 +190,7 @@ std::optional<PivotedForces> pivot_in(Problem const& problem, Vector const& forc
   return result;
 }
 
-/// What a point may do in the plane; the slides take the sign of their push.
+/// What a point may do in the plane; the slides take the sign of their friction.
 enum class Does { open, stick, slide_back, slide_on };
 
 /// The dry forces in which every point does what it is told, checked against what it then must not do;

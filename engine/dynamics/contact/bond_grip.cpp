@@ -5,8 +5,6 @@ namespace stiction::dynamics {
 
 namespace {
 
-constexpr double part = 0.05;
-
 /// An opening at which a bond is still as whole as at none, where no law has a normal slope, m.
 double hardly_open(interface::AdhesionLaw const& law) {
   double const opening = interface::scales(law).opening;
@@ -30,7 +28,7 @@ interface::Local<3> bond_resistance(interface::AdhesionLaw const& law, interface
 Dense bond_grip(interface::Law const& law, contact::ProblemPoint const& point, PointRows const& rows) {
   if (!law.adhesion)
     return Dense::Zero(rows.H.cols(), rows.H.cols());
-  interface::Local<3> const C = part * bond_resistance(*law.adhesion, point.bond, rows.gap);
+  interface::Local<3> const C = bond_resistance(*law.adhesion, point.bond, rows.gap);
   return -point.area * (rows.H.transpose() * C.head(rows.H.rows()).asDiagonal() * rows.H);
 }
 

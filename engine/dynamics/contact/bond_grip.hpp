@@ -14,9 +14,9 @@ struct PointRows {
   Dense H;
 };
 
-/// A small part of them as stiffness of the point's force, - H^T A C H, N/m: the bodies by themselves resist
-/// nothing that their bonds hold, and the contact problem wants a finite compliance. The balance has no such
-/// term, so that this part is also what an iteration leaves of an error.
+/// They as stiffness of the point's force, - H^T A C H, N/m. The matrix may have a part of it where the
+/// bodies by themselves resist nothing that their bonds hold, as the contact problem wants a finite
+/// compliance. The balance has no such term, so that this part is also what an iteration leaves of an error.
 [[nodiscard]] Dense bond_grip(interface::Law const& law, contact::ProblemPoint const& point,
                               PointRows const& rows);
 

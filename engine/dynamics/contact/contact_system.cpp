@@ -46,23 +46,6 @@ private:
   Vector forces_; ///< that the solver left
 };
 
-/// From these forces, and where that fails from none: they may be a bad start.
-contact::Solution solve_problem(contact::Solver& solver, contact::Problem const& problem, Vector const& guess,
-                                Cost& cost) {
-  contact::Solution found;
-  auto const rows = static_cast<double>(problem.W.rows());
-  for (bool const from_guess : {true, false}) {
-    found = solver.solve(problem, from_guess ? guess : Vector::Zero(guess.size()));
-    cost.contact_iterations += found.iterations;
-    if (found.rounded)
-      cost.contact_rounded = std::max(cost.contact_rounded, found.verdict.relative());
-    cost.contact_operations += 2 * rows * rows * found.work;
-    if (found.converged)
-      break;
-  }
-  return found;
-}
-
 template<int D, int C>
 bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weight, Vector& c, Cost& cost) {
   Timer const timer(cost.contact);
@@ -70,14 +53,34 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   problem_.points.clear();
   if (points_.active().empty() && bulk.hold() == 0)
     return true;
-  Vector const guess = assembly_.pose(points_, bulk, y, weight, problem_);
-  cost.add(bulk.spent());
+  Vector guess;
+  contact::Solution found;
+  auto const pose = [&] {
+    guess = assembly_.pose(points_, bulk, y, weight, problem_);
+    cost.add(bulk.spent());
+  };
+  auto const solve_from = [&](Vector const& start) {
+    found = solver_->solve(problem_, start);
+    auto const rows = static_cast<double>(problem_.W.rows());
+    cost.contact_iterations += found.iterations;
+    if (found.rounded)
+      cost.contact_rounded = std::max(cost.contact_rounded, found.verdict.relative());
+    cost.contact_operations += 2 * rows * rows * found.work;
+    return found.converged;
+  };
+  pose();
+  bool answered = solve_from(guess);
+  while (!answered && assembly_.tighten(points_)) { // next to buckling the answer may be far away
+    pose();
+    answered = solve_from(guess);
+  }
+  if (!answered) // the forces may be a bad start
+    answered = solve_from(Vector::Zero(guess.size()));
   ++cost.contact_problems;
-  auto solution = solve_problem(*solver_, problem_, guess, cost);
-  ++cost.answered[static_cast<std::size_t>(solution.method)];
+  ++cost.answered[static_cast<std::size_t>(found.method)];
   rows_ = points_.active();
-  forces_ = std::move(solution.force);
-  if (!solution.converged)
+  forces_ = std::move(found.force);
+  if (!answered)
     return false;
   points_.take(forces_);
   assembly_.add_forces(forces_, weight, c);

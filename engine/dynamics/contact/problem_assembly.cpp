@@ -6,15 +6,34 @@
 
 namespace stiction::dynamics {
 
+namespace {
+constexpr double loosest = 0.05, tighter = 10, tightest = 0.5; ///< grip, of the bonds' stiffness
+} // namespace
+
 template<int D, int C> void ProblemAssembly<D, C>::begin(bool turning) {
   turning_ = turning;
   turned_ = false;
+  grip_ = 0;
+}
+
+template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points) {
+  if (grip_ >= tightest || weights(model_->scheme).inertia)
+    return false;
+  bool bonded = false;
+  for (std::size_t row = 0; row < points.active().size() && !bonded; ++row) {
+    auto const& point = points.active(row);
+    bonded = points.pair_of(point).law.adhesion && point.data.bond.old.beta > interface::least_beta;
+  }
+  grip_ = bonded ? (grip_ > 0 ? tighter * grip_ : loosest) : grip_;
+  return bonded;
 }
 
 template<int D, int C>
 Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bulk, Vector const& y,
                                    double weight, contact::Problem& problem) {
-  gather(points, model_->held_by_bonds || bulk.hold() > 0);
+  if (model_->held_by_bonds || bulk.hold() > 0)
+    grip_ = std::max(grip_, loosest);
+  gather(points);
   condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
   // there might be no answer; with inertia a shorter step has one
   if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
@@ -42,9 +61,9 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   return guess;
 }
 
-/// held: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by
+/// grip_: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by
 /// their bonds.
-template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points, bool held) {
+template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points) {
   auto const& geometry = points.geometry();
   condensation_.clear();
   for (Index const k : points.active()) {
@@ -54,9 +73,9 @@ template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points, 
     if (turning_ && !geometry.shared(point.id.pair))
       geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
                          [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
-    if (held)
+    if (grip_ > 0)
       add_stiffness(kinematics.nodes,
-                    bond_grip(points.pair_of(point).law, point.data, {kinematics.gap, kinematics.H}));
+                    grip_ * bond_grip(points.pair_of(point).law, point.data, {kinematics.gap, kinematics.H}));
   }
   for (std::size_t pair = 0; pair < model_->pairs.size(); ++pair)
     if (turning_ && geometry.shared(static_cast<int>(pair)))

@@ -18,19 +18,23 @@ public:
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
                             contact::Problem& problem);
+  /// Lets bonds hold the bodies more tightly in the problems to come of this attempt. False where they hold
+  /// as tightly as they may, where there are none, and with inertia: then a shorter step has an answer.
+  [[nodiscard]] bool tighten(Points const& points);
   /// Of the problem last posed: c += weight (K_geo du + H^T p) for its forces p.
   void add_forces(Vector const& forces, double weight, Vector& c) const {
     condensation_.add_forces(forces, weight, c);
   }
 
 private:
-  void gather(Points const& points, bool held);
+  void gather(Points const& points);
   void add_shared_stiffness(Points const& points, int pair);
   void add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K);
   [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);
 
   Model const* model_;
   BulkSystem const* bulk_;
+  double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
   Indices unknowns_;                     ///< surface unknowns of one point
   Condensation condensation_;
