@@ -106,7 +106,7 @@ template<int D> PointKinematics<D> ContactGeometry<D>::of_node(PointId point, Fo
 }
 
 template<int D> bool ContactGeometry<D>::beneath(PointId point, PointKinematics<D> const& now) const {
-  if (!searches_[ix(point.pair)] || mortars_[ix(point.pair)] || !now.found || !(now.gap < 0))
+  if (mortars_[ix(point.pair)] || !now.found || !(now.gap < 0))
     return false;
   ContactState const& old = old_->contacts[ix(point.pair)][ix(point.index)];
   if (old.foot.found())
