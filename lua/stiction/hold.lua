@@ -3,7 +3,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local output = require "stiction.output"
 
-local hold = {}
+local hold = { layout = 1 } -- of output folders; higher where older versions would misread them
 
 local function study_file(folder)
   return folder .. "/study.json"
@@ -45,14 +45,17 @@ function hold.folder(folder, study, command, f, ...)
   return table.unpack(answers, 2, answers.n)
 end
 
---- Notes whose the folder is and what the study has read so far.
+--- Notes whose the folder is, what the study has read so far, and the units of its results.
 function hold.note(folder, study)
-  local files = setmetatable({}, { json = "object" })
+  local files, results = setmetatable({}, { json = "object" }), {}
+  for i, entry in ipairs(study.results) do
+    results[i] = { name = entry.name, unit = entry.unit }
+  end
   for _, file in ipairs(study.source.files) do
     files[engine.relative(file, study.source.folder)] = study.source.hashes[file]
   end
   engine.write_file(study_file(folder), engine.encode_json({ study = study.source.file, name = study.name,
-    files = files }, 2) .. "\n")
+    layout = hold.layout, results = results, files = files }, 2) .. "\n")
 end
 
 --- The first file that the study has read otherwise than the process that noted it in the folder, nil if there is none.

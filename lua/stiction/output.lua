@@ -1,4 +1,5 @@
 -- A study's output folder: case folders with their finished mark, the summary, the checks.
+local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
@@ -212,15 +213,6 @@ function output.is_current(study, kept, fingerprint)
     and not changed_file(study, kept.files or {})
 end
 
-local function csv_word(value)
-  value = units.si(value)
-  if type(value) == "number" then
-    return math.type(value) == "integer" and tostring(value) or engine.number_text(value)
-  end
-  local text = value == nil and "" or tostring(value)
-  return text:find('[,"\n]') and '"' .. text:gsub('"', '""') .. '"' or text
-end
-
 --- "cells=8; steps=5": the parameters, apart from swept ones, that are not the study's own.
 local function words_set(study, case)
   local words = {}
@@ -268,7 +260,7 @@ function output.write_summary(folder, study, names, rows, claims)
   for _, row in ipairs(rows) do
     local words = { row.case.id }
     local function add(value)
-      words[#words + 1] = csv_word(value)
+      words[#words + 1] = csv.word(value)
     end
     for _, name in ipairs(names) do
       add(row.case.p[name])

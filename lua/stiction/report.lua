@@ -44,25 +44,33 @@ function report.wrapped(text, indent, width)
   return table.concat(lines, "\n")
 end
 
-local function number(x)
-  return x == nil and "-" or ("%.5g"):format(x)
-end
-
 --- What a value of a check looks like.
 local function check_word(x)
   return type(x) == "number" and ("%.6g"):format(x) or x == nil and "none" or tostring(x)
 end
 
 local function result_word(result, entry)
-  local value = (result.results or {})[entry.name]
-  return number(value and value / engine.parse_unit(entry.unit))
+  return report.in_unit(entry, (result.results or {})[entry.name])
+end
+
+--- A name with its unit, of {name =, unit =}.
+function report.head(entry)
+  return (entry.unit == "1" or entry.unit == "") and entry.name or ("%s/(%s)"):format(entry.name, entry.unit)
+end
+
+--- A value given in SI, in the unit of {unit =}; "-" for none.
+function report.in_unit(entry, value, digits)
+  if type(value) ~= "number" then
+    return value == nil and "-" or tostring(value)
+  end
+  return ("%%.%dg"):format(digits or 5):format(value / (engine.parse_unit(entry.unit or "") or 1))
 end
 
 --- The cases with verdict and results, each result in its own unit.
 function report.cases(study, rows)
   local head = { "case", "verdict" }
   for _, entry in ipairs(study.results) do
-    head[#head + 1] = entry.unit == "1" and entry.name or ("%s/(%s)"):format(entry.name, entry.unit)
+    head[#head + 1] = report.head(entry)
   end
   local lines = { head }
   for _, row in ipairs(rows) do

@@ -194,6 +194,12 @@ end
 
 calls.methods(methods, "study", function(first) return getmetatable(first) == study_mark end)
 
+--- What a study is called in output folders, of where it stands.
+function study.name_of(source)
+  local whole = source.whole and source.folder or source.file:gsub("%.lua$", "")
+  return whole:match(".*/studies/(.+)$") or whole:match("[^/]+$")
+end
+
 --- Loads the study at `path`; it knows its source, the identity of its files, and its name for output folders.
 function study.load(path, trust)
   local value, source = loader.load(path, trust)
@@ -201,8 +207,7 @@ function study.load(path, trust)
     fault.input("%s must end with: return stiction.study{ ... }", source.name)
   end
   value.source, value.identity = source, loader.identity(source)
-  local whole = source.whole and source.folder or source.file:gsub("%.lua$", "")
-  value.name = whole:match(".*/studies/(.+)$") or whole:match("[^/]+$")
+  value.name = study.name_of(source)
   return value
 end
 
