@@ -83,7 +83,9 @@ local function settings_of(outcome, case)
     end
   end
   for _, file in ipairs(type(manifest.files) == "table" and manifest.files or {}) do
-    files[tostring(file.path)] = tostring(file.hash)
+    if type(file) == "table" then
+      files[tostring(file.path)] = tostring(file.hash)
+    end
   end
   flatten(manifest.parts or {}, "", settings)
   flatten(manifest.build or {}, "", program)

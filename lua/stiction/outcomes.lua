@@ -37,7 +37,8 @@ local function owner_of(folder)
   return owner
 end
 
---- Names in the head of summary.csv, and its rows by name in their order.
+--- Names in the head of summary.csv, and its rows by name in their order; a second entry of a name, what a run took, is
+--- called "measure <name>".
 local function read_summary(folder)
   local path = folder .. "/summary.csv"
   local text = engine.read_file(path)
@@ -53,7 +54,7 @@ local function read_summary(folder)
   for i = 2, #rows do
     list[i - 1] = {}
     for k, name in ipairs(rows[1]) do
-      list[i - 1][name] = rows[i][k]
+      list[i - 1][list[i - 1][name] and "measure " .. name or name] = rows[i][k]
     end
   end
   return rows[1], list
@@ -125,7 +126,9 @@ local function known_results(cases, owner)
     end
   end
   for _, entry in ipairs(table_or(owner.results, {})) do
-    unit_of[entry.name] = entry.unit
+    if type(entry) == "table" and type(entry.name) == "string" then
+      unit_of[entry.name] = tostring(entry.unit)
+    end
   end
   return unit_of
 end
@@ -142,7 +145,7 @@ local function known_parameters(cases, head, results)
   end
   for _, case in ipairs(cases) do
     for name, value in pairs(case.parameters) do
-      unit_of[name] = type(value) == "table" and value.unit or unit_of[name] or ""
+      unit_of[name] = type(value) == "table" and tostring(value.unit) or unit_of[name] or ""
     end
   end
   return unit_of
@@ -175,14 +178,20 @@ local function put_values(t, case, parameters, results)
     if value == nil then
       value = value_of(case.row[name])
     end
-    t:put(case, "parameter", name, type(value) == "table" and value.value or value)
+    if type(value) == "table" then
+      value = value.value
+    end
+    t:put(case, "parameter", name, value)
   end
   for name in pairs(results) do
-    t:put(case, "result", name, case.results[name] or row_alone and tonumber(case.row[name]) or nil)
+    t:put(case, "result", name, tonumber(case.results[name] or row_alone and case.row[name] or nil))
   end
   for _, name in ipairs { "steps", "iterations", "contact", "seconds" } do
     local value = case.ended[name]
-    t:put(case, "measure", name, row_alone and value_of(value) or value, name == "seconds" and "s" or "")
+    if row_alone then
+      value = value_of(case.row["measure " .. name] or value)
+    end
+    t:put(case, "measure", name, value, name == "seconds" and "s" or "")
   end
 end
 

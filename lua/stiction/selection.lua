@@ -73,7 +73,7 @@ end
 
 local function before(a, b)
   if type(a) ~= type(b) then
-    return type(a) == "number"
+    return type(a) < type(b)
   elseif type(a) == "boolean" then
     return b and not a
   end

@@ -71,6 +71,11 @@ expect 0 "mu0    unreadable|mu0: unreadable: cut/mu0/result.json is damaged" ask
 mkdir bare
 cp a/summary.csv a/study.json bare
 expect 0 "mu0.4  finished  0.4         23.927         5.5723" ask show '{ study = "bare" }'
+mkdir hand
+printf 'case,steps,law,force,verdict,steps,iterations,contact,seconds,force_error,set,warnings\na,4,rcc,2,finished,8,9,,1,0.1,,\n' >hand/summary.csv
+echo '{ "results": [7, { "name": "force", "unit": "kN" }] }' >hand/study.json
+expect 0 "case  steps  law  measure_steps  force/(kN)  force_error/(kN)|a         4  rcc              8       0.002            0.0001" \
+  ask show '{ study = "hand", columns = "case,steps,law,measure_steps,force,force_error" }'
 
 # comparison
 "$stiction" run "$tiny" --out same --no-figures --jobs 1 >/dev/null
