@@ -17,3 +17,5 @@ own=root/usr/share/stiction
 env -i PATH=/usr/bin:/bin "HOME=$work" root/usr/bin/stiction run "$own/studies/paper/plate_on_cylinder" --quick --out "$work/out"
 grep -q finished out/summary.csv
 ls out/figures/*.png >/dev/null
+env -i PATH=/usr/bin:/bin "HOME=$work" root/usr/bin/stiction new own --from own_mesh
+env -i PATH=/usr/bin:/bin "HOME=$work" root/usr/bin/stiction run own --quick --no-figures

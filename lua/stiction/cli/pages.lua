@@ -2,12 +2,14 @@
 local pages = {}
 
 pages.overview = [[
+stiction new NAME         write a study to start from into a folder of your own
 stiction run STUDY        run a study's cases, checks and figures
-stiction help TOPIC       topics: commands, study, results, figure, columns (of probes), units, solve, trade, peers,
+stiction help TOPIC       topics: commands, new, study, results, figure, columns (of probes), units, solve, trade, peers,
                           any part below or any of its kinds
 ]]
 
 pages.commands = [[
+new NAME       write a study to start from into a folder of your own; --list: the examples; 'stiction help new'
 run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report
 figures STUDY  draw the figures again from the output
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
@@ -38,6 +40,15 @@ with the number of steps, and with the answers to that step that were found from
 in the plane all statuses are tried, so that it is sure that there are no others. W: the displacements of a contact
 point for unit forces on it. In dynamics a remark also tells when the time steps made more than 1 % of the largest
 energy of the run, or lost more than 10 %.]]
+
+pages.new = [[
+Usage: stiction new NAME [--from EXAMPLE] [--list]
+
+Writes a study that runs into the folder NAME (a path, if need be), which must not exist or be empty, and says what to do
+next. Without --from it is a short one with comments: a block pressed onto a plane and pulled off, for two energies of the
+bonds, with a probe, a figure and a check. With --from EXAMPLE it is a copy of that example, with its mesh.
+--list: the examples with their titles; they are explained in studies/examples/README.md.
+Exit codes: 0 written or listed; 2 bad name, unknown example, or a folder that holds something or cannot be written.]]
 
 pages.units = [[
 local units = stiction.units; local mm, ms = units.mm, units.ms
