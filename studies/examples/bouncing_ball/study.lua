@@ -46,11 +46,15 @@ return stiction.study {
     check.non_increasing("the stickier the slower", cases:values("kept"))
   end,
   figures = function(cases)
-    local function curve(case) return { label = ("w = %g J/m²"):format(case.p.w.si), case = case, y = "momentum/p_y" } end
+    local function curve(case)
+      return { label = ("w = %g J/m²"):format(case.p.w.si), case = case, y = "momentum/p_y" }
+    end
     local last, _, pulled = cases[#cases], cases[#cases]:min("touch", "force_y")
     return { stiction.figure.lines { name = "momentum", title = "Momentum of the ball", legend = "below",
-        x = { label = "time", unit = "ms" }, y = { label = "upwards", unit = "N s" }, curves = numeric.map(cases, curve) },
-      stiction.figure.field { name = "held", title = "Where the bonds pull most", case = last, time = pulled, deformed = true,
-        array = "von_mises", unit = "kPa", label = "von Mises stress", mesh = true, mirror = { "x" }, scale_bar = 2*mm } }
+        x = { label = "time", unit = "ms" }, y = { label = "upwards", unit = "N s" },
+        curves = numeric.map(cases, curve) },
+      stiction.figure.field { name = "held", title = "Where the bonds pull most", case = last, time = pulled,
+        array = "von_mises", unit = "kPa", label = "von Mises stress", deformed = true, mesh = true, mirror = { "x" },
+        scale_bar = 2*mm } }
   end,
 }

@@ -30,7 +30,7 @@ return stiction.study {
       probes = { plate = stiction.probe.rigid { obstacle = "plate" } },
     }
   end,
-  results = { { name = "stiffness", unit = "Pa", meaning = "force over squeeze of the diameter, first step", function(run)
+  results = { { name = "stiffness", unit = "Pa", meaning = "force over squeeze, in the first step", function(run)
     return -run:series("plate", "force_y")[2] / run:series("plate", "u_y")[2] end } },
   check = function(cases, check)
     for _, case in ipairs(cases) do
@@ -39,11 +39,13 @@ return stiction.study {
   end,
   figures = function(cases)
     local function curve(case)
-      return { label = ("ν = %g"):format(case.p.poisson), case = case, x = "plate/u_y", x_sign = -1, y = "plate/force_y" }
+      return { label = "ν = " .. case.p.poisson, case = case, x = "plate/u_y", x_sign = -1, y = "plate/force_y" }
     end
-    return { stiction.figure.lines { name = "force", title = "Squeezed between two plates", x = { label = "way of the plate",
-        unit = "mm" }, y = { label = "force on half the ring", unit = "N/m" }, curves = stiction.numeric.map(cases, curve) },
+    return { stiction.figure.lines { name = "force", title = "Squeezed between two plates",
+        x = { label = "way of the plate", unit = "mm" }, y = { label = "force on half the ring", unit = "N/m" },
+        curves = stiction.numeric.map(cases, curve) },
       stiction.figure.field { name = "ring", case = cases[#cases], array = "von_mises", unit = "kPa",
-        label = "von Mises stress", title = "At the end", deformed = true, mesh = true, mirror = { "x", "y" }, scale_bar = 5*mm } }
+        label = "von Mises stress", title = "At the end", deformed = true, mesh = true, mirror = { "x", "y" },
+        scale_bar = 5*mm } }
   end,
 }

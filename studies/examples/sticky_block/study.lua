@@ -10,7 +10,7 @@ return stiction.study {
     width = 4*mm, height = 2*mm, young = 1*MPa, C = { 2e8*N/m^3, "of a whole bond" },
   },
   chosen = { -- what is yours, each with its reason; '--set cells=16' on the command line replaces one
-    cells = { 8, "along the width; the block is pulled evenly" }, steps = { 200, "on the way up; the peak is met within 1 %" },
+    cells = { 8, "along the width; it is pulled evenly" }, steps = { 200, "on the way up; meet the peak within 1 %" },
   },
   sweep = { w = { 0.5*J/m^2, 1*J/m^2 } }, -- energy to break the bonds; each value is a case of its own
   quick = { set = { cells = 4 } }, -- what 'stiction run --quick' changes
@@ -38,7 +38,8 @@ return stiction.study {
   check = function(cases, check) -- what this study claims; one that fails ends the run with exit code 1
     for _, case in ipairs(cases) do
       local p = case.p -- pulled evenly: all bonds bear their largest traction sqrt(w C) at once
-      check.close("strength of the bonds, " .. case.id, case.results.pull_off, math.sqrt(p.w.si * p.C.si) * p.width.si, 0.02)
+      local strength = math.sqrt(p.w.si * p.C.si) * p.width.si
+      check.close("strength of the bonds, " .. case.id, case.results.pull_off, strength, 0.02)
     end
   end,
   figures = function(cases)
