@@ -103,6 +103,9 @@ end
 --- Runs a study; its exit code, its output folder and its study table.
 return function(options)
   local plan = make_plan(options)
+  if options.quick and not next(plan.study.quick) then
+    engine.complain("stiction: the study has no quick form, which is quick = { sweep = ..., set = ... }: it runs in full\n")
+  end
   local code = options.list and list_cases(campaign.survey(plan)) or hold.folder(plan.folder, plan.study, "run", run, plan)
   return code, plan.folder, plan.study
 end

@@ -100,7 +100,7 @@ local function set(plan, values, name, value, blame)
 end
 
 --- "5 mm", "0.4", "true" or a word, as what stands there now.
-local function parse_value(text, old)
+local function parse_value(name, text, old)
   local number, unit = text:match("^%s*([-+]?[%d.]+[eE]?[-+]?%d*)%s*%*?%s*(.-)%s*$")
   if type(old) == "boolean" and (text == "true" or text == "false") then
     return text == "true"
@@ -108,6 +108,8 @@ local function parse_value(text, old)
     return text
   elseif unit == "" then
     return tonumber(number)
+  elseif unit:find ",%s*[-+]?[%d.]" then
+    fault.input("--set %s=%s: one value is wanted; several stand in the study, as sweep = { %s = { ... } }", name, text, name)
   elseif not engine.parse_unit(unit) then
     fault.input("--set: unknown unit '%s'%s", unit, fault.meant(unit, engine.unit_words()))
   end
@@ -120,7 +122,7 @@ local function apply_settings(plan, values, settings)
     if not name then
       fault.input("--set %s: write NAME=VALUE, e.g. --set 'radius=5 mm'", setting)
     end
-    set(plan, values, name, parse_value(text, standing(plan, values, name)), "--set " .. setting)
+    set(plan, values, name, parse_value(name, text, standing(plan, values, name)), "--set " .. setting)
   end
 end
 

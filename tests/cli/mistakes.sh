@@ -24,6 +24,8 @@ expect 2 "poisson: a function cannot be part of a scene" "$stiction" run functio
 expect 2 "no parameter 'denstiy'; did you mean 'density'?" "$stiction" run "$tiny" --set "denstiy=3"
 expect 2 "'density' must be like 1000 kg/m^3, not 3" "$stiction" run "$tiny" --set "density=3"
 expect 2 "unknown unit 'kgg'; did you mean 'kg'?" "$stiction" run "$tiny" --set "density=3 kgg"
+expect 2 "density=1, 2 kg/m^3: one value is wanted|sweep = { density = { ... } }" "$stiction" run "$tiny" \
+  --set "density=1, 2 kg/m^3"
 expect 2 "no case 'mu0.3'; did you mean" "$stiction" run "$tiny" --case mu0.3
 touch file
 changed half 's/poisson = 0.3/poisson = 0.5/'
@@ -35,6 +37,9 @@ for file in study.lua block.lua; do # a byte-order mark, as some editors put fir
   printf '\357\273\277' | cat - "$tiny/$file" >"mark/$file"
 done
 expect 0 "mu0  to run" "$stiction" run mark --list
+
+changed slow '/^ *quick = {/d'
+expect 0 "the study has no quick form|it runs in full" "$stiction" run slow --quick --list
 
 mkdir scripts
 cat >scripts/deep.lua <<'L'

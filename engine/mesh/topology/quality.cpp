@@ -65,6 +65,12 @@ std::vector<Locals> const& neighbours(CellKind kind) {
   return all.at(static_cast<std::size_t>(kind));
 }
 
+/// Without a factorization.
+double determinant(Edges const& edges) {
+  return edges.rows() == 2 ? edges.topLeftCorner<2, 2>().determinant()
+                           : edges.topLeftCorner<3, 3>().determinant();
+}
+
 /// Edges that leave one corner.
 Edges edges_at(Mesh const& mesh, Cell const& cell, int corner) {
   auto const& ends = neighbours(cell.info->kind)[static_cast<std::size_t>(corner)];
@@ -81,7 +87,7 @@ double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
   for (int i = 0; i < cell.info->corners; ++i) {
     Edges const edges = edges_at(mesh, cell, i);
     double const lengths = edges.rowwise().norm().prod();
-    least = std::min(least, lengths > 0 ? edges.determinant() / lengths : 0.0);
+    least = std::min(least, lengths > 0 ? determinant(edges) / lengths : 0.0);
   }
   bool const simplex = cell.info->corners == mesh.dim + 1;
   double const regular = mesh.dim == 2 ? std::sqrt(0.75) : std::sqrt(0.5);
@@ -96,7 +102,7 @@ void add_angles(Quality& result, Edges const& edges) {
       auto const a = edges.row(i), b = edges.row(j);
       double const across =
           std::sqrt(std::max(0.0, a.squaredNorm() * b.squaredNorm() - std::pow(a.dot(b), 2)));
-      double const sine = edges.rows() == 2 ? edges.determinant() : across;
+      double const sine = edges.rows() == 2 ? determinant(edges) : across;
       double const angle = std::atan2(sine, a.dot(b)) * degree;
       result.min_angle = std::min(result.min_angle, angle);
       result.max_angle = std::max(result.max_angle, angle < 0 ? angle + 360 : angle);
@@ -111,9 +117,9 @@ double mapped_jacobian(Mesh const& mesh, Cell const& cell, Interpolation const& 
     coordinates.row(i) = mesh.nodes.row(cell.nodes[i]);
   double least = std::numeric_limits<double>::infinity(), sum = 0;
   for (auto const& gradient : rule.gradients) {
-    double const determinant = Edges(coordinates.transpose() * gradient).determinant();
-    least = std::min(least, determinant);
-    sum += std::abs(determinant);
+    double const change = determinant(Edges(coordinates.transpose() * gradient));
+    least = std::min(least, change);
+    sum += std::abs(change);
   }
   return sum > 0 ? least * static_cast<double>(rule.gradients.size()) / sum : 0.0;
 }
