@@ -8,6 +8,7 @@
 #include "contact/solvers/mixed_sweeps.hpp"
 #include "contact/solvers/newton.hpp"
 #include "contact/solvers/pivoting.hpp"
+#include "contact/solvers/rounding.hpp"
 
 namespace stiction::contact {
 
@@ -82,13 +83,15 @@ Answers seek_answers(Problem const& problem, Vector const& force, double toleran
   answers.sought = force.allFinite() && (force.size() <= sought_rows || plain(problem));
   if (!answers.sought)
     return answers;
+  double const there = forces_there(problem, Vector::Zero(force.size()));
   auto const is_answer = [&](Vector const& p) {
-    return p.allFinite() && judge(problem, p).relative() <= tolerance;
+    return p.allFinite() && judge(problem, p).relative() <= tolerance && felt(problem, p, there);
   };
   if ((answers.given = is_answer(force)))
     answers.found.push_back(force);
   for (auto const& start : starts_of(problem, force))
-    if (auto const solution = solve_from(problem, start, tolerance); solution.converged)
+    if (auto const solution = solve_from(problem, start, tolerance);
+        solution.converged && felt(problem, solution.force, there))
       add(answers.found, solution.force);
   auto const tried = enumerate(problem, force);
   for (auto const& other : tried.answers)

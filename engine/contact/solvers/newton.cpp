@@ -157,6 +157,7 @@ public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
     spent_ = {};
+    there_ = forces_there(problem, guess);
     auto solution = swept(problem, guess);
     if (!solution.converged)
       solution = frictionless(problem) ? without_friction(problem, guess) : with_friction(problem, guess);
@@ -169,6 +170,10 @@ public:
   [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
     auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
     spend(solution.iterations, solution.work);
+    if (solution.converged && !felt(problem, solution.force, there_)) {
+      solution.converged = solution.rounded = false;
+      solution.method = Method::none;
+    }
     return solution;
   }
 
@@ -383,6 +388,7 @@ private:
     double work = 0;
   };
   Spent spent_;
+  double there_ = std::numeric_limits<double>::infinity(); ///< Pa
   BipotentialNewton settings_;
 };
 

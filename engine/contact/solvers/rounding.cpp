@@ -10,7 +10,28 @@ namespace stiction::contact {
 namespace {
 constexpr double no_answer =
     1e-8; ///< relative: so much is not rounding's, whatever it may do to a point that hardly gives way
+constexpr double unfelt = 1e9; ///< times the forces there are: displacements have no digits left
 } // namespace
+
+double forces_there(Problem const& problem, Vector const& guess) {
+  double there = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    auto const& point = problem.points[ix(i)];
+    auto const size = [&](Vector const& v) { return v.segment(problem.dim * i, problem.dim).norm(); };
+    double const given = natural_scale(problem, i) * (size(problem.free) + std::abs(point.shift[0]));
+    double const bond =
+        point.adhesion < 0 ? 0 : interface::scales(problem.adhesions[ix(point.adhesion)]).strength;
+    there = std::max({there, (size(guess) + given) / point.area, bond});
+  }
+  return there > 0 ? there : std::numeric_limits<double>::infinity();
+}
+
+bool felt(Problem const& problem, Vector const& force, double there) {
+  for (Index i = 0; i < problem.size(); ++i)
+    if (!(force.segment(problem.dim * i, problem.dim).norm() <= unfelt * there * problem.points[ix(i)].area))
+      return false;
+  return true;
+}
 
 bool within_rounding(Problem const& problem, Solution const& solution) {
   if (!(solution.verdict.relative() <= no_answer))

@@ -1,4 +1,4 @@
-// What rounding leaves of the residual of a contact problem.
+// What rounding leaves of the residual of a contact problem, and of the sense of its forces.
 #pragma once
 #include "contact/solvers/solver.hpp"
 
@@ -7,5 +7,12 @@ namespace stiction::contact {
 /// True if what is left of the residual is no more than rounding may make of gaps, slips and forces of this
 /// size.
 [[nodiscard]] bool within_rounding(Problem const& problem, Solution const& solution);
+
+/// Largest traction that a problem and a start for it hold, Pa: of the start, of what would take all gaps and
+/// slips away point by point, of whole bonds. Infinite where there is none of it.
+[[nodiscard]] double forces_there(Problem const& problem, Vector const& guess);
+/// Does W p say where the points are, beside the forces there? Forces that W feels by rounding alone may grow
+/// without end, and their own size hides from every judge what they leave.
+[[nodiscard]] bool felt(Problem const& problem, Vector const& force, double there);
 
 } // namespace stiction::contact

@@ -1,5 +1,6 @@
 // Problems of no, one and several answers: which of it is found, and what is shown.
 #include <doctest/doctest.h>
+#include <numbers>
 
 #include "contact/solvers.hpp"
 #include "contact/solvers/answers.hpp"
@@ -34,6 +35,22 @@ TEST_SUITE("contact") {
     CHECK(answers.all);
     CHECK(words(answers, 2) == "it is shown that this one has none");
     CHECK(without_answer(problem, solution.force).all);
+  }
+
+  TEST_CASE("forces that a wedge feels by rounding alone are no answer") {
+    for (double const angle : {20.0, 45.0, 60.0, 70.0, 77.0})
+      for (double const mu : {2.8, 5.0}) {
+        Eigen::Vector2d const v(std::cos(angle * std::numbers::pi / 180),
+                                std::sin(angle * std::numbers::pi / 180));
+        auto const problem = one_point(1e-6 * v * v.transpose(), Eigen::Vector2d(-1e-3, 0), mu);
+        auto const solution = solve(BipotentialNewton{}, problem);
+        CAPTURE(angle);
+        CAPTURE(mu);
+        CAPTURE(solution.force.transpose());
+        CHECK_FALSE(solution.converged);
+        for (auto const& found : answers_of(problem).found)
+          CHECK(found.norm() < 1e9);
+      }
   }
 
   TEST_CASE("the same wedge has one answer where it does not jam, or is driven with the friction") {
