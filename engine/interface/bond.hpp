@@ -24,7 +24,7 @@ enum class Memory { irreversible, reversible };
 /// What holds for the bond during one step.
 struct BondStep {
   Bond old;
-  double dt = 0;       ///< s; > 0
+  double dt = 0;       ///< s; with 0 the bond stays as it is
   bool closed = false; ///< the point touches: beta may grow when bonding = "contact"
 };
 

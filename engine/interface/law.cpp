@@ -73,6 +73,10 @@ double integration_loss(AdhesionLaw const& adhesion, BondMove const& move) {
   return if_evolving(
       adhesion, [&](auto const& law) { return integration_loss(law, move); }, 0.0);
 }
+double dissipation(AdhesionLaw const& adhesion, BondMove const& move) {
+  return if_evolving(
+      adhesion, [&](auto const& law) { return dissipation(law, move); }, 0.0);
+}
 Wording wording(AdhesionLaw const& adhesion) {
   return std::visit(
       []<class Law>(Law const&) {

@@ -75,6 +75,8 @@ template<int D>
 [[nodiscard]] bool grows(AdhesionLaw const& adhesion);
 /// What implicit Euler loses in a step of a bond that evolves beside the trapezium of its pull, J/m^2.
 [[nodiscard]] double integration_loss(AdhesionLaw const& adhesion, BondMove const& move);
+/// What a bond that evolves dissipates in a step, J/m^2.
+[[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondMove const& move);
 [[nodiscard]] Wording wording(AdhesionLaw const& adhesion);
 
 } // namespace stiction::interface

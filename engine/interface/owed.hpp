@@ -106,6 +106,10 @@ template<class Law>
 concept Audited = !Evolving<Law> || requires(Law const& law, BondMove const& move) {
   { integration_loss(law, move) } -> std::same_as<double>;
 };
+template<class Law>
+concept Spending = !Evolving<Law> || requires(Law const& law, BondMove const& move) {
+  { dissipation(law, move) } -> std::same_as<double>;
+};
 
 template<class Law>
 concept Laid = core::Described<Law> && Sides<Law> && Range<Law> && Lasting<Law> && Beginning<Law> &&
@@ -114,7 +118,7 @@ concept Laid = core::Described<Law> && Sides<Law> && Range<Law> && Lasting<Law> 
 /// (core/reader.hpp).
 template<class Law>
 concept AdhesionLaw = Laid<Law> && Pulls<Law> && Advances<Law> && Loses<Law> && Stores<Law> &&
-    Evolution<Law> && Timed<Law> && Audited<Law>;
+    Evolution<Law> && Timed<Law> && Audited<Law> && Spending<Law>;
 
 template<class Law> struct OfAdhesion {
   static_assert(core::Described<Law>,
@@ -150,6 +154,8 @@ template<class Law> struct OfAdhesion {
   static_assert(Audited<Law>,
                 "an adhesion law that evolves lacks `double integration_loss(Law const&, BondMove "
                 "const&)`: what implicit Euler loses in a step, J/m^2");
+  static_assert(Spending<Law>, "an adhesion law that evolves lacks `double dissipation(Law const&, BondMove "
+                               "const&)`: of a step that ends with this beta, J/m^2");
   static constexpr bool given = AdhesionLaw<Law>;
 };
 

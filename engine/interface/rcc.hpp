@@ -156,6 +156,9 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
 }
 
 /// b beta'^2 over the step, J/m^2.
+[[nodiscard]] inline double dissipation(Rcc const& law, BondMove const& move) {
+  return law.b * std::pow(move.beta_to - move.beta_from, 2) / move.dt;
+}
 template<int D> [[nodiscard]] double dissipation(Rcc const& law, BondStep const& step, Local<D> const& x) {
   double const growth = adhere<D>(law, step, x).beta - step.old.beta;
   return law.b * growth * growth / step.dt;

@@ -92,16 +92,18 @@ struct NoTime : Rcc {
 };
 struct NoAudit : Rcc {};
 void integration_loss(NoAudit const&, BondMove const&);
+struct NoSpending : Rcc {};
+void dissipation(NoSpending const&, BondMove const&);
 struct Timeless : NoTime { // needs none
   static constexpr bool evolves = false;
 };
 
 template<class Law> constexpr bool ask = asked<owed::OfAdhesion, Law>;
 static_assert(ask<Rcc> && ask<Timeless>);
-bool const bonding[] = {ask<NoBondSchema>, ask<NoSides>,  ask<NoRange>,  ask<NoLasting>,
-                        ask<NoBeginning>,  ask<NoScales>, ask<NoFall>,   ask<NoTraction>,
-                        ask<NoNext>,       ask<NoLoss>,   ask<NoEnergy>, ask<NoEvolution>,
-                        ask<NoTime>,       ask<NoAudit>};
+bool const bonding[] = {ask<NoBondSchema>, ask<NoSides>,  ask<NoRange>,   ask<NoLasting>,
+                        ask<NoBeginning>,  ask<NoScales>, ask<NoFall>,    ask<NoTraction>,
+                        ask<NoNext>,       ask<NoLoss>,   ask<NoEnergy>,  ask<NoEvolution>,
+                        ask<NoTime>,       ask<NoAudit>,  ask<NoSpending>};
 
 } // namespace interface
 

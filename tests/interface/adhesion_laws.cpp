@@ -132,11 +132,13 @@ TEST_SUITE("interface") {
       if (!evolves(named.law)) {
         CHECK(bond_time(named.law) == 0);
         CHECK(integration_loss(named.law, {}) == 0);
+        CHECK(dissipation(named.law, BondMove{}) == 0);
         continue;
       }
       for (unsigned seed = 1; seed <= 6; ++seed) {
         auto const a = account(named.law, wander(seed), 300);
         CHECK(std::abs(a.predicted) > 1e-4);
+        CHECK(a.by_moves == doctest::Approx(a.dissipated).epsilon(1e-12));
         CHECK(a.work - a.stored - a.dissipated == doctest::Approx(a.predicted).epsilon(1e-10));
       }
     }

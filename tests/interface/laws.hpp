@@ -122,12 +122,12 @@ template<class Position> struct Walk {
 };
 
 struct Account {
-  double work = 0;                  ///< of the traction, trapezoidal, J/m^2
-  double stored = 0;                ///< change of the bond's energy
-  double dissipated = 0, least = 0; ///< all, and the least of a step
-  double largest = 0;               ///< traction, Pa
-  double predicted = 0;             ///< what work is more than stored and dissipated, by the law
-  Bond bond;                        ///< at the end
+  double work = 0;                    ///< of the traction, trapezoidal, J/m^2
+  double stored = 0;                  ///< change of the bond's energy
+  double dissipated = 0, least = 0;   ///< all, and the least of a step
+  double largest = 0;                 ///< traction, Pa
+  double predicted = 0, by_moves = 0; ///< what work is more than stored and dissipated, by the law
+  Bond bond;                          ///< at the end
   Local<3> traction = Local<3>::Zero();
 };
 
@@ -146,8 +146,9 @@ template<class Position> Account account(Walk<Position> const& walk, int steps) 
     double const taken = dissipation<3>(walk.law, step, x);
     Local<3> const to = opening<3>(x, result.bond);
     Local<3> const from(std::max(position(k - 1)[0], 0.0), to[1] - move[1], to[2] - move[2]);
-    result.predicted +=
-        integration_loss(walk.law, {from, to, result.bond.beta, adhere<3>(walk.law, step, x).beta, step.dt});
+    BondMove const bond_move{from, to, result.bond.beta, adhere<3>(walk.law, step, x).beta, step.dt};
+    result.predicted += integration_loss(walk.law, bond_move);
+    result.by_moves += dissipation(walk.law, bond_move);
     result.work += 0.5 * (result.traction + pull).dot(move);
     result.dissipated += taken;
     result.least = std::min(result.least, taken);

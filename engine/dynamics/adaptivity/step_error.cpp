@@ -116,11 +116,29 @@ void History::advance_bonds(State const& old, State& next) const {
     auto const& adhesion = model_->pairs[p].law.adhesion;
     if (!adhesion || interface::bond_time(*adhesion) == 0)
       return;
-    double const error = bond_error(old, next, p, i), before = old.contacts[p][i].bond.beta;
-    double& beta = next.contacts[p][i].bond.beta;
-    double const share = before > 0 ? std::min(1.0, beta / before) : 1;
-    beta = std::clamp(beta - share * share * error, 0.0, std::max(before, beta));
+    auto& after = next.contacts[p][i];
+    double const error = bond_error(old, next, p, i), before = old.contacts[p][i].bond.beta,
+                 beta = after.bond.beta, share = before > 0 ? std::min(1.0, beta / before) : 1,
+                 better = std::clamp(beta - share * share * error, 0.0, std::max(before, beta));
+    if (better != beta)
+      move_bond(*adhesion, {before, better, next.t - old.t}, after, next.ledger);
   });
+}
+
+void History::move_bond(interface::AdhesionLaw const& law, BondChange change, ContactState& point,
+                        Ledger& ledger) const {
+  interface::BondMove move {
+    {}, interface::opening_of(point.bond, point.gap), change.from, point.bond.beta, change.dt
+  };
+  double const dissipated = interface::dissipation(law, move),
+               stored = interface::bond_energy(law, point.bond, point.gap);
+  point.bond.beta = move.beta_to = change.to;
+  double const more = point.area * (interface::bond_energy(law, point.bond, point.gap) - stored),
+               loss = point.area * (interface::dissipation(law, move) - dissipated);
+  ledger.bond += more;
+  ledger.bonding_loss += loss;
+  if (model_->audited)
+    ledger.predicted.contact -= more + loss;
 }
 
 double History::displacement_error(State const& old, State const& next) const {

@@ -43,8 +43,9 @@ public:
 
   [[nodiscard]] StepError error(State const& old, State const& next) const;
   /// Takes the local error of beta out of an accepted step, where a law integrates it: the pair advances with
-  /// its trapezoidal member, damped by (beta_1 / beta_0)^2 so that a fast loss never turns about. Tractions
-  /// and energies of the step stay those of implicit Euler; global errors become of second order.
+  /// its trapezoidal member, damped by (beta_1 / beta_0)^2 so that a fast loss never turns about; global
+  /// errors become of second order. Tractions of the step stay those of implicit Euler; the ledger follows
+  /// beta.
   void advance_bonds(State const& old, State& next) const;
   /// The events between the states that lie farther than `within` from both ends, or in a step longer than
   /// it.
@@ -60,6 +61,11 @@ private:
   /// dt (beta'_1 - beta'_0) / 2 of implicit Euler; 0 where it is exact or the rate before is not known.
   [[nodiscard]] double bond_error(State const& old, State const& next, std::size_t pair,
                                   std::size_t point) const;
+  struct BondChange {
+    double from, to, dt; ///< beta at the step's start, and what it becomes at its end; s
+  };
+  void move_bond(interface::AdhesionLaw const& law, BondChange change, ContactState& point,
+                 Ledger& ledger) const;
   [[nodiscard]] double after(EventKind kind, State const& old, std::size_t pair, std::size_t point) const;
 
   BulkSystem const* bulk_;

@@ -30,6 +30,14 @@ struct PointAudit {
   double work = 0, loss = 0; ///< of the forces along gap and slip, and lost by the scheme, J (J/m)
 };
 
+/// Of a bond that stays as it is, Pa: an advanced one (History) pulls otherwise than the step that it ended.
+Vec3 pull_of(interface::AdhesionLaw const& law, ContactState const& point) {
+  interface::BondStep at_rest;
+  at_rest.old = point.bond;
+  at_rest.dt = 0;
+  return interface::adhere<3>(law, at_rest, Vec3(point.gap, 0, 0)).traction;
+}
+
 /// A point that leaves the search has no gap any more: what its bond held is let go.
 PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, ContactState const& before,
                        ContactState const& after, PointStep step) {
@@ -39,8 +47,10 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
   Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
   Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
   Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
-  double loss = -dry[0] * moved[0] - (chi - 0.5) * (pull_1 - pull_0).dot(moved);
-  if (adhesion && interface::evolves(*adhesion))
+  bool const evolves = adhesion && interface::evolves(*adhesion);
+  Vec3 const held = evolves ? Vec3(before.area * pull_of(*adhesion, before)) : pull_0;
+  double loss = -dry[0] * moved[0] - ((chi - 0.5) * pull_1 + (1 - chi) * pull_0 - 0.5 * held).dot(moved);
+  if (evolves)
     loss += after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
   return {(dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved), loss};
 }
