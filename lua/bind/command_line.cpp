@@ -61,6 +61,7 @@ private:
   void add_trade();
   void add_extremes();
   void add_peers();
+  void add_looking();
   void add_others();
   void add_internal();
 
@@ -127,7 +128,31 @@ void Commands::add_peers() {
   out(peers);
 }
 
+void Commands::add_looking() {
+  auto& show =
+      command("show", "Show the cases that an output folder holds, filtered and sorted; run nothing");
+  value<std::string>(show, "study", "STUDY", "Study or output folder")->required();
+  out(show);
+  value<std::string>(show, "--where", "EXPR",
+                     "Only cases for which this holds, in SI, e.g. 'mu > 0.3 and verdict == \"finished\"'");
+  value<std::string>(show, "--sort", "NAME", "By this parameter or result; -NAME: from the largest on");
+  value<std::string>(show, "--columns", "NAMES", "These parameters and results, comma separated");
+  value<std::string>(show, "--csv", "FILE",
+                     "Write rows and columns there with every digit, in SI (-: print)");
+  auto& compare = command("compare", "Say what differs between two outputs, and by how much; exit code 1 if "
+                                     "cases are missing or results differ");
+  value<std::string>(compare, "a", "OUT", "Output folder or study")->required();
+  value<std::string>(compare, "b", "OUT", "Output folder or study")->required();
+  value<double>(compare, "--tolerance", "SHARE",
+                "Relative difference up to which results are equal (default: 0)");
+  flag(compare, "all", "Print all lines, not the first of each kind");
+}
+
 void Commands::add_others() {
+  auto& fresh = command("new", "Write a study to start from into a folder of your own");
+  value<std::string>(fresh, "name", "NAME", "Folder to write, which must not exist or be empty");
+  value<std::string>(fresh, "--from", "EXAMPLE", "Copy this example, one of --list");
+  flag(fresh, "list", "List the examples");
   auto& figures = command("figures", "Draw a study's figures again from its output");
   study(figures)->required();
   study_options(figures);
@@ -175,6 +200,7 @@ void Commands::add_all() {
   add_trade();
   add_extremes();
   add_peers();
+  add_looking();
   add_others();
   add_internal();
 }

@@ -2,7 +2,7 @@
 # Commands, their options, help pages, and words on the command line that are wrong.
 . "$(dirname "$0")/common.sh"
 
-for command in run figures solve bench peers help explain; do
+for command in run figures solve bench peers show compare help explain; do
   expect 0 "Usage: stiction $command" "$stiction" "$command" --help
 done
 expect 0 "Subcommands" "$stiction" --help

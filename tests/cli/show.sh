@@ -103,5 +103,15 @@ changed soft 's/^  quick = .*/  trade = { quantities = { "force_y", "force_x" },
 expect 0 "mu0.2  finished         23.715         4.6709" ask show '{ study = "soft" }'
 expect 1 "A may be off by  B may be off by|file study.lua" ask compare '{ a = "soft", b = "b" }'
 
+# the same by words on the command line
+expect 0 "; 1 chosen" "$stiction" show a --where 'mu > 0.3'
+expect 0 "mu0.4,5.57" "$stiction" show nothing --out a --sort -mu --columns case,force_x --csv -
+expect 0 "9 of 9 results" "$stiction" compare a same
+expect 0 "(within 0.0001, relative)" "$stiction" compare a c --tolerance 1e-4 --all
+expect 2 "compare: " "$stiction" compare a
+expect 0 "--where" "$stiction" show --help
+expect 0 "--tolerance" "$stiction" compare --help
+expect 0 "show STUDY|compare A B" "$stiction" help commands
+
 holds "an output was changed" [ "$before" = "$(find a -type f -exec cksum {} + | sort)" ]
 finish

@@ -3,7 +3,6 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
 local numeric = require "stiction.numeric"
-local pages = require "stiction.cli.pages"
 local report = require "stiction.report"
 
 local default = "sticky_block"
@@ -113,35 +112,9 @@ local function make(path, example)
   return 0
 end
 
-local known = { "--from", "--list", "--help" }
-
---- The options among the words after `new`.
-local function parse(words)
-  local options, i = {}, 1
-  while i <= #words do
-    local word, value = words[i], words[i]:match("^%-%-from=(.*)$")
-    if word == "--list" or word == "--help" or word == "-h" then
-      options[word == "--list" and "list" or "help"] = true
-    elseif word == "--from" or value then
-      options.from = value or words[i + 1] or fault.input("new: --from: an example is wanted; --list lists them")
-      i = i + (value and 0 or 1)
-    elseif word:find("^%-%-?%a") or options.name then
-      fault.input("new: unexpected '%s'%s", word, fault.meant(word, known))
-    else
-      options.name = word
-    end
-    i = i + 1
-  end
-  return options
-end
-
---- options: {name =, from =, list =, help =}, or {words = list} as they stand on the command line.
+--- options: {name =, from =, list =}
 return function(options)
-  options = options.words and parse(options.words) or options
-  if options.help then
-    report.line("%s", pages.new)
-    return 0
-  elseif options.list then
+  if options.list then
     return show_list()
   elseif not options.name then
     fault.input("new: NAME is required: stiction new NAME [--from EXAMPLE], or --list")

@@ -12,6 +12,9 @@ pages.commands = [[
 new NAME       write a study to start from into a folder of your own; --list: the examples; 'stiction help new'
 run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report
 figures STUDY  draw the figures again from the output
+show STUDY     the cases that an output holds: --where 'mu > 0.3 and verdict == "finished"' (SI), --sort -NAME,
+               --columns a,b, --csv FILE; STUDY may be an output folder; nothing is run
+compare A B    two outputs (folders or studies): the parameters, settings and results that differ, and by how much
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
