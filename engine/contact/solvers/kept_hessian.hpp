@@ -59,6 +59,8 @@ private:
       std::size_t const end = std::min(from + block, K.size());
       Index const width = *std::max_element(widths_.begin() + static_cast<long>(from),
                                             widths_.begin() + static_cast<long>(end));
+      if (width == 0) // nothing moves these points
+        continue;
       auto const first = static_cast<Index>(from);
       auto const rows = F_->block(D * first, 0, D * static_cast<Index>(end - from), width);
       scaled.resize(rows.rows(), width);
