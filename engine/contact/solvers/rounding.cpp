@@ -28,7 +28,7 @@ double forces_there(Problem const& problem, Vector const& guess) {
 
 bool felt(Problem const& problem, Vector const& force, double there) {
   for (Index i = 0; i < problem.size(); ++i)
-    if (!(force.segment(problem.dim * i, problem.dim).norm() <= unfelt * there * problem.points[ix(i)].area))
+    if (force.segment(problem.dim * i, problem.dim).norm() > unfelt * there * problem.points[ix(i)].area)
       return false;
   return true;
 }
