@@ -13,8 +13,8 @@ bool BulkFactor::factorize(std::span<double> values, std::vector<ColumnEntry> co
   core::expect(values.size() == pattern().rows.size(), "one value per entry of the pattern");
   hold_ = 0;
   identity_ = std::make_shared<char>();
-  bool const at_once = hold == Hold::always && surface_ > 0;
-  if (!at_once && take(values))
+  bool const hold_at_once = hold == Hold::always && surface_ > 0;
+  if (!hold_at_once && take(values))
     return add(std::move(columns));
   if (surface_ == 0)
     return false;

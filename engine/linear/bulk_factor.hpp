@@ -31,6 +31,45 @@ struct ColumnEntry {
 /// When the surface is held beside what the matrix itself does.
 enum class Hold { if_needed, always };
 
+/// One number of H: row of a contact force over the surface's unknowns.
+struct SurfaceEntry {
+  Index row, column;
+  double value;
+  bool operator==(SurfaceEntry const&) const = default;
+};
+
+/// Rows of contact forces on the surface: p acts as weight H^T p, and x = H u.
+struct SurfaceRows {
+  std::vector<SurfaceEntry> H;
+  Index count = 0;
+  double weight = 1;
+};
+
+/// A linear law between forces p and displacements x of points of C rows each: A p + B x = right.
+struct PointLaws {
+  Dense A, B; ///< [rows, C], a block per point, one below the other
+  Vector right;
+};
+
+/// What a bulk without columns does instead: contact is solved together with it. Motions are those of W p =
+/// weight H V H^T p for the rows last given.
+class CoupledBulk {
+public:
+  virtual ~CoupledBulk() = default;
+  virtual void couple(SurfaceRows rows) = 0;
+  /// x += W p. Not finite where that cannot be solved for.
+  virtual void add_motion(Vector const& p, Eigen::Ref<Vector> x) = 0;
+  /// About the diagonal blocks of W, [rows, components]: what sets scales.
+  [[nodiscard]] virtual Dense blocks(Index components) const = 0;
+  /// Changes of forces and motions that follow the laws, about the forces p and the motion last found or
+  /// advanced to; to |error| <= tolerance |all that is wrong|. What is wrong with that motion goes into dx.
+  /// False where there is no finite answer.
+  [[nodiscard]] virtual bool solve(PointLaws const& laws, Vector const& p, double tolerance, Vector& dp,
+                                   Vector& dx) = 0;
+  /// Takes up this part of the change last found.
+  virtual void advance(double part) = 0;
+};
+
 /// Of a matrix of fixed pattern; its last unknowns are those of the surface.
 class BulkFactor {
 public:
@@ -64,6 +103,8 @@ public:
   virtual void compliance(Indices const& used, Dense& C) = 0;
   /// A x = b in place.
   void solve(Vector& b);
+  /// This, if columns of the compliance cost it a solution each; else none.
+  [[nodiscard]] virtual CoupledBulk* coupled() { return nullptr; }
 
   [[nodiscard]] virtual Pattern const& pattern() const = 0;
   [[nodiscard]] Index surface() const { return surface_; }

@@ -6,6 +6,7 @@
 
 #include "core/types.hpp"
 #include "interface/cone.hpp"
+#include "linear/bulk_factor.hpp"
 
 namespace stiction::contact {
 
@@ -21,7 +22,11 @@ public:
   template<class Matrix>
   Delassus(Eigen::EigenBase<Matrix> const& entries) : kind_(Dense(entries.derived())) {}
   /// blocks: the diagonal ones, one below the other, [dim n, dim].
-  Delassus(Dense blocks, Product product) : kind_(ByProduct{std::move(blocks), std::move(product), {}}) {}
+  Delassus(Dense blocks, Product product)
+      : kind_(ByProduct{std::move(blocks), std::move(product), nullptr, {}}) {}
+  /// Of so many points that neither columns nor entries are to be asked for; the blocks are about those.
+  /// together: outlives this.
+  Delassus(Dense blocks, linear::CoupledBulk& together);
 
   [[nodiscard]] Index rows() const;
   [[nodiscard]] double diagonal(Index row) const;
@@ -39,6 +44,8 @@ public:
 
   /// All entries, for what factors them or writes them down; those of a product are formed once.
   [[nodiscard]] Dense const& dense() const;
+  /// Where a column costs as much as a product: what solves with W at once; else none.
+  [[nodiscard]] linear::CoupledBulk* together() const;
   /// Has anyone needed them?
   [[nodiscard]] bool formed() const;
   /// To fill or change them; only of a matrix.
@@ -48,6 +55,7 @@ private:
   struct ByProduct {
     Dense blocks;
     Product product;
+    linear::CoupledBulk* together = nullptr;
     mutable std::optional<Dense> entries;
   };
   std::variant<Dense, ByProduct> kind_;

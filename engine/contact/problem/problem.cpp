@@ -81,9 +81,8 @@ double Verdict::relative() const {
 
 namespace {
 
-template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
+template<int D> Verdict judge_in(Problem const& problem, Vector const& force, Vector const& x) {
   Verdict verdict;
-  Vector const x = displacement(problem, force);
   if (!x.allFinite() || !force.allFinite())
     return {std::numeric_limits<double>::infinity(), 0};
   for (Index i = 0; i < problem.size(); ++i) {
@@ -109,7 +108,11 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force) {
 } // namespace
 
 Verdict judge(Problem const& problem, Vector const& force) {
-  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force); });
+  return judge(problem, force, displacement(problem, force));
+}
+
+Verdict judge(Problem const& problem, Vector const& force, Vector const& x) {
+  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, x); });
 }
 
 } // namespace stiction::contact

@@ -88,5 +88,7 @@ struct Verdict {
   [[nodiscard]] double relative() const;
 };
 [[nodiscard]] Verdict judge(Problem const& problem, Vector const& force);
+/// Where x = free + W p is known.
+[[nodiscard]] Verdict judge(Problem const& problem, Vector const& force, Vector const& x);
 
 } // namespace stiction::contact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/solvers/coupled_newton.hpp"
 #include "contact/solvers/minimum.hpp"
 #include "contact/solvers/mixed_sweeps.hpp"
 #include "contact/solvers/newton.hpp"
@@ -156,6 +157,8 @@ class NewtonSolver : public Solver {
 public:
   explicit NewtonSolver(BipotentialNewton const& settings) : settings_(settings) {}
   Solution solve(Problem const& problem, Vector const& guess) override {
+    if (problem.W.together())
+      return coupled_newton(problem, guess, settings_.tolerance, settings_.iterations);
     spent_ = {};
     there_ = forces_there(problem, guess);
     auto solution = swept(problem, guess);

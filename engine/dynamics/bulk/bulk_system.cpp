@@ -1,12 +1,14 @@
 // Numbering, mass with or without inertia on contact nodes, and the effective stiffness.
 #include "dynamics/bulk/bulk_system.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/bulk/timer.hpp"
+#include "linear/multigrid_factor.hpp"
 
 namespace stiction::dynamics {
 
@@ -42,6 +44,16 @@ std::vector<bool> contact_nodes(Model const& model) {
 /// Lumps the mass of all nodes as that of contact nodes.
 std::vector<bool> everywhere(Model const& model) {
   return std::vector<bool>(ix(model.node_count()), true);
+}
+
+/// Order of the unknowns with those marked at the end and nothing else changed.
+Indices surface_last(std::vector<bool> const& last) {
+  Indices order;
+  for (bool const marked : {false, true})
+    for (std::size_t k = 0; k < last.size(); ++k)
+      if (last[k] == marked)
+        order.push_back(static_cast<Index>(k));
+  return order;
 }
 
 /// Calls visit(body, degrees of freedom of a cell) in assembly order.
@@ -139,7 +151,9 @@ void BulkSystem::number_unknowns(Model const& model) {
     return all;
   };
   auto const count = static_cast<Index>(free.size());
-  auto const order = linear::elimination_order(linear::pattern_of(count, cliques()), last);
+  bool const iterative = !diagonal_ && by_multigrid(model);
+  auto const order =
+      iterative ? surface_last(last) : linear::elimination_order(linear::pattern_of(count, cliques()), last);
   for (Index k = 0; k < count; ++k) {
     dof_of_.push_back(free[ix(order[ix(k)])]);
     unknown_of_[ix(dof_of_.back())] = k;
@@ -147,7 +161,36 @@ void BulkSystem::number_unknowns(Model const& model) {
   auto pattern = linear::pattern_of(count, cliques());
   values_.resize(pattern.rows.size());
   own_rates_ = own_rates_ && trailing_ > 0;
-  kept_.emplace_back().factor = linear::make_bulk_factor(std::move(pattern), trailing_, own_rates_);
+  if (iterative)
+    kept_.emplace_back().factor =
+        linear::make_multigrid_factor(std::move(pattern), trailing_, nodes_of_unknowns(model));
+  else
+    kept_.emplace_back().factor = linear::make_bulk_factor(std::move(pattern), trailing_, own_rates_);
+}
+
+/// For multigrid: nodes that have an unknown in their order, and their rigid-body motions.
+linear::NodesOfUnknowns BulkSystem::nodes_of_unknowns(Model const& model) const {
+  Indices number(ix(model.node_count()), -1), nodes;
+  for (Index node = 0; node < model.node_count(); ++node)
+    for (Index dof = 3 * node; dof < 3 * node + 3 && number[ix(node)] < 0; ++dof)
+      if (unknown_of(dof) >= 0) {
+        number[ix(node)] = static_cast<Index>(nodes.size());
+        nodes.push_back(node);
+      }
+  linear::NodesOfUnknowns all;
+  for (Index const dof : dof_of_)
+    all.place.push_back(3 * number[ix(dof / 3)] + dof % 3);
+  Vec3 const middle = model.reference.colwise().mean();
+  double const size = (model.reference.rowwise() - middle.transpose()).cwiseAbs().maxCoeff();
+  all.modes.setZero(3 * static_cast<Index>(nodes.size()), 6);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    Vec3 const x = (model.reference.row(nodes[k]).transpose() - middle) / size;
+    auto rows = all.modes.middleRows<3>(3 * static_cast<Index>(k));
+    rows.leftCols<3>().setIdentity();
+    for (int axis = 0; axis < 3; ++axis)
+      rows.col(3 + axis) = Vec3::Unit(axis).cross(x);
+  }
+  return all;
 }
 
 void BulkSystem::build_maps(Model const& model) {

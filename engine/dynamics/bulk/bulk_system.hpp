@@ -8,6 +8,10 @@
 #include "dynamics/model/state.hpp"
 #include "linear/bulk_factor.hpp"
 
+namespace stiction::linear {
+struct NodesOfUnknowns;
+}
+
 namespace stiction::dynamics {
 
 /// Seconds and counts of the phases of a run.
@@ -115,6 +119,7 @@ private:
   void make_matrix(Model const& model, StepWeights const& weights);
   void number_unknowns(Model const& model);
   void set_mass(StepWeights const& weights);
+  [[nodiscard]] linear::NodesOfUnknowns nodes_of_unknowns(Model const& model) const;
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);

@@ -82,6 +82,14 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
     add_stiffness_of_contact(W, free);
 }
 
+linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& free) {
+  support_ = 0;
+  free.setZero(rows_);
+  for (auto const& h : H_)
+    free[h.row] += h.value * y[h.column];
+  return {H_, rows_, weight};
+}
+
 /// W = weight H V H^T
 void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W) {
   bulk.compliance(used_, V_);

@@ -17,6 +17,8 @@ public:
   /// = y + weight V H^T p gives x = free + W p, where x = H du. What holds the bulk's surface is taken away
   /// like a K_geo. W is left as it is where nothing that it is made of has changed since the last problem.
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
+  /// The rows of H for a bulk that contact is solved together with, and free = H y; there is no K_geo then.
+  [[nodiscard]] linear::SurfaceRows rows(Vector const& y, double weight, Vector& free);
   /// W is not what it was left as.
   void forget() { made_of_ = {}; }
   /// Has the problem last eliminated a K_geo?
@@ -28,11 +30,7 @@ public:
   void add_forces(Vector const& force, double weight, Vector& c) const;
 
 private:
-  struct Entry {
-    Index row, column; ///< row of H or unknown of K; unknown
-    double value;
-    bool operator==(Entry const&) const = default;
-  };
+  using Entry = linear::SurfaceEntry; ///< of K: two unknowns
   /// What W is made of where there is no K.
   struct Origin {
     std::shared_ptr<void const> bulk; ///< its matrix

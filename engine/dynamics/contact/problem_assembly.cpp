@@ -33,8 +33,13 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
                                    double weight, contact::Problem& problem) {
   if (model_->held_by_bonds || bulk.hold() > 0)
     grip_ = std::max(grip_, loosest);
+  auto* const together = bulk.coupled();
+  turning_ = turning_ && together == nullptr;
   gather(points);
-  condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
+  if (together != nullptr)
+    couple(*together, y, weight, problem);
+  else
+    condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
   // there might be no answer; with inertia a shorter step has one
   if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
     turning_ = false;
@@ -59,6 +64,14 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     }
   }
   return guess;
+}
+
+/// Without W: a product with it is a solution of the bulk.
+template<int D, int C>
+void ProblemAssembly<D, C>::couple(linear::CoupledBulk& bulk, Vector const& y, double weight,
+                                   contact::Problem& problem) {
+  bulk.couple(condensation_.rows(y, weight, problem.free));
+  problem.W = contact::Delassus(bulk.blocks(C), bulk);
 }
 
 /// grip_: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by

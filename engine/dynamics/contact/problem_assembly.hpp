@@ -28,6 +28,7 @@ public:
 
 private:
   void gather(Points const& points);
+  void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
   void add_shared_stiffness(Points const& points, int pair);
   void add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K);
   [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);

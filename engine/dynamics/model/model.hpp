@@ -83,10 +83,14 @@ struct Pair {
   [[nodiscard]] Indices const& nodes() const { return mortar ? mortar->nodes() : secondary; }
 };
 
-/// When a step counts as converged and how far it may go.
+/// How the bodies' matrix is solved with; automatic: by its size.
+enum class BulkSolver { automatic, direct, multigrid };
+
+/// When a step counts as converged, how far it may go, and how its linear systems are solved.
 struct StepControl {
   double force_tolerance = 1e-7; ///< out-of-balance force over the largest nodal force
   int iterations = 20;           ///< Newton iterations at most
+  BulkSolver bulk = BulkSolver::automatic;
   [[nodiscard]] static core::Schema const& schema();
 };
 

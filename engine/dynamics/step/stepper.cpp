@@ -37,6 +37,9 @@ core::Schema const& StepControl::schema() {
                   Need::optional, "out-of-balance force and contact residual over the largest nodal force")
           .integer("iterations", &StepControl::iterations, {1, 1000, false, false}, Need::optional,
                    "Newton iterations at most")
+          .choice("bulk", &StepControl::bulk, {"automatic", "direct", "multigrid"}, Need::optional,
+                  "how loads on the bodies are solved for: by a factor, or by conjugate gradients with "
+                  "multigrid, which takes less memory and, of large bodies in space, less time")
           .build();
   return made;
 }
@@ -296,8 +299,12 @@ bool Stepper::correct(double dt, Outcome& outcome) {
     if (apply_factor())
       return true;
   }
-  outcome.verdict = StepVerdict::contact_failed;
-  outcome.reason = unanswered();
+  outcome.verdict = surface_.allFinite() ? StepVerdict::contact_failed : StepVerdict::indefinite;
+  outcome.reason =
+      surface_.allFinite()
+          ? unanswered()
+          : "multigrid did not solve for the loads on the bodies: their stiffness is not positive "
+            "definite, or too badly conditioned; control.bulk = \"direct\" takes a factor";
   return false;
 }
 
@@ -310,6 +317,8 @@ bool Stepper::apply_factor() {
       correction_[k] = -unbalanced_[bulk_.dof_of(k)];
     surface_ = bulk_.factor().condense(correction_);
   }
+  if (!surface_.allFinite())
+    return false;
   if (!contact_->solve(bulk_.factor(), surface_, weights_.contact, surface_load_, cost_))
     return false;
   {

@@ -50,6 +50,8 @@ std::string Stepper::unanswered() const {
     return failed;
   auto const held = held_and_pressed();
   std::string const why = held.empty() ? held : ": " + held;
+  if (problem.W.together() != nullptr)
+    return failed + why;
   auto const found = problem.dim > 2 ? std::nullopt : contact::pivot(problem, forces, contact::From::nothing);
   return failed +
          (found && found->none

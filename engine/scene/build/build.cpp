@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/step/stepper.hpp"
 #include "mesh/topology/quality.hpp"
 #include "scene/build/builder.hpp"
@@ -66,6 +67,7 @@ Scene Builder::run() {
   hold_axis();
   add_pairs();
   check_probes();
+  check_bulk();
   settle();
   dynamics::Stepper stepper(model, dynamics::Purpose::beginning);
   auto const start = stepper.initial();
@@ -73,6 +75,19 @@ Scene Builder::run() {
   check_supports(stepper.contact(), start);
   settle();
   return std::move(scene_);
+}
+
+/// A problem that is to be written needs its matrix.
+void Builder::check_bulk() {
+  auto& model = *scene_.model;
+  bool const written = scene_.part.output.problems_every > 0;
+  auto const why = written ? "contact problems are to be written (output.problems_every)"
+                           : dynamics::unfit_for_multigrid(model);
+  if (model.control.bulk == dynamics::BulkSolver::multigrid && !why.empty())
+    complain({"control", "bulk"},
+             fmt::format("is \"multigrid\", but {}; give \"direct\", or leave it out", why));
+  if (written)
+    model.control.bulk = dynamics::BulkSolver::direct;
 }
 
 void Builder::settle() const {

@@ -67,6 +67,7 @@ private:
   [[nodiscard]] bool bodies_overlap(std::string const& pair);
 
   // build_probes.cpp
+  void check_bulk();
   void check_probes();
   void check_momentum(Where const& where, Numbers const& about);
   template<class Part> void check_probe(std::string const& name, Part const& part);

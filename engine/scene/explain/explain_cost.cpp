@@ -12,7 +12,8 @@ namespace stiction::scene {
 namespace {
 
 // Parts of the speed of large dense products: small fronts of a factor, and what is no product at all.
-constexpr double front = 200; // columns of a front at which a factorization has half of it
+constexpr double front = 200;            // columns of a front at which a factorization has half of it
+constexpr double part_of_blocks = 0.045; // of sparse matrices, three by three
 constexpr double part_of_solver = 0.3, part_of_columns = 0.3, part_of_elimination = 0.4;
 // What takes as long as so many operations of dense products.
 constexpr double started = 1e9, frame_node = 1e5, pattern_entry = 1.2e4, factor_unknown = 2e4,
@@ -38,7 +39,9 @@ double read(Machine const& machine, double bytes) {
   return bytes / (machine.stream * (bytes < cache ? part_of_cache : part_of_stream));
 }
 
-double contact_seconds(Machine const& machine, ContactForecast const& contact) {
+double contact_seconds(Machine const& machine, Fill const& fill, ContactForecast const& contact) {
+  if (fill.multigrid)
+    return contact.operations / (part_of_blocks * machine.products);
   double const r = contact.rows;
   double const solver = contact.sweeps ? contact.iterations * read(machine, 4 * r * r)
                                        : contact.operations / (part_of_solver * machine.products);
@@ -70,7 +73,7 @@ Seconds seconds_of(Facts const& facts, Forecast const& all) {
   double points = 0;
   for (auto const& pair : facts.pairs)
     points += pair.pair->size();
-  time.contact = contact_seconds(machine, all.contact) + as_products(point * points);
+  time.contact = contact_seconds(machine, fill, all.contact) + as_products(point * points);
   time.step = as_products(step_written) + time.force;
   return time;
 }
@@ -87,12 +90,18 @@ void add_sizes(Forecast const& all, Section& section) {
   add(section, "unknowns", fill.unknowns, "free");
   add(section, "contact unknowns", fill.surface,
       "of contact surfaces; what they give way is found for those near contact");
-  add(section, "factor", fill.factor.entries,
-      fmt::format("numbers of the Cholesky factor; {:.2g} Gflop to make it", fill.factor.operations * 1e-9));
+  add(section, fill.multigrid ? "multigrid" : "factor", fill.factor.entries,
+      fmt::format("numbers of {}; {:.2g} Gflop to make it",
+                  fill.multigrid ? "the matrix and its coarser levels, instead of a factor"
+                                 : "the Cholesky factor",
+                  fill.factor.operations * 1e-9));
   if (contact.rows > 0)
     add(section, "contact rows", contact.rows,
         fmt::format("of a contact problem, about {:.0f} points near contact at once; about {:.0f} {} each",
-                    contact.points, contact.iterations, contact.sweeps ? "sweeps" : "factorizations"));
+                    contact.points, contact.iterations,
+                    fill.multigrid   ? "cycles of multigrid"
+                    : contact.sweeps ? "sweeps"
+                                     : "factorizations"));
   double const total = all.memory();
   add(section,
       {"memory", human(total, "B"), total, "B",

@@ -6,7 +6,9 @@
 #include <ctime>
 #include <set>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "linear/cholesky.hpp"
+#include "linear/multigrid_factor.hpp"
 #include "linear/node_order.hpp"
 #include "linear/sparse_factor.hpp"
 
@@ -173,6 +175,11 @@ Fill fill_of(dynamics::Model const& model, dynamics::BulkSystem const& bulk, Ind
   auto const nodes = static_cast<double>(graph.size());
   double const width = fill.unknowns / nodes;
   fill.entries = width * (0.5 * (width + 1) + width * 0.5 * mean_neighbours(graph)) * nodes;
+  if (dynamics::by_multigrid(model)) {
+    fill.multigrid = true;
+    fill.factor = linear::multigrid_effort(2 * fill.entries);
+    return fill;
+  }
   for (Index before = 0; graph.size() > most && graph.size() != before;) {
     before = graph.size();
     graph = clustered(graph);

@@ -10,7 +10,8 @@ struct Fill {
   double entries = 0;               ///< of the matrix's lower triangle
   linear::Effort factor;
   bool surface_last = true;
-  double seconds = 0; ///< that ordering would take, of this machine
+  bool multigrid = false; ///< `factor` is then what takes its place
+  double seconds = 0;     ///< that ordering would take, of this machine
 };
 
 /// bulk: of the model, for any purpose. Where there are more nodes than `most`, neighbours are taken together

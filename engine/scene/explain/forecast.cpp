@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/solvers/newton.hpp"
+#include "linear/multigrid_factor.hpp"
 #include "linear/sparse_factor.hpp"
 #include "mesh/cells/cell.hpp"
 
@@ -23,7 +24,9 @@ constexpr double linear_flat = 1, linear_curved = 1.6, linear_bodies = 2, linear
 constexpr double bearing = 0.6;         // of the points near contact: they bear forces
 constexpr double plain_sweeps = 100;    // a contact problem
 constexpr double newton_iterations = 3; // a contact problem
-constexpr double unknown_part = 0.3;    // of a surface, near contact where its way is not known
+// Cycles of multigrid, an iteration of a step: for loads and for contact.
+constexpr double cycles = 25, cycles_with_friction = 65;
+constexpr double unknown_part = 0.3; // of a surface, near contact where its way is not known
 
 /// That mix_sweeps takes: 34 for 243 rows, 65 for 1875.
 double mixed_sweeps(double rows) {
@@ -151,6 +154,11 @@ ContactForecast contact_of(Facts const& facts, dynamics::State const& start, Fil
   contact.rows = facts.components * contact.points;
   if (contact.points == 0)
     return contact;
+  if (fill.multigrid) {
+    contact.iterations = facts.components > 1 ? cycles_with_friction : cycles;
+    contact.operations = contact.iterations * linear::cycle_passes * 4 * fill.entries;
+    return contact;
+  }
   add_solver(facts, contact);
   add_elimination(fill, contact);
   return contact;
@@ -181,6 +189,10 @@ void add_memory(Facts const& facts, Forecast& all) {
   all.cells_bytes = cell_bytes(facts) + 400 * static_cast<double>(facts.scene->model->dofs());
   all.factor_bytes = 8 * fill.factor.entries;
   all.matrix_bytes = fill.entries * (2 * sizeof(Index) + sizeof(double)) * (facts.dynamic() ? 1.5 : 1.0);
+  if (fill.multigrid) { // vectors of GMRES
+    all.contact_bytes = 8 * 2 * 25 * fill.unknowns;
+    return;
+  }
   all.contact_bytes =
       8 * (dense + (contact.sweeps ? 1.5 : 3) * square + 2 * contact.support * contact.used +
            0.5 * contact.columns * fill.surface + (fill.surface_last ? fill.surface * fill.surface : 0));

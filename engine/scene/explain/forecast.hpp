@@ -13,7 +13,7 @@ struct ContactForecast {
   double rows = 0;                           ///< of a problem
   double used = 0;                           ///< surface unknowns that they move
   double support = 0;                        ///< of these those that normals which turn make stiff
-  bool sweeps = false;                       ///< answered by sweeps, or by factorizations
+  bool sweeps = false;                       ///< answered by sweeps, or by factorizations or cycles
   double iterations = 0;                     ///< of the solver, a problem
   double operations = 0;                     ///< of the solver, a problem
   double columns = 0, column_operations = 0; ///< of the compliance, a factorization

@@ -1,6 +1,7 @@
 // What is wrong with a scene is said once, at its path, with the remedy; several mistakes together.
 #include <doctest/doctest.h>
 
+#include "dynamics/space.hpp"
 #include "scene/run/run.hpp"
 #include "scene/scenes.hpp"
 
@@ -254,6 +255,23 @@ TEST_CASE("contradictions between parts are reported together") {
   test::at(table, "probes.a") = test::make("probe.contact", {{"pair", test::text("soul")}});
   test::at(table, "motions") = test::list({test::fix("foot.tip")});
   CHECK(complaints(table).size() >= 3);
+}
+
+TEST_CASE("multigrid that a scene cannot have says why") {
+  auto const multigrid = test::make("control", {{"bulk", test::text("multigrid")}});
+  auto table = test::foot_on_floor();
+  test::at(table, "control") = multigrid;
+  check_only(table, "control.bulk", {"bodies in space", "\"direct\""});
+  table = test::cube_on_floor();
+  test::at(table, "motions") = test::list({test::drive("foot.top", {0, 1}, {{{0, 0}, {0, 0}, {0, -0.02}}})});
+  test::at(table, "schedule") = test::schedule({{1, 1}});
+  test::at(table, "control") = multigrid;
+  CHECK(complaints(table).empty());
+  test::at(table, "solver") = test::make("solver.uzawa");
+  check_only(table, "control.bulk", {"not newton"});
+  test::at(table, "solver") = test::make("solver.newton");
+  test::at(table, "output") = test::make("output", {{"problems_every", test::value(1)}});
+  check_only(table, "control.bulk", {"problems_every"});
 }
 
 TEST_CASE("an adhesion that is felt beyond the reach of its pair is said so and without a reach the pair "

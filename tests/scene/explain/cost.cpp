@@ -82,6 +82,10 @@ Input with(Input table, char const* path, Input part) {
   return table;
 }
 
+Input multigrid(Input table) {
+  return with(std::move(table), "control", make("control", {{"bulk", text("multigrid")}}));
+}
+
 /// Drawn across a half disc.
 Input plate_on_disc() {
   auto table = make("scene");
@@ -104,6 +108,7 @@ TEST_CASE("the fill of a factor is told from its graph, or from clusters of it")
     check_fill(pressed(rubber(1000), 30), most);
     check_fill(axisymmetric(rubber(1000)), most);
     check_fill(slab(rubber(1000), 9), most);
+    check_fill(multigrid(slab(rubber(1000), 9)), most);
     check_fill(plate_on_disc(), most);
   }
 }
@@ -128,6 +133,9 @@ TEST_CASE("the operations of a run are told before it") {
         Known{"space, finite strain, friction",
               with(slab(rubber(1000)), "pairs.sole.friction", coulomb(0.3))},
         Known{"space, bonds", with(slab(linear_elastic(1000, 0.3)), "pairs.sole.adhesion", bonds)},
+        Known{"space, multigrid", multigrid(slab(linear_elastic(1000, 0.3)))},
+        Known{"space, multigrid, finite strain, friction",
+              multigrid(with(slab(rubber(1000), 8), "pairs.sole.friction", coulomb(0.3)))},
         Known{"two bodies", plate_on_disc()}}) {
     CAPTURE(name);
     auto const said = scene::explain(table);

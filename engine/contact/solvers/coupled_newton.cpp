@@ -1,0 +1,130 @@
+// Semismooth Newton on the natural map, its linear systems solved together with the bulk.
+#include "contact/solvers/coupled_newton.hpp"
+
+#include <limits>
+
+#include "contact/solvers/rounding.hpp"
+
+namespace stiction::contact {
+
+namespace {
+
+/// Of the linear system's right-hand side, left by its solution: as long as points change their status, and
+/// then.
+constexpr double coarse_step = 1e-2, fine_step = 1e-4;
+constexpr double settled = 1e-3; ///< residual over its scale, from which on no status is expected to change
+/// Residual over its scale that motions solved for to 1e-12 always allow; and how often it has to be met by
+/// forces that get no better.
+constexpr double attainable = 1e-9;
+constexpr int often = 3;
+constexpr int most_halvings = 5;
+constexpr int most_idle = 8; ///< iterations in which the residual has to halve
+
+template<int D> class CoupledRun {
+public:
+  CoupledRun(Problem const& problem, Vector const& guess)
+      : problem_(problem), p_(open_where_given(problem, guess)), rho_(problem.size()) {
+    for (Index i = 0; i < problem.size(); ++i)
+      rho_[i] = natural_scale(problem, i);
+    laws_.A.resize(p_.size(), D);
+    laws_.B.resize(p_.size(), D);
+    laws_.right.resize(p_.size());
+    recover();
+  }
+  /// x of the forces themselves: what the linear solutions leave gathers in x.
+  void recover() {
+    x_ = displacement(problem_, p_);
+    merit_ = evaluate_all(p_, x_);
+  }
+  /// False if the linear system was not solved.
+  [[nodiscard]] bool step(double left_over) {
+    linearise();
+    Vector dp, dx;
+    if (!problem_.W.together()->solve(laws_, p_, left_over, dp, dx))
+      return false;
+    double length = 1, before = merit_;
+    Vector p, x;
+    for (int k = 0;; ++k, length *= 0.5) {
+      p = p_ + length * dp;
+      x = x_ + length * dx;
+      merit_ = evaluate_all(p, x);
+      if (merit_ <= (1 - 1e-4 * length) * before || k == most_halvings)
+        break;
+    }
+    problem_.W.together()->advance(length);
+    p_ = std::move(p);
+    x_ = std::move(x);
+    return std::isfinite(merit_);
+  }
+  [[nodiscard]] Vector const& force() const { return p_; }
+  [[nodiscard]] double merit() const { return merit_; }
+  [[nodiscard]] Verdict verdict() const { return judge(problem_, p_, x_); }
+
+private:
+  double evaluate_all(Vector const& p, Vector const& x) {
+    double sum = 0;
+    states_.resize(ix(problem_.size()));
+    for (Index i = 0; i < problem_.size(); ++i) {
+      states_[ix(i)] = evaluate<D>(problem_, i, p.segment<D>(D * i), x.segment<D>(D * i), rho_[i]);
+      sum += states_[ix(i)].residual.squaredNorm();
+    }
+    return std::sqrt(sum);
+  }
+  void linearise() {
+    for (Index i = 0; i < problem_.size(); ++i) {
+      auto const& state = states_[ix(i)];
+      laws_.A.template middleRows<D>(D * i) = state.residual_by_dry;
+      laws_.B.template middleRows<D>(D * i) =
+          state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
+      laws_.right.template segment<D>(D * i) = -state.residual;
+    }
+  }
+
+  Problem const& problem_;
+  Vector p_, x_, rho_;
+  std::vector<PointState<D>> states_;
+  linear::PointLaws laws_;
+  double merit_ = 0;
+};
+
+template<int D> Solution run(Problem const& problem, Vector const& guess, double tolerance, int iterations) {
+  CoupledRun<D> newton(problem, guess);
+  Solution solution;
+  bool exact = true; // x is that of the forces
+  double const there = forces_there(problem, guess);
+  double halved = std::numeric_limits<double>::infinity();
+  int met = 0;
+  for (int idle = 0;;) {
+    double const relative = (solution.verdict = newton.verdict()).relative();
+    if (relative <= tolerance && !exact) {
+      newton.recover();
+      exact = true;
+      continue;
+    }
+    met += exact && relative <= attainable ? 1 : 0;
+    solution.rounded = relative > tolerance && met >= often;
+    solution.converged = relative <= tolerance || solution.rounded;
+    if (newton.merit() < 0.5 * halved) {
+      halved = newton.merit();
+      idle = 0;
+    }
+    if (solution.converged || solution.iterations == iterations || ++idle > most_idle ||
+        !newton.step(relative > settled ? coarse_step : fine_step))
+      break;
+    ++solution.iterations;
+    exact = false;
+  }
+  solution.force = newton.force();
+  solution.converged = solution.converged && felt(problem, solution.force, there);
+  solution.rounded = solution.rounded && solution.converged;
+  solution.method = solution.converged ? Method::newton : Method::none;
+  return solution;
+}
+
+} // namespace
+
+Solution coupled_newton(Problem const& problem, Vector const& guess, double tolerance, int iterations) {
+  return by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, tolerance, iterations); });
+}
+
+} // namespace stiction::contact

@@ -1,0 +1,14 @@
+// Whether the bodies' matrix is factored or its loads are solved for by multigrid.
+#pragma once
+#include <string>
+
+#include "dynamics/model/model.hpp"
+
+namespace stiction::dynamics {
+
+/// Why multigrid cannot take this model, in words; "" if it can.
+[[nodiscard]] std::string unfit_for_multigrid(Model const& model);
+/// As the model asks for, or by the size of its matrix.
+[[nodiscard]] bool by_multigrid(Model const& model);
+
+} // namespace stiction::dynamics

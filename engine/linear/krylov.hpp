@@ -1,0 +1,112 @@
+// Conjugate gradients and GMRES with a preconditioner, for operators that are functions.
+#pragma once
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace stiction::linear {
+
+/// When an iteration ends: at this part of the right-hand side, or after so many.
+struct KrylovLimits {
+  double tolerance;
+  int most;
+};
+
+/// How an iteration ended.
+struct KrylovEnd {
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// A x = b from the x given, A symmetric. apply(x, y): y = A x; precondition(r, z). Ends at |r| <= tolerance
+/// |b|; not converged after `most`, and where A or the preconditioner is not positive definite.
+template<class Apply, class Precondition>
+KrylovEnd conjugate_gradients(Apply const& apply, Precondition const& precondition, Vector const& b,
+                              Vector& x, KrylovLimits limits) {
+  Vector r = b, z, p, Ap;
+  if (!x.isZero(0)) {
+    apply(x, Ap);
+    r -= Ap;
+  }
+  double const enough = limits.tolerance * b.norm();
+  double before = 0;
+  KrylovEnd end;
+  for (;; ++end.iterations) {
+    double const left = r.norm();
+    end.converged = left <= enough;
+    if (end.converged || end.iterations == limits.most || !std::isfinite(left))
+      return end;
+    precondition(r, z);
+    double const now = r.dot(z);
+    if (!(now > 0))
+      return end;
+    p = end.iterations == 0 ? z : Vector(z + (now / before) * p);
+    before = now;
+    apply(p, Ap);
+    double const curvature = p.dot(Ap);
+    if (!(curvature > 0))
+      return end;
+    double const length = now / curvature;
+    x += length * p;
+    r -= length * Ap;
+  }
+}
+
+/// A x = b from zero by GMRES (Saad & Schultz 1986), preconditioned from the right, so that what it makes
+/// small is |b - A x|. Keeps `most` vectors twice; does not restart.
+template<class Apply, class Precondition>
+KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector const& b, Vector& x,
+                KrylovLimits limits) {
+  std::vector<Vector> v{b}, z;
+  double const whole = b.norm();
+  KrylovEnd end;
+  x.setZero(b.size());
+  if (!(whole > 0) || !std::isfinite(whole)) {
+    end.converged = whole == 0;
+    return end;
+  }
+  v[0] /= whole;
+  Dense H = Dense::Zero(limits.most + 1, limits.most);
+  Vector g = Vector::Zero(limits.most + 1), cosine(limits.most), sine(limits.most);
+  g[0] = whole;
+  Index k = 0;
+  for (; k < limits.most && !end.converged; ++k) {
+    z.emplace_back();
+    precondition(v[ix(k)], z.back());
+    v.emplace_back();
+    apply(z.back(), v.back());
+    Vector& w = v.back();
+    for (Index i = 0; i <= k; ++i) {
+      H(i, k) = v[ix(i)].dot(w);
+      w -= H(i, k) * v[ix(i)];
+    }
+    H(k + 1, k) = w.norm();
+    if (!std::isfinite(H(k + 1, k)))
+      return end;
+    if (H(k + 1, k) > 0)
+      w /= H(k + 1, k);
+    for (Index i = 0; i < k; ++i) {
+      double const upper = cosine[i] * H(i, k) + sine[i] * H(i + 1, k);
+      H(i + 1, k) = cosine[i] * H(i + 1, k) - sine[i] * H(i, k);
+      H(i, k) = upper;
+    }
+    double const size = std::hypot(H(k, k), H(k + 1, k));
+    if (!(size > 0))
+      return end;
+    cosine[k] = H(k, k) / size;
+    sine[k] = H(k + 1, k) / size;
+    H(k, k) = size;
+    g[k + 1] = -sine[k] * g[k];
+    g[k] *= cosine[k];
+    end.converged = std::abs(g[k + 1]) <= limits.tolerance * whole;
+    end.iterations = k + 1;
+  }
+  Vector const parts = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
+  for (Index i = 0; i < k; ++i)
+    x += parts[i] * z[ix(i)];
+  return end;
+}
+
+} // namespace stiction::linear

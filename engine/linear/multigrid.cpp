@@ -1,0 +1,391 @@
+// Aggregates of nodes, prolongators smoothed from rigid-body modes, Galerkin products and the V cycle.
+#include "linear/multigrid.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace stiction::linear {
+
+namespace level {
+
+constexpr int coarse = 6; ///< unknowns of a coarse node: the modes of its aggregate
+
+template<int B> using Square = Eigen::Matrix<double, B, B>;
+
+/// A level: its matrix, what smooths it, and the way to the next.
+template<int B> struct Level {
+  BlockMatrix<B, B> const* A = nullptr;
+  BlockMatrix<B, B> own;          ///< of all but the first
+  std::vector<HeldNode> held;     ///< of the first level alone
+  Indices own_block;              ///< [nodes], the diagonal ones
+  std::vector<Square<B>> inverse; ///< of the diagonal blocks
+  BlockMatrix<B, coarse> P;
+  Vector r{}, z{}, rest{};
+};
+
+} // namespace level
+
+namespace {
+
+using namespace level;
+
+constexpr Index few = 100;         ///< coarse nodes that are factored at once
+constexpr double strong = 0.02;    ///< of the geometric mean of the diagonal blocks
+constexpr double dependent = 1e-8; ///< of a mode's length, left after the others are taken out
+constexpr double none = 1e-10;     ///< of a block's largest eigenvalue
+constexpr int powers = 12;
+constexpr std::size_t most_levels = 20;
+
+/// Pseudo-inverse of a symmetric block.
+template<int B> Square<B> inverse_of(Square<B> const& block) {
+  Eigen::SelfAdjointEigenSolver<Square<B>> const parts(block);
+  Eigen::Matrix<double, B, 1> values = parts.eigenvalues();
+  double const least = none * values[B - 1];
+  for (double& value : values)
+    value = value > least ? 1 / value : 0;
+  return parts.eigenvectors() * values.asDiagonal() * parts.eigenvectors().transpose();
+}
+
+template<int B> Square<B> diagonal_block(Level<B> const& level, Index i) {
+  return level.A->block(level.own_block[ix(i)]);
+}
+
+template<int B> void invert_diagonal(Level<B>& level) {
+  level.inverse.resize(ix(level.A->rows()));
+  level.own_block.resize(level.inverse.size());
+  for (Index i = 0; i < level.A->rows(); ++i)
+    level.own_block[ix(i)] = level.A->find(i, i);
+  for (Index i = 0; i < level.A->rows(); ++i)
+    level.inverse[ix(i)] = inverse_of<B>(diagonal_block(level, i));
+}
+
+/// Largest eigenvalue of D^-1 A, from below, by powers.
+template<int B> double largest_eigenvalue(Level<B> const& level) {
+  Vector x(B * level.A->rows()), y;
+  for (Index i = 0; i < x.size(); ++i) // of all wave lengths
+    x[i] = 0.5 + std::fmod(0.6180339887498949 * (i + 1), 1.0);
+  double value = 1;
+  for (int k = 0; k < powers; ++k) {
+    x /= x.norm();
+    y.setZero(x.size());
+    add_product(*level.A, x, y);
+    for (Index i = 0; i < level.A->rows(); ++i)
+      y.segment<B>(B * i) = level.inverse[ix(i)] * y.segment<B>(B * i);
+    value = y.norm();
+    x.swap(y);
+  }
+  return value;
+}
+
+/// Neighbours that a node is strongly coupled with.
+template<int B> std::vector<Indices> strong_neighbours(BlockMatrix<B, B> const& A) {
+  Index const n = A.rows();
+  Vector size(n);
+  for (Index i = 0; i < n; ++i)
+    size[i] = A.block(A.find(i, i)).norm();
+  std::vector<Indices> near(ix(n));
+  for (Index i = 0; i < n; ++i)
+    for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
+      if (Index const j = A.column[ix(k)];
+          j != i && A.block(k).squaredNorm() > strong * strong * size[i] * size[j])
+        near[ix(i)].push_back(j);
+  return near;
+}
+
+/// Aggregate of each node, -1 for one that is coupled with none.
+struct Aggregates {
+  Indices of;
+  Index count = 0;
+};
+
+Aggregates aggregate(std::vector<Indices> const& near) {
+  auto const n = static_cast<Index>(near.size());
+  Aggregates all;
+  all.of.assign(near.size(), -1);
+  auto const taken = [&](Index j) { return all.of[ix(j)] >= 0; };
+  auto const start = [&](Index i) {
+    all.of[ix(i)] = all.count;
+    for (Index const j : near[ix(i)])
+      if (!taken(j))
+        all.of[ix(j)] = all.count;
+    ++all.count;
+  };
+  for (Index i = 0; i < n; ++i)
+    if (!near[ix(i)].empty() && !taken(i) && std::none_of(near[ix(i)].begin(), near[ix(i)].end(), taken))
+      start(i);
+  Indices const first = all.of;
+  for (Index i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < near[ix(i)].size() && !taken(i); ++k)
+      all.of[ix(i)] = first[ix(near[ix(i)][k])];
+  for (Index i = 0; i < n; ++i)
+    if (!near[ix(i)].empty() && !taken(i))
+      start(i);
+  return all;
+}
+
+/// Q R = Q, with orthonormal or zero columns of Q.
+Square<coarse> orthonormalise(Dense& Q) {
+  Square<coarse> R = Square<coarse>::Zero();
+  for (int c = 0; c < coarse; ++c) {
+    double const length = Q.col(c).norm();
+    for (int twice = 0; twice < 2; ++twice)
+      for (int d = 0; d < c; ++d) {
+        double const part = Q.col(d).dot(Q.col(c));
+        R(d, c) += part;
+        Q.col(c) -= part * Q.col(d);
+      }
+    double const left = Q.col(c).norm();
+    bool const independent = left > dependent * length;
+    R(c, c) = independent ? left : 0;
+    Q.col(c) *= independent ? 1 / left : 0;
+  }
+  return R;
+}
+
+/// Orthogonal columns that span the modes on each aggregate; the modes of the coarse nodes.
+template<int B>
+BlockMatrix<B, coarse> tentative(Aggregates const& aggregates, Dense const& modes, Dense& coarse_modes) {
+  auto const n = static_cast<Index>(aggregates.of.size());
+  std::vector<Indices> members(ix(aggregates.count));
+  for (Index i = 0; i < n; ++i)
+    if (aggregates.of[ix(i)] >= 0)
+      members[ix(aggregates.of[ix(i)])].push_back(i);
+  Dense all = Dense::Zero(B * n, coarse), local;
+  coarse_modes.setZero(coarse * aggregates.count, coarse);
+  for (Index a = 0; a < aggregates.count; ++a) {
+    auto const& own = members[ix(a)];
+    local.resize(B * static_cast<Index>(own.size()), coarse);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      local.middleRows<B>(B * static_cast<Index>(k)) = modes.middleRows<B>(B * own[k]);
+    coarse_modes.middleRows<coarse>(coarse * a) = orthonormalise(local);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      all.middleRows<B>(B * own[k]) = local.middleRows<B>(B * static_cast<Index>(k));
+  }
+  BlockMatrix<B, coarse> P;
+  P.columns = aggregates.count;
+  for (Index i = 0; i < n; ++i) {
+    if (Index const a = aggregates.of[ix(i)]; a >= 0) {
+      P.column.push_back(a);
+      Eigen::Matrix<double, B, coarse> const block = all.middleRows<B>(B * i);
+      P.values.insert(P.values.end(), block.data(), block.data() + B * coarse);
+    }
+    P.end_row();
+  }
+  return P;
+}
+
+/// (1 - omega D^-1 A) P
+template<int B> BlockMatrix<B, coarse> smoothed(Level<B> const& level, BlockMatrix<B, coarse> const& P) {
+  double const omega = 4.0 / 3.0 / largest_eigenvalue(level);
+  auto S = product(*level.A, P);
+  for (Index i = 0; i < S.rows(); ++i) {
+    for (Index k = S.starts[ix(i)]; k < S.starts[ix(i) + 1]; ++k)
+      S.block(k) = -omega * (level.inverse[ix(i)] * S.block(k)).eval();
+    for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k)
+      S.block(S.find(i, P.column[ix(k)])) += P.block(k);
+  }
+  return S;
+}
+
+template<int B> Dense prepare(Level<B>& level, Dense const& modes) {
+  Dense coarse_modes;
+  auto const aggregates = aggregate(strong_neighbours(*level.A));
+  level.P = smoothed(level, tentative<B>(aggregates, modes, coarse_modes));
+  return coarse_modes;
+}
+
+/// A sweep of block Gauss-Seidel forwards from nothing, and what it leaves: only of later nodes.
+template<int B> void relax_from_nothing(Level<B>& level) {
+  auto const& A = *level.A;
+  level.z.resize(level.r.size());
+  level.rest.resize(level.r.size());
+  for (Index i = 0; i < A.rows(); ++i)
+    level.z.template segment<B>(B * i) =
+        level.inverse[ix(i)] * (level.r.template segment<B>(B * i) -
+                                blocks_times(A, A.starts[ix(i)], level.own_block[ix(i)], level.z));
+  for (Index i = 0; i < A.rows(); ++i)
+    level.rest.template segment<B>(B * i) =
+        -blocks_times(A, level.own_block[ix(i)] + 1, A.starts[ix(i) + 1], level.z);
+}
+
+/// A sweep of block Gauss-Seidel backwards.
+template<int B> void relax_backwards(Level<B>& level) {
+  auto next = level.held.size();
+  for (Index i = level.A->rows() - 1; i >= 0; --i) {
+    Eigen::Matrix<double, B, 1> left = level.r.template segment<B>(B * i) - row_times(*level.A, i, level.z);
+    if constexpr (B == 3)
+      if (next > 0 && level.held[next - 1].node == i)
+        left -= level.held[--next].stiffness * level.z.template segment<3>(3 * i);
+    level.z.template segment<B>(B * i) += level.inverse[ix(i)] * left;
+  }
+}
+
+} // namespace
+
+struct Multigrid::Levels {
+  Level<3> finest;
+  std::vector<Level<coarse>> coarser;
+  Dense modes;                   ///< of the first coarse level
+  BlockMatrix<3, coarse> free_P; ///< P of the finest where nothing is held
+  Eigen::LLT<Dense> last;
+
+  Levels& operator=(Levels const&) = delete;
+  Levels() = default;
+  ~Levels() = default;
+  Levels(Levels const& other)
+      : finest(other.finest), coarser(other.coarser), modes(other.modes), free_P(other.free_P),
+        last(other.last) {
+    for (auto& level : coarser)
+      level.A = &level.own;
+  }
+  /// All that follows from the matrix of the first coarse level.
+  void make_coarser();
+  void change(HeldNode const* was, HeldNode const* is);
+  /// r of the level is given, z is found.
+  template<int B> void cycle(Level<B>& level, std::size_t below) {
+    if (below == coarser.size() && B == coarse) {
+      level.z = last.solve(level.r);
+      return;
+    }
+    relax_from_nothing(level);
+    auto& down = coarser[below];
+    down.r.setZero(coarse * level.P.columns);
+    add_transposed_product(level.P, level.rest, down.r);
+    cycle(down, below + 1);
+    add_product(level.P, down.z, level.z);
+    relax_backwards(level);
+  }
+};
+
+Multigrid::Multigrid() = default;
+Multigrid::Multigrid(Multigrid const& other)
+    : levels_(other.levels_ ? std::make_unique<Levels>(*other.levels_) : nullptr) {}
+Multigrid& Multigrid::operator=(Multigrid const& other) {
+  return *this = Multigrid(other);
+}
+Multigrid::Multigrid(Multigrid&&) noexcept = default;
+Multigrid& Multigrid::operator=(Multigrid&&) noexcept = default;
+Multigrid::~Multigrid() = default;
+
+void Multigrid::Levels::make_coarser() {
+  coarser.resize(1);
+  Dense now = modes;
+  for (std::size_t k = 0; k < most_levels; ++k) {
+    auto& level = coarser[k];
+    level.A = &level.own;
+    if (level.own.rows() <= few)
+      break;
+    invert_diagonal(level);
+    now = prepare(level, now);
+    if (level.P.columns == 0 || level.P.columns >= level.own.rows())
+      break;
+    coarser.emplace_back().own = product(transposed(level.P), product(level.own, level.P));
+  }
+  auto const& end = coarser.back().own;
+  Dense all = Dense::Zero(coarse * end.rows(), coarse * end.rows());
+  for (Index i = 0; i < end.rows(); ++i)
+    for (Index k = end.starts[ix(i)]; k < end.starts[ix(i) + 1]; ++k)
+      all.block<coarse, coarse>(coarse * i, coarse * end.column[ix(k)]) = end.block(k);
+  all.diagonal().array() += 1e-12 * all.diagonal().maxCoeff();
+  last.compute(all);
+}
+
+void Multigrid::set_up(BlockMatrix<3, 3> const& A, Dense const& modes) {
+  levels_ = std::make_unique<Levels>();
+  auto& finest = levels_->finest;
+  finest.A = &A;
+  invert_diagonal(finest);
+  levels_->coarser.reserve(most_levels + 1);
+  levels_->modes = prepare(finest, modes);
+  levels_->free_P = finest.P;
+  levels_->coarser.emplace_back().own = product(transposed(finest.P), product(A, finest.P));
+  levels_->make_coarser();
+}
+
+/// P of one node becomes that of its new stiffness, and the coarse matrix follows: with d the change of P
+/// there, it gains d^T A P + P^T A d + d^T A d, and the change of P^T stiffness P.
+void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
+  Index const i = is != nullptr ? is->node : was->node;
+  auto& P = finest.P;
+  auto& next = coarser.front().own;
+  Matrix3 const own = diagonal_block(finest, i);
+  Matrix3 const before = was != nullptr ? was->stiffness : Matrix3::Zero(),
+                after = is != nullptr ? is->stiffness : Matrix3::Zero();
+  finest.inverse[ix(i)] = inverse_of<3>(own + after);
+  Matrix3 const free = is != nullptr ? Matrix3(finest.inverse[ix(i)] * own) : Matrix3::Identity();
+  using Rows = Eigen::Matrix<double, 3, coarse>;
+  Indices const columns(P.column.begin() + P.starts[ix(i)], P.column.begin() + P.starts[ix(i) + 1]);
+  std::vector<Rows> d, old;
+  for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k) {
+    old.emplace_back(P.block(k));
+    P.block(k) = free * free_P.block(k);
+    d.emplace_back(P.block(k) - old.back());
+  }
+  for (std::size_t a = 0; a < columns.size(); ++a)
+    for (std::size_t b = 0; b < columns.size(); ++b)
+      next.block(next.find(columns[a], columns[b])) +=
+          (old[a] + d[a]).transpose() * (own + after) * (old[b] + d[b]) -
+          old[a].transpose() * (own + before) * old[b];
+  auto const& A = *finest.A;
+  for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k) {
+    Index const j = A.column[ix(k)];
+    for (Index l = P.starts[ix(j)]; l < P.starts[ix(j) + 1] && j != i; ++l)
+      for (std::size_t a = 0; a < columns.size(); ++a) {
+        Eigen::Matrix<double, coarse, coarse> const more = d[a].transpose() * A.block(k) * P.block(l);
+        next.block(next.find(columns[a], P.column[ix(l)])) += more;
+        next.block(next.find(P.column[ix(l)], columns[a])) += more.transpose();
+      }
+  }
+}
+
+void Multigrid::hold(std::vector<HeldNode> held) {
+  auto& now = levels_->finest.held;
+  if (held == now)
+    return;
+  auto old = now.begin();
+  auto const release = [&](Index until) {
+    for (; old != now.end() && old->node < until; ++old)
+      levels_->change(&*old, nullptr);
+  };
+  for (auto const& one : held) {
+    release(one.node);
+    bool const had = old != now.end() && old->node == one.node;
+    if (!had || !(*old == one))
+      levels_->change(had ? &*old : nullptr, &one);
+    old += had ? 1 : 0;
+  }
+  release(std::numeric_limits<Index>::max());
+  now = std::move(held);
+  levels_->make_coarser();
+}
+
+void Multigrid::cycle(Vector const& r, Vector& z) {
+  levels_->finest.r = r;
+  levels_->cycle(levels_->finest, 0);
+  z = levels_->finest.z;
+}
+
+double Multigrid::complexity() const {
+  auto const first = static_cast<double>(levels_->finest.A->values.size());
+  double sum = first;
+  for (auto const& level : levels_->coarser)
+    sum += static_cast<double>(level.own.values.size());
+  return sum / first;
+}
+
+std::size_t Multigrid::levels() const {
+  return 1 + levels_->coarser.size();
+}
+
+double Multigrid::numbers() const {
+  if (!levels_)
+    return 0;
+  auto sum = static_cast<double>(levels_->finest.P.values.size() + 9 * levels_->finest.inverse.size());
+  for (auto const& level : levels_->coarser)
+    sum += static_cast<double>(level.own.values.size() + level.P.values.size());
+  return sum;
+}
+
+} // namespace stiction::linear

@@ -1,0 +1,23 @@
+// A bulk in space whose loads are solved for by conjugate gradients with multigrid: no factor, no columns.
+#pragma once
+#include "linear/bulk_factor.hpp"
+
+namespace stiction::linear {
+
+/// Where the unknowns of a pattern belong.
+struct NodesOfUnknowns {
+  Indices place; ///< [unknowns], 3 node + component
+  Dense modes;   ///< [3 nodes, 6], motions that take no energy where nothing is held
+};
+
+/// Passes over the matrix that a cycle and the product with it take, coarser levels included.
+inline constexpr double cycle_passes = 4.2;
+/// What a matrix of so many numbers, both triangles, will take.
+[[nodiscard]] Effort multigrid_effort(double numbers);
+
+/// The matrix alone takes memory as its entries do. Loads are solved for to a relative residual of 1e-12;
+/// where they cannot be, as of a matrix that is not positive definite, what comes back is not finite.
+[[nodiscard]] std::unique_ptr<BulkFactor> make_multigrid_factor(Pattern pattern, Index surface,
+                                                                NodesOfUnknowns nodes);
+
+} // namespace stiction::linear
