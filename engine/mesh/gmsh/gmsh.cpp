@@ -282,9 +282,14 @@ void GmshGeometry::read_nested(core::Reader& reader) {
 core::Schema const& MshFile::schema() {
   using core::Need;
   static auto const result =
-      core::Describe<MshFile>("msh_file", "mesh file of gmsh; sets are its physical groups, and all")
-          .file("path", &MshFile::path, Need::required, "file name, ends in .msh")
+      core::Describe<MshFile>(
+          "msh_file", "mesh file of gmsh (.msh: sets are its physical groups), Abaqus or CalculiX (.inp: "
+                      "its surfaces, node and element sets), legacy VTK (.vtk: no sets), or a closed "
+                      "surface to fill (.stl: sets surface, face_1, ... between creases); and all")
+          .file("path", &MshFile::path, Need::required, "file name, ends in .msh, .inp, .vtk or .stl")
           .number("scale", &MshFile::scale, "m", core::positive, Need::optional, "length of the file's unit")
+          .number("size", &MshFile::size, "m", core::non_negative, Need::optional,
+                  "of the tetrahedra that fill an .stl")
           .build();
   return result;
 }
@@ -296,18 +301,38 @@ Mesh gmsh_geometry(GmshGeometry const& geometry) {
   return mesh;
 }
 
+namespace {
+
+void refuse_unless_readable(MshFile const& file, std::string const& what) {
+  auto const& path = file.path;
+  if (path.ends_with(".vtu"))
+    throw core::InputError(
+        fmt::format("{}: .vtu is not read; save it as legacy .vtk (ParaView: Save Data), or by "
+                    "meshio convert as .inp or .msh",
+                    what));
+  bool const stl = path.ends_with(".stl");
+  if (!stl && !path.ends_with(".msh") && !path.ends_with(".inp") && !path.ends_with(".vtk"))
+    throw core::InputError(fmt::format("{}: the name must end in .msh, .inp, .vtk or .stl", what));
+  if (stl != (file.size > 0))
+    throw core::InputError(stl ? fmt::format("{}: give the size of the cells that fill it, size = ...", what)
+                               : fmt::format("{}: size is for .stl; the file has its cells", what));
+}
+
+} // namespace
+
 Mesh msh_file(MshFile const& file) {
   std::string const what = fmt::format("mesh file {}", file.path);
-  if (!file.path.ends_with(".msh"))
-    throw core::InputError(fmt::format("{}: the name must end in .msh", what));
+  refuse_unless_readable(file, what);
   std::ifstream in(file.path, std::ios::binary);
   std::ostringstream content;
   if (!in || !(content << in.rdbuf()))
     throw core::InputError(fmt::format("{}: cannot be read, or is empty", what));
-  Json const request{{"task", "import"},
-                     {"path", std::filesystem::absolute(file.path).string()},
-                     {"content", content_hash(content.str())},
-                     {"scale", file.scale}};
+  Json request{{"task", "import"},
+               {"path", std::filesystem::absolute(file.path).string()},
+               {"content", content_hash(content.str())},
+               {"scale", file.scale}};
+  if (file.size > 0)
+    request["size"] = file.size / file.scale;
   Mesh mesh = mesh_for_request(request.dump(1), what);
   check(mesh, what);
   return mesh;

@@ -50,12 +50,14 @@ struct GmshGeometry {
   void read_nested(core::Reader& reader);
 };
 
-/// A mesh file of gmsh, solid where it has solid cells. Sets: its physical groups by name (curves in 2D and
-/// surfaces in 3D become boundaries, others node sets), "all" (nodes). Without physical surfaces (2D) or
-/// volumes (3D) all cells are taken.
+/// A mesh file, solid where it has solid cells. Sets: of gmsh's .msh its physical groups by name (curves in
+/// 2D and surfaces in 3D become boundaries, others node sets), of Abaqus' .inp its surfaces (boundaries),
+/// node and element sets, of an .stl "surface" and "face_1", ... between creases of 40 degrees; "all"
+/// (nodes). Without physical surfaces (2D) or volumes (3D) all cells are taken.
 struct MshFile {
-  std::string path;   ///< ends in .msh
+  std::string path;   ///< ends in .msh, .inp, .vtk or .stl
   double scale = 1.0; ///< length of the file's unit, m
+  double size = 0;    ///< of the tetrahedra that fill an .stl, m; else 0
   static core::Schema const& schema();
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "mesh/generators/quads.hpp"
+#include "mesh/mesher/file_mesh.hpp"
 #include "mesh/mesher/tasks.hpp"
 #include "mesh/topology/surface.hpp"
 
@@ -18,7 +19,6 @@ namespace stiction::mesher {
 namespace {
 
 using mesh::Mesh;
-using Tags = std::vector<std::size_t>;
 
 /// Elements of one type on some entities, element after element.
 struct Elements {
@@ -257,6 +257,12 @@ void add_sets(Mesh& mesh, Numbering const& numbering) {
 /// Cells of one of our kinds in the order of its nodes.
 mesh::Block block_of(Elements const& elements, Numbering const& numbering) {
   auto const kind = kind_of_type(elements.type);
+  if (elements.type == 10 || elements.type == 12) // gmsh's second order without Mesh.SecondOrderIncomplete
+    throw core::InputError(fmt::format(
+        "the mesh has cells of kind {}, with nodes in the middle of {}; {} is computed on: set "
+        "Mesh.SecondOrderIncomplete = 1 in gmsh, mesh and save anew",
+        elements.type == 10 ? "quad9" : "hex27", elements.type == 10 ? "faces" : "faces and cells",
+        elements.type == 10 ? "quad8" : "hex20"));
   if (!kind)
     throw core::InputError(
         fmt::format("the mesh has cells of gmsh's type {}; known are tri3, tri6, quad4, quad8, tet4, tet10, "
