@@ -1,16 +1,14 @@
 // Choosing by kind; panels put their parts side by side.
 #include "figure.hpp"
 
+#include <algorithm>
 #include <cmath>
-
-#include <vtkNew.h>
-#include <vtkRenderer.h>
+#include <memory>
 
 #include "charts/axis.hpp"
 #include "charts/lines.hpp"
 #include "charts/map.hpp"
 #include "fields/field.hpp"
-#include "page/window.hpp"
 
 namespace stiction::postproc {
 
@@ -21,36 +19,64 @@ double title_height(FigureSpec const& figure) {
 }
 
 /// A strip with the title alone, as wide as the pictures below it.
-Picture draw_title(FigureSpec const& figure, int width) {
-  int const height = static_cast<int>(title_height(figure));
-  auto const window = make_window(width, height);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  window->AddRenderer(renderer);
-  Size const size{static_cast<double>(width), static_cast<double>(height)};
-  paint_over(*renderer, [&](Canvas& canvas) { draw_heading(canvas, figure.title, size); });
-  return shoot(*window);
+Drawing draw_title(FigureSpec const& figure, double width) {
+  Size const size{width, title_height(figure)};
+  return {size, [&figure, size](Canvas& canvas) { draw_heading(canvas, figure.title, size); }, {}};
 }
 
-Picture draw_panel(FigureSpec const& figure, PanelSpec const& panel) {
+void widen(double& margin, double other) {
+  margin = std::max(margin, other);
+}
+
+/// Plots of a panel get the same room around them: left and right all of them, below and above those of a
+/// row.
+void align(std::vector<FigureSpec>& parts, int columns) {
+  Margins across;
+  std::vector<Margins> rows(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto const* lines = std::get_if<LinesSpec>(&parts[i].content);
+    if (lines == nullptr)
+      continue;
+    auto const margins = margins_of(parts[i], *lines);
+    auto& row = rows[i / static_cast<std::size_t>(columns)];
+    widen(across.left, margins.left);
+    widen(across.right, margins.right);
+    widen(row.bottom, margins.bottom);
+    widen(row.top, margins.top);
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto const& row = rows[i / static_cast<std::size_t>(columns)];
+    parts[i].margins = {across.left, across.right, row.bottom, row.top};
+  }
+}
+
+Drawing draw_panel(FigureSpec const& figure, PanelSpec const& panel) {
   auto const gap = static_cast<int>(std::lround(points(6)));
   int const width = (figure.width - (panel.columns - 1) * gap) / panel.columns;
   int const rows = (static_cast<int>(panel.figures.size()) + panel.columns - 1) / panel.columns;
-  std::vector<Picture> parts;
-  for (auto part : panel.figures) {
+  auto parts = panel.figures;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto& part = parts[i];
     part.width = width;
+    part.dpi = figure.dpi;
     if (part.height == 0 && figure.height > 0)
       part.height = (figure.height - title_height(figure) - (rows - 1) * gap) / rows;
-    part.letter = std::string{'(', static_cast<char>('a' + parts.size() % 26), ')'};
-    parts.push_back(draw(part));
+    part.letter = std::string{'(', static_cast<char>('a' + i % 26), ')'};
   }
-  auto const together = tile(parts, panel.columns, gap);
-  return figure.title.empty() ? together : tile({draw_title(figure, width_of(together)), together}, 1, 0);
+  align(parts, panel.columns);
+  std::vector<Drawing> drawings;
+  drawings.reserve(parts.size());
+  for (auto const& part : parts)
+    drawings.push_back(draw(part));
+  auto together = tile(std::move(drawings), panel.columns, gap);
+  if (figure.title.empty())
+    return together;
+  std::vector<Drawing> stack{draw_title(figure, together.size.width)};
+  stack.push_back(std::move(together));
+  return tile(std::move(stack), 1, 0);
 }
 
-} // namespace
-
-Picture draw(FigureSpec const& figure) {
+Drawing draw_kind(FigureSpec const& figure) {
   if (auto const* lines = std::get_if<LinesSpec>(&figure.content))
     return draw_lines(figure, *lines);
   if (auto const* field = std::get_if<FieldSpec>(&figure.content))
@@ -58,6 +84,19 @@ Picture draw(FigureSpec const& figure) {
   if (auto const* map = std::get_if<MapSpec>(&figure.content))
     return draw_map(figure, *map);
   return draw_panel(figure, std::get<PanelSpec>(figure.content));
+}
+
+} // namespace
+
+Drawing draw(FigureSpec const& figure) {
+  auto const kept = std::make_shared<FigureSpec const>(figure); // drawings refer to it until they are painted
+  auto drawing = draw_kind(*kept);
+  if (drawing.paint)
+    drawing.paint = [kept, paint = std::move(drawing.paint)](Canvas& canvas) { paint(canvas); };
+  for (auto& [at, part] : drawing.parts)
+    if (part.paint)
+      part.paint = [kept, paint = std::move(part.paint)](Canvas& canvas) { paint(canvas); };
+  return drawing;
 }
 
 } // namespace stiction::postproc

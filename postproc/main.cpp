@@ -22,24 +22,30 @@ struct Options {
   std::string only;
 };
 
-/// Draws and writes; what VTK complains about meanwhile makes the figure fail instead of going to the screen.
-void draw_to_file(postproc::FigureSpec const& figure, fs::path const& file) {
+/// Draws and writes NAME.png, and NAME.svg if asked for; what VTK complains about meanwhile makes the figure
+/// fail instead of going to the screen.
+void draw_to_files(postproc::FigureSpec const& figure, fs::path const& file) {
+  auto const lines = fs::path(file).replace_extension(".svg");
   vtkNew<vtkStringOutputWindow> log;
   vtkOutputWindow::SetInstance(log);
   std::error_code ignored;
-  fs::remove(file, ignored); // no picture of an earlier run survives a failure
-  auto const picture = postproc::draw(figure);
+  for (auto const& old : {file, lines}) // no picture of an earlier run survives a failure
+    fs::remove(old, ignored);
+  auto const drawing = postproc::draw(figure);
+  auto const picture = postproc::shoot(drawing, figure.dpi);
+  if (figure.svg)
+    postproc::write_svg(drawing, lines);
   std::string const said = log->GetOutput();
   if (auto const error = said.find("ERR"); error != std::string::npos)
     throw core::RunError("VTK says: " + said.substr(error, 400));
-  postproc::write_png(picture, file);
+  postproc::write_png(picture, file, figure.dpi);
 }
 
 /// Draws one figure and returns its exit code.
 int attempt(postproc::FigureSpec const& figure, fs::path const& out) {
   auto const file = out / (figure.name + ".png");
   try {
-    draw_to_file(figure, file);
+    draw_to_files(figure, file);
     fmt::print("{}\n", file.string());
     return 0;
   } catch (core::InputError const& error) {

@@ -39,6 +39,20 @@ function drawing.alone(folder, f, ...)
   return table.unpack(answers, 2, answers.n)
 end
 
+--- Draws what the file `spec` asks for into the folder; false if the figure program failed, nil if there is none.
+function drawing.run(spec, folder)
+  local program = find_program()
+  if not program then
+    report.line("figures: not drawn, the figure program was not built; %s says what they show", spec)
+    return nil
+  end
+  local code, text = jobs.program { program, spec, "--out", folder }
+  if code ~= 0 then
+    engine.complain(("stiction: the figure program failed (exit code %d):\n%s\n"):format(code, text))
+  end
+  return code == 0
+end
+
 --- Writes figures.json and draws into figures/; false if the figure program failed.
 function drawing.draw(study, cases, folder)
   if not study.figures then
@@ -46,16 +60,7 @@ function drawing.draw(study, cases, folder)
   end
   local spec = folder .. "/figures.json"
   engine.write_file(spec, engine.encode_json(figure.spec(study, cases), 2) .. "\n")
-  local program = find_program()
-  if not program then
-    report.line("figures: not drawn, the figure program was not built; %s says what they show", spec)
-    return true
-  end
-  local code, text = jobs.program { program, spec, "--out", folder .. "/figures" }
-  if code ~= 0 then
-    engine.complain(("stiction: the figure program failed (exit code %d):\n%s\n"):format(code, text))
-  end
-  return code == 0
+  return drawing.run(spec, folder .. "/figures") ~= false
 end
 
 return drawing

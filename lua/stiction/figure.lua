@@ -4,6 +4,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local known = require("stiction.figure_keys").known
 local numeric = require "stiction.numeric"
+local obstacles = require "stiction.obstacles"
 local ordered = require "stiction.ordered"
 local units = require "stiction.units"
 
@@ -106,6 +107,21 @@ local function file_of(t, name)
   return t.file or (t.case and t.case.place .. "/" .. name) or nil
 end
 
+--- Half lengths of error bars in this unit, one for each point of a curve that is given by lists.
+local function errors(t, key, unit)
+  local given = t[key]
+  if given == nil then
+    return nil
+  elseif type(t.x) ~= "table" or type(t.y) ~= "table" then
+    fault.script("curve '%s': %s belongs to a curve whose x and y are lists", tostring(t.label), key)
+  elseif type(given) ~= "table" or units.is_quantity(given) then
+    given = numeric.map(t.x, function() return t[key] end)
+  elseif #given ~= #t.x then
+    fault.script("curve '%s': %s has %d values, x has %d", tostring(t.label), key, #given, #t.x)
+  end
+  return scaled(given, unit)
+end
+
 local function curve(t, x_unit, y_unit)
   local result = copy(t, known.curve, "curve")
   result.case, result.file = nil, file_of(t, "series.h5")
@@ -114,6 +130,8 @@ local function curve(t, x_unit, y_unit)
   if not result.x or not result.y then
     fault.script("curve '%s' needs y, and a case or x", tostring(t.label))
   end
+  result.error, result.x_error = errors(t, "error", y_unit), errors(t, "x_error", x_unit)
+  result.at_most = t.at_most and numeric.map(t.at_most, function(below) return below and 1 or 0 end)
   result.x_shift, result.y_shift = units.si(t.x_shift), units.si(t.y_shift)
   local at = math.type(t.component) and math.tointeger(t.component)
   if t.component and not (at and at >= 1) then
@@ -156,19 +174,45 @@ local function crop(t, unit)
   return result
 end
 
+--- Displacements in this unit at times in s.
+local function path(t, unit, what)
+  local result = copy(t, known.path, what)
+  result.times, result.angle = scaled(t.times, unit_of("s", what .. ": times")), scaled(t.angle, unit_of("1", what))
+  for _, axis_name in ipairs { "x", "y", "z" } do
+    result[axis_name] = scaled(t[axis_name], unit)
+  end
+  return result
+end
+
 --- A rigid sphere (a circle in a plane picture): centre, radius and path in this unit, times in s.
 local function sphere(t, unit)
   local result = copy(t, known.sphere, "sphere")
   result.centre, result.radius = scaled(t.centre, unit), scaled(t.radius, unit)
-  if t.path then
-    local path = copy(t.path, known.path, "sphere.path")
-    path.times = scaled(t.path.times, unit_of("s", "sphere.path: times"))
-    for _, axis_name in ipairs { "x", "y", "z" } do
-      path[axis_name] = scaled(t.path[axis_name], unit)
-    end
-    result.path = path
-  end
+  result.path = t.path and path(t.path, unit, "sphere.path")
   return result
+end
+
+local lengths = { centre = true, radius = true, point = true, points = true, pivot = true }
+
+--- Rigid obstacles of a plane picture in this unit: those given, or those of the case.
+local function obstacle_list(t, unit)
+  local list = t.obstacles
+  if list == false or list == nil and (not t.case or t.view or t.sphere) then
+    return nil
+  elseif list == nil or list == true then
+    list = t.case and obstacles.of(t.case, t.deformed)
+  end
+  if not list then
+    return nil
+  end
+  return each(list, "figure.field: obstacles", function(entry)
+    local twin = copy(entry, known.obstacle, "obstacle")
+    for key, value in pairs(twin) do
+      twin[key] = lengths[key] and scaled(value, unit) or value
+    end
+    twin.path = entry.path and path(entry.path, unit, "obstacle.path")
+    return twin
+  end)
 end
 
 --- A length, in the unit it was written in or plainly in m; or {length =, unit =}.
@@ -199,6 +243,7 @@ function figure.field(t)
   result.view = t.view and copy(t.view, known.view, "view")
   result.crop = t.crop and crop(t.crop, metres)
   result.sphere = t.sphere and sphere(t.sphere, metres)
+  result.obstacles = obstacle_list(t, metres)
   result.component = component(t.component, t.array)
   result.scale_bar = t.scale_bar and scale_bar(t.scale_bar)
   return result
@@ -210,6 +255,8 @@ function figure.panel(t)
   result.figures = each(t.figures or {}, "figure.panel: figures", function(entry)
     if getmetatable(entry) ~= figure_mark then
       fault.script("figure.panel: figures holds %s; each is made by figure.lines, field or map", word_of(entry))
+    elseif entry.dpi or entry.svg then
+      fault.script("figure.panel: dpi and svg are the panel's, not those of a figure in it")
     end
     return entry
   end)

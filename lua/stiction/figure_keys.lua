@@ -4,6 +4,8 @@ local common = {
   { "title", "above the plot" },
   { "width", "\"single\" (85 mm) or \"double\" (175 mm)" },
   { "height", "mm; default by the content" },
+  { "dpi", "dots per inch of the PNG, which states them, 100 to 600; default 300" },
+  { "svg", "true: NAME.svg too, in the size of print: lines, areas and letters as paths, meshes as pictures of `dpi`" },
 }
 
 local function with_common(keys)
@@ -48,6 +50,10 @@ keys.tables = {
     { "component", "which of a column that has several, from 1" },
     { "colour", "0, 1, ... 6 of the palette; default: the order" },
     { "style", "\"solid\", \"dash\", \"dot\", \"dashdot\" or \"points\"" },
+    { "error", "of y where x and y are lists: half lengths of the bars at the points, a list or one for all" },
+    { "x_error", "of x likewise" },
+    { "names", "list of texts beside the points, where x and y are lists" },
+    { "at_most", "list of true and false where x and y are lists: points that stand for what lies there or below are triangles" },
   } },
   { "mark", "a vertical line, a table without a constructor", {
     { "x", "where" },
@@ -57,6 +63,7 @@ keys.tables = {
     { "case", "whose fields are meant" },
     { "file", "a .pvd or .vtu file instead of a case, from the output folder on" },
     { "time", "a time, the nearest frame to it; or \"last\" (default)" },
+    { "show_time", "false: without the time of the frame at the top right" },
     { "array", "displacement, velocity, cauchy_stress, von_mises, beta, contact_pressure, normal_adhesion, "
       .. "tangential_adhesion or status" },
     { "component", "of a vector \"x\", \"y\" or \"z\", of a tensor \"xx\", \"yy\", \"zz\", \"xy\", \"yz\" or \"xz\", or their number "
@@ -66,13 +73,26 @@ keys.tables = {
     { "deformed", "true: at the displaced nodes" },
     { "range", "{low, high} of the colours" },
     { "window", "{xmin, xmax, ymin, ymax}: what is shown" },
-    { "window_unit", "of window, crop and sphere where they are plain numbers; default m" },
+    { "window_unit", "of window, crop, sphere and obstacles where they are plain numbers; default m" },
     { "mesh", "true: with the edges of cells" },
     { "scale_bar", "a length, e.g. 1*mm" },
     { "view", "of a solid: {azimuth =, elevation =} in degrees, default 30 and 25" },
     { "mirror", "list of \"x\", \"y\", \"z\": shown with its image across x = 0, ..." },
     { "crop", "a solid cut by a box: {xmin =, xmax =, ymin =, ymax =, zmin =, zmax =}, any of them" },
     { "sphere", "a rigid sphere or circle: {centre =, radius =, path = {times =, x =, y =, z =}}" },
+    { "obstacles", "of a plane picture: false: none; default: those of the case, as they are at the time (free ones need a "
+      .. "probe.rigid; at the start if not deformed); or a list of obstacle{ ... }" },
+  } },
+  { "obstacle", "a rigid obstacle of a plane picture, a table without a constructor", {
+    { "centre", "of a disc" },
+    { "radius", "of a disc" },
+    { "point", "on the border of a half-plane" },
+    { "normal", "outward, of a half-plane" },
+    { "points", "{x1, y1, x2, y2, ...} of an outline" },
+    { "closed", "true: the outline ends where it begins" },
+    { "hollow", "true: a line, the inside is not grey" },
+    { "pivot", "that it turns about; default: centre or point" },
+    { "path", "{times =, x =, y =, angle =}: where it goes" },
   } },
   { "panel", "figure.panel{ ... }: several of these beside each other", with_common {
     { "columns", "how many beside each other; default 2" },
@@ -92,7 +112,7 @@ keys.small = {
   view = { "azimuth", "elevation" },
   crop = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" },
   sphere = { "centre", "radius", "path" },
-  path = { "times", "x", "y", "z" },
+  path = { "times", "x", "y", "z", "angle" },
 }
 
 --- By table the set of its keys.

@@ -74,13 +74,16 @@ double heading_height(std::string const& heading) {
   return heading.empty() ? 0 : line_height(title_size) + points(3);
 }
 
-void draw_heading(Canvas& canvas, std::string const& heading, Size const& picture) {
-  if (heading.empty())
-    return;
+void draw_heading(Canvas& canvas, std::string const& heading, Size const& picture, std::string const& aside) {
   Lettering lettering;
-  double const room = picture.width - 2 * points(edge);
-  lettering.size = fitting_size(heading, title_size, 0.97 * room); // drawn a little wider than measured
   lettering.along = Along::top;
+  lettering.across = Across::right;
+  lettering.size = tick_size;
+  canvas.text(aside, {picture.width - points(edge), picture.height - points(edge)}, lettering);
+  double const taken = aside.empty() ? 0 : measure(aside, tick_size).width + points(6);
+  double const room = picture.width - 2 * points(edge) - taken;
+  lettering.across = Across::left;
+  lettering.size = fitting_size(heading, title_size, 0.97 * room); // drawn a little wider than measured
   canvas.text(heading, {points(edge), picture.height - points(edge)}, lettering);
 }
 

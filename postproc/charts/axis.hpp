@@ -26,6 +26,8 @@ void draw_ticks(Canvas& canvas, Ticks const& ticks, Scale const& scale, Box cons
 
 /// "(a) title" along the top of a picture; nothing when both are empty.
 [[nodiscard]] double heading_height(std::string const& heading);
-void draw_heading(Canvas& canvas, std::string const& heading, Size const& picture);
+/// On the left of the picture's top; `aside` stands on the right.
+void draw_heading(Canvas& canvas, std::string const& heading, Size const& picture,
+                  std::string const& aside = "");
 
 } // namespace stiction::postproc

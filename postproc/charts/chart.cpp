@@ -17,9 +17,11 @@ Scale scale_of(AxisSpec const& axis, std::vector<Curve> const& curves, double Po
     return {axis.range->first, axis.range->second, axis.log};
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (auto const& curve : curves)
-    for (auto const& point : curve.points) {
-      low = std::min(low, point.*coordinate);
-      high = std::max(high, point.*coordinate);
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      double const middle = curve.points[i].*coordinate;
+      double const error = curve.errors.empty() ? 0 : curve.errors[i].*coordinate;
+      low = std::min(low, axis.log && error >= middle ? middle : middle - error);
+      high = std::max(high, middle + error);
     }
   Scale const scale = padded_scale(low, high, axis.log);
   if (tight && high > low)
@@ -46,7 +48,8 @@ void lay_out_across(Chart& chart) {
   double const pad = points(edge);
   chart.y_ticks = fitting_ticks(chart.y, 0.6 * chart.figure.width, Direction::up);
   double const labels = points(tick_length + tick_gap) + label_extent(chart.y_ticks).width;
-  chart.plot.left = std::round(pad + line_height(label_size) + points(3) + labels);
+  auto const& margins = chart.figure.margins;
+  chart.plot.left = std::max(margins.left, std::round(pad + line_height(label_size) + points(3) + labels));
   chart.plot.width = chart.figure.width - chart.plot.left - pad;
   chart.x_ticks = fitting_ticks(chart.x, chart.plot.width, Direction::across);
   double overhang = 0;
@@ -54,7 +57,8 @@ void lay_out_across(Chart& chart) {
     double const half = measure(tick.label, tick_size).width / 2;
     overhang = std::max(overhang, half - (1 - chart.x.fraction(tick.value)) * chart.plot.width);
   }
-  chart.plot.width = std::round(chart.plot.width - overhang);
+  chart.plot.width =
+      std::round(std::min(chart.plot.width - overhang, chart.figure.width - chart.plot.left - margins.right));
   chart.picture.width = chart.figure.width;
 }
 
@@ -86,10 +90,11 @@ void lay_out_up(Chart& chart) {
   double const pad = points(edge);
   double const legend = chart.legend_below() ? chart.below.size().height : 0;
   double const labels = points(tick_length + tick_gap) + label_extent(chart.x_ticks).height;
-  chart.plot.bottom = std::round(pad + legend + line_height(label_size) + points(2) + labels);
+  double const below = std::round(pad + legend + line_height(label_size) + points(2) + labels);
+  chart.plot.bottom = std::max(chart.figure.margins.bottom, below);
   double const marks = chart.mark_rows * line_height(tick_size) + points(2);
-  double const above =
-      pad + heading_height(heading(chart.figure)) + std::max(marks, line_height(tick_size) / 2);
+  double const above = std::max(chart.figure.margins.top, pad + heading_height(heading(chart.figure)) +
+                                                              std::max(marks, line_height(tick_size) / 2));
   double const given = chart.figure.height - chart.plot.bottom - above;
   if (chart.figure.height > 0 && given < points(30))
     throw core::InputError(fmt::format("a height of {:.0f} mm leaves no room for the plot; give more",

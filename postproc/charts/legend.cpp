@@ -77,8 +77,10 @@ void Legend::draw(Canvas& canvas, Point lower_left, bool boxed) const {
     double const left = box.left + padding + static_cast<double>(column) * (cell_.width + 3 * gap);
     double const middle = box.top() - padding - (static_cast<double>(row) + 0.5) * cell_.height;
     auto const& pen = entries_[i]->pen;
+    auto const& below = entries_[i]->at_most;
+    bool const all_below = !below.empty() && std::count(below.begin(), below.end(), false) == 0;
     if (pen.dash == Dash::points)
-      canvas.stroke({{left + sample / 2, middle}}, pen);
+      canvas.marker({left + sample / 2, middle}, pen, all_below ? Marker::down : Marker::disc);
     else
       canvas.stroke({{left, middle}, {left + sample, middle}}, pen);
     canvas.text(entries_[i]->label, {left + sample + gap, middle}, lettering);

@@ -1,10 +1,11 @@
 // Drawing a laid-out chart: grid, curves, frame, words.
 #include "charts/lines.hpp"
 
-#include <vtkNew.h>
+#include <algorithm>
+#include <memory>
 
 #include "charts/chart.hpp"
-#include "page/window.hpp"
+#include "charts/pieces.hpp"
 
 namespace stiction::postproc {
 
@@ -36,22 +37,68 @@ void draw_marks(Canvas& canvas, Chart const& chart) {
   }
 }
 
+/// A bar between two pixels, with a cap from -`cap` to `cap` at each end that lies within the plot.
+void draw_bar(Canvas& canvas, Chart const& chart, std::vector<Point> const& ends, Point cap, Pen const& pen) {
+  for (auto const& piece : pieces_within(chart.plot, ends))
+    canvas.stroke(piece, pen);
+  for (auto const& end : ends)
+    if (chart.plot.contains(end))
+      canvas.stroke({{end.x - cap.x, end.y - cap.y}, {end.x + cap.x, end.y + cap.y}}, pen);
+}
+
+/// Bars with caps, thinner than the curve, as far as the plot reaches.
+void draw_errors(Canvas& canvas, Chart const& chart, Curve const& curve) {
+  double const cap = 1.5 * curve.pen.width;
+  Pen const pen{curve.pen.colour, points(error_width), Dash::solid};
+  for (std::size_t i = 0; i < curve.errors.size(); ++i) {
+    auto const [x, y] = curve.points[i];
+    auto const error = curve.errors[i];
+    if (error.x > 0)
+      draw_bar(canvas, chart, chart.pixels({{x - error.x, y}, {x + error.x, y}}), {0, cap}, pen);
+    if (error.y > 0)
+      draw_bar(canvas, chart, chart.pixels({{x, y - error.y}, {x, y + error.y}}), {cap, 0}, pen);
+  }
+}
+
+/// Whole discs, also on the frame; triangles that point down for what lies there or below.
+void draw_points(Canvas& canvas, Curve const& curve, std::vector<Point> const& line, Box const& plot) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!plot.contains(line[i]))
+      continue;
+    bool const below = !curve.at_most.empty() && curve.at_most[i];
+    canvas.marker(line[i], curve.pen, below ? Marker::down : Marker::disc);
+  }
+}
+
+/// To the upper right of the points, or to the left where the plot ends.
+void draw_names(Canvas& canvas, Curve const& curve, std::vector<Point> const& line, Box const& plot) {
+  Lettering lettering;
+  lettering.colour = curve.pen.colour;
+  double const aside = 1.3 * curve.pen.width + points(0.8);
+  for (std::size_t i = 0; i < std::min(line.size(), curve.names.size()); ++i) {
+    if (!plot.contains(line[i]))
+      continue;
+    bool const room = line[i].x + aside + measure(curve.names[i], lettering.size).width < plot.right();
+    lettering.across = room ? Across::left : Across::right;
+    canvas.text(curve.names[i], {line[i].x + (room ? aside : -aside), line[i].y + points(0.5)}, lettering);
+  }
+}
+
 void draw_curves(Canvas& canvas, Chart const& chart) {
-  double const half = points(curve_width) / 2; // a curve along the frame keeps its full width
+  double const hair = 1e-6 * chart.plot.width;
   Box const& plot = chart.plot;
-  Box const wide{plot.left - half, plot.bottom - half, plot.width + 2 * half, plot.height + 2 * half};
-  auto const outside = [&wide](Point p) { return !wide.contains(p); };
+  Box const wide{plot.left - hair, plot.bottom - hair, plot.width + 2 * hair, plot.height + 2 * hair};
   for (auto const& curve : chart.curves) {
     auto line = chart.pixels(curve.points);
-    if (curve.pen.dash == Dash::points) { // whole discs, also on the frame
-      std::erase_if(line, outside);
-      canvas.stroke(line, curve.pen);
-      continue;
-    }
-    canvas.clip(wide);
-    canvas.stroke(line, curve.pen);
-    canvas.unclip();
+    draw_errors(canvas, chart, curve);
+    if (curve.pen.dash == Dash::points)
+      draw_points(canvas, curve, line, wide);
+    else
+      for (auto const& piece : pieces_within(wide, line))
+        canvas.stroke(piece, curve.pen);
   }
+  for (auto const& curve : chart.curves) // over all lines
+    draw_names(canvas, curve, chart.pixels(curve.points), wide);
 }
 
 void draw_titles(Canvas& canvas, Chart const& chart) {
@@ -91,15 +138,15 @@ void draw(Canvas& canvas, Chart const& chart) {
 
 } // namespace
 
-Picture draw_lines(FigureSpec const& figure, LinesSpec const& lines) {
+Drawing draw_lines(FigureSpec const& figure, LinesSpec const& lines) {
+  auto const chart = std::make_shared<Chart const>(make_chart(figure, lines));
+  return {chart->picture, [chart](Canvas& canvas) { draw(canvas, *chart); }, {}};
+}
+
+Margins margins_of(FigureSpec const& figure, LinesSpec const& lines) {
   auto const chart = make_chart(figure, lines);
-  auto const window =
-      make_window(static_cast<int>(chart.picture.width), static_cast<int>(chart.picture.height));
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  window->AddRenderer(renderer);
-  paint_over(*renderer, [&chart](Canvas& canvas) { draw(canvas, chart); });
-  return shoot(*window);
+  auto const& plot = chart.plot;
+  return {plot.left, chart.picture.width - plot.right(), plot.bottom, chart.picture.height - plot.top()};
 }
 
 } // namespace stiction::postproc

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <vtkNew.h>
-#include <vtkRenderer.h>
+#include <memory>
 
 #include "charts/chart.hpp"
-#include "page/window.hpp"
 
 namespace stiction::postproc {
 
@@ -141,20 +138,15 @@ void draw_key(Canvas& canvas, MapSpec const& map) {
 
 } // namespace
 
-Picture draw_map(FigureSpec const& figure, MapSpec const& map) {
-  auto const layout = lay_out(figure, map);
-  auto const window =
-      make_window(static_cast<int>(layout.picture.width), static_cast<int>(layout.picture.height));
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
-  window->AddRenderer(renderer);
-  paint_over(*renderer, [&](Canvas& canvas) {
-    for (std::size_t block = 0; block < layout.blocks.size(); ++block)
-      draw_block(canvas, layout, block, map);
+Drawing draw_map(FigureSpec const& figure, MapSpec const& map) {
+  auto const layout = std::make_shared<Layout const>(lay_out(figure, map));
+  auto const paint = [layout, &figure, &map](Canvas& canvas) {
+    for (std::size_t block = 0; block < layout->blocks.size(); ++block)
+      draw_block(canvas, *layout, block, map);
     draw_key(canvas, map);
-    draw_heading(canvas, heading(figure), layout.picture);
-  });
-  return shoot(*window);
+    draw_heading(canvas, heading(figure), layout->picture);
+  };
+  return {layout->picture, paint, {}};
 }
 
 } // namespace stiction::postproc

@@ -2,8 +2,11 @@
 #include "charts/ticks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <initializer_list>
+#include <utility>
 
 #include "page/style.hpp"
 
@@ -53,28 +56,68 @@ Ticks linear_ticks(Scale const& scale, int wanted) {
   return result;
 }
 
-Ticks log_ticks(Scale const& scale, int wanted) {
-  Ticks result;
+using Digits = std::array<bool, 10>; ///< which of 1, ..., 9 times a power of ten
+
+Digits digits(std::initializer_list<std::size_t> list) {
+  Digits result{};
+  for (std::size_t const digit : list)
+    result[digit] = true;
+  return result;
+}
+
+/// 1, ..., 9 times powers of ten on the axis: {digit, power}.
+std::vector<std::pair<int, int>> log_values(Scale const& scale) {
+  std::vector<std::pair<int, int>> values;
   int const first = static_cast<int>(std::floor(std::log10(scale.low) + 1e-9));
   int const last = static_cast<int>(std::ceil(std::log10(scale.high) - 1e-9));
-  int const every = std::max(1, (last - first + wanted - 1) / std::max(wanted, 1));
-  auto inside = [&](double value) {
-    double const fraction = scale.fraction(value);
-    return fraction > -1e-6 && fraction < 1 + 1e-6;
-  };
-  bool const short_axis = last - first <= 2; // then label 2 and 5 too
-  for (int decade = first; decade <= last; ++decade)
+  for (int power = first; power <= last; ++power)
     for (int digit = 1; digit < 10; ++digit) {
-      double const value = digit * std::pow(10, decade);
-      if (!inside(value))
-        continue;
-      bool const major = digit == 1 && (decade - first) % every == 0;
-      bool const extra = short_axis && (digit == 2 || digit == 5);
-      std::string const base = "10" + superscript(decade);
-      result.ticks.push_back({value, major   ? base
-                                     : extra ? fmt::format("{}·{}", digit, base)
-                                             : std::string()});
+      double const fraction = scale.fraction(digit * std::pow(10, power));
+      if (fraction > -1e-6 && fraction < 1 + 1e-6)
+        values.emplace_back(digit, power);
     }
+  return values;
+}
+
+/// The digits to label on an axis with at most two powers of ten: the coarsest set that says two values, none
+/// if no set does. A power of ten with a single other value beside it does not say how the axis runs.
+Digits labelled_digits(std::vector<std::pair<int, int>> const& values, int wanted) {
+  auto const count = [&values](Digits const& set) {
+    return std::count_if(values.begin(), values.end(),
+                         [&set](auto const& value) { return set[static_cast<std::size_t>(value.first)]; });
+  };
+  auto const powers = digits({1});
+  if (count(powers) == 2 && count(digits({1, 2, 5})) > wanted)
+    return powers;
+  for (auto const& set : {digits({1, 2, 5}), digits({1, 2, 3, 4, 6, 8}), digits({1, 2, 3, 4, 5, 6, 7, 8, 9})})
+    if (count(set) >= 2)
+      return set;
+  return {};
+}
+
+std::string log_label(int digit, int power, bool plain) {
+  if (plain)
+    return printed_number(digit * std::pow(10, power), std::max(0, -power));
+  return (digit == 1 ? "" : fmt::format("{}·", digit)) + "10" + superscript(power);
+}
+
+/// Powers of ten alone from three of them on; else values between them too, written out where they are short.
+Ticks log_ticks(Scale const& scale, int wanted) {
+  auto const values = log_values(scale);
+  auto const powers = static_cast<int>(
+      std::count_if(values.begin(), values.end(), [](auto const& v) { return v.first == 1; }));
+  auto const set = powers > 2 ? digits({1}) : labelled_digits(values, wanted);
+  if (set == Digits{})
+    return linear_ticks(scale, wanted);
+  bool const plain = powers < 3 && scale.low >= 1e-3 && scale.high < 1e5;
+  int const every = std::max(1, (powers + wanted - 1) / std::max(wanted, 1));
+  Ticks result;
+  int seen = -1;
+  for (auto const& [digit, power] : values) {
+    seen += digit == 1 ? 1 : 0;
+    bool const labelled = set[static_cast<std::size_t>(digit)] && (powers < 3 || seen % every == 0);
+    result.ticks.push_back({digit * std::pow(10, power), labelled ? log_label(digit, power, plain) : ""});
+  }
   return result;
 }
 

@@ -23,7 +23,8 @@ struct Ticks {
   int power = 0; ///< labels are the values divided by 10^power
 };
 
-/// Ticks at 1, 2 or 5 times a power of ten (decades when logarithmic), about `wanted` of them labelled.
+/// Ticks at 1, 2 or 5 times a power of ten, about `wanted` of them labelled; on a logarithmic axis at all
+/// multiples of powers of ten, of which those are labelled that say how the axis runs.
 [[nodiscard]] Ticks ticks_for(Scale const& scale, int wanted);
 
 /// An interval that shows all of [low, high] with a margin of 4 %; it starts at 0 when the data nearly does.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -27,6 +28,7 @@ namespace stiction::postproc {
 namespace {
 
 constexpr double crease_angle = 40; ///< degrees between faces that meet in a visible edge
+constexpr double light_lines = 0.5; ///< fraction of the colours below which the lines on them are light
 
 /// What goes where, in pixels.
 struct FieldLayout {
@@ -37,9 +39,19 @@ struct FieldLayout {
   Size picture;
   Box mesh, bar;
   Frame frame;
+  std::string when;                            ///< the time shown, empty: none
   double scale_bar = 0;                        ///< its length; 0: none
   bool more_below = false, more_above = false; ///< values beyond the colours
 };
+
+/// "t = 8 ms": four digits in the unit that needs the fewest zeros.
+std::string time_words(double time) {
+  constexpr std::pair<double, char const*> units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}};
+  for (auto const& [unit, word] : units)
+    if (std::abs(time) >= 0.9999999 * unit)
+      return fmt::format("t = {:.4g} {}", time / unit, word);
+  return fmt::format("t = {:.4g} s", time);
+}
 
 Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
   if (spec.range)
@@ -53,7 +65,7 @@ Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
 void lay_out_mesh(FieldLayout& layout, FieldData const& data) {
   double const pad = points(edge), room = layout.figure.width - 2 * pad;
   double const width = data.view.width(), height = data.view.height();
-  double const heading_room = heading_height(heading(layout.figure));
+  double const heading_room = heading_height(heading(layout.figure) + layout.when);
   double const given = layout.figure.height - layout.mesh.bottom - heading_room - pad;
   double const most = layout.figure.height > 0 ? given : 1.2 * room;
   if (most < points(30))
@@ -70,7 +82,9 @@ void lay_out_mesh(FieldLayout& layout, FieldData const& data) {
 }
 
 FieldLayout lay_out(FigureSpec const& figure, FieldSpec const& spec, FieldData const& data) {
-  FieldLayout layout{figure, spec, colour_scale(spec, data), {}, {}, {}, {}, data.frame, 0, false, false};
+  FieldLayout layout{figure, spec, colour_scale(spec, data), {}, {}, {}, {}, data.frame, {}, 0, false, false};
+  if (spec.show_time && data.time)
+    layout.when = time_words(*data.time);
   layout.more_below = data.low < layout.scale.low;
   layout.more_above = data.high > layout.scale.high;
   double const width = figure.width;
@@ -97,9 +111,8 @@ void draw_colour_bar(Canvas& canvas, FieldLayout const& layout) {
   constexpr int colours = 256;
   Box const& bar = layout.bar;
   for (int i = 0; i < colours; ++i) {
-    double const left = std::round(bar.left + i * bar.width / colours);
-    double const right = std::round(bar.left + (i + 1) * bar.width / colours);
-    canvas.fill(Box{left, bar.bottom, right - left, bar.height}, viridis(i / (colours - 1.0)));
+    double const left = std::round(bar.left + i * bar.width / colours); // to the end: no seams between them
+    canvas.fill(Box{left, bar.bottom, bar.right() - left, bar.height}, viridis(i / (colours - 1.0)));
   }
   double const tip = bar.height * 0.8, middle = bar.bottom + bar.height / 2;
   Pen const pen;
@@ -188,11 +201,32 @@ void add_surface(vtkRenderer& renderer, FieldData const& data, FieldLayout const
   renderer.AddActor(actor);
 }
 
-/// Lines just in front of the mesh.
-void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, Vector const& lift) {
+/// Light where the colours are dark, dark where they are light.
+vtkSmartPointer<vtkLookupTable> make_contrast(Scale const& scale) {
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  constexpr int steps = 100;
+  table->SetNumberOfTableValues(steps);
+  table->SetRange(scale.low, scale.high);
+  for (int i = 0; i < steps; ++i) {
+    auto const colour = i < light_lines * steps ? mesh_light : ink;
+    table->SetTableValue(i, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  }
+  return table;
+}
+
+/// Lines just in front of the mesh, of one colour or, given a table, by their values.
+void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, Vector const& lift,
+               vtkLookupTable* colours = nullptr) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
-  mapper->ScalarVisibilityOff();
+  mapper->SetScalarVisibility(colours != nullptr);
+  if (colours != nullptr) {
+    mapper->SetLookupTable(colours);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray("shown");
+  }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(lift[0], lift[1], lift[2]);
@@ -204,15 +238,16 @@ void add_lines(vtkRenderer& renderer, vtkPolyData* lines, double width, Vector c
 }
 
 /// The rim of a plane mesh, the creases of a solid.
-void add_outline(vtkRenderer& renderer, FieldData const& data, bool solid, Vector const& lift) {
+void add_outline(vtkRenderer& renderer, FieldData const& data, FieldLayout const& layout, Vector const& lift,
+                 double scale) {
   vtkNew<vtkFeatureEdges> outline;
   outline->SetInputData(data.surface);
-  outline->SetFeatureEdges(solid);
+  outline->SetFeatureEdges(layout.spec.view.has_value());
   outline->SetFeatureAngle(crease_angle);
   outline->NonManifoldEdgesOff();
   outline->ManifoldEdgesOff();
   outline->Update();
-  add_lines(renderer, outline->GetOutput(), points(frame_width), lift);
+  add_lines(renderer, outline->GetOutput(), scale * points(frame_width), lift);
 }
 
 /// Looks at the picture plane so that the view fills the viewport.
@@ -229,18 +264,24 @@ void aim(vtkRenderer& renderer, FieldData const& data) {
   camera->SetClippingRange(0.5 * size, 1.5 * size + view.depth[1] - view.depth[0]);
 }
 
-void fill_mesh(vtkRenderer& renderer, FieldLayout const& layout, FieldData const& data) {
-  auto const& [mesh, picture] = std::pair(layout.mesh, layout.picture);
-  renderer.SetViewport(mesh.left / picture.width, mesh.bottom / picture.height, mesh.right() / picture.width,
-                       mesh.top() / picture.height);
+/// The mesh alone, at `scale` pixels for one of 300 dots per inch.
+Picture shoot_mesh(FieldLayout const& layout, FieldData const& data, double scale) {
+  auto const pixels = [scale](double length) { return static_cast<int>(std::lround(scale * length)); };
+  auto const window = make_window(pixels(layout.mesh.width), pixels(layout.mesh.height));
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1, 1, 1);
+  window->AddRenderer(renderer);
   double const lift = 1e-3 * data.view.width();
-  add_surface(renderer, data, layout);
+  add_surface(*renderer, data, layout);
   if (layout.spec.mesh)
-    add_lines(renderer, data.edges, points(mesh_width), data.frame.in_space({0, 0}, lift));
-  add_outline(renderer, data, layout.spec.view.has_value(), data.frame.in_space({0, 0}, 2 * lift));
+    add_lines(*renderer, data.edges, scale * points(mesh_width), data.frame.in_space({0, 0}, lift),
+              make_contrast(layout.scale));
+  add_outline(*renderer, data, layout, data.frame.in_space({0, 0}, 2 * lift), scale);
+  add_obstacles(*renderer, data.obstacles, lift, scale);
   if (data.sphere)
-    add_sphere(renderer, layout.spec, *data.sphere, 3 * lift);
-  aim(renderer, data);
+    add_sphere(*renderer, layout.spec, *data.sphere, 3 * lift, scale);
+  aim(*renderer, data);
+  return shoot(*window);
 }
 
 /// In the lower left corner of the mesh's box, under it.
@@ -258,26 +299,21 @@ void draw_words(Canvas& canvas, FieldLayout const& layout) {
   draw_axes(canvas, layout);
   if (!layout.spec.window.empty()) // a frame says that more lies outside
     canvas.frame(layout.mesh, {});
-  draw_heading(canvas, heading(layout.figure), layout.picture);
+  draw_heading(canvas, heading(layout.figure), layout.picture, layout.when);
 }
 
 } // namespace
 
-Picture draw_field(FigureSpec const& figure, FieldSpec const& field) {
+Drawing draw_field(FigureSpec const& figure, FieldSpec const& field) {
   auto const data = load_field(field);
-  auto const layout = lay_out(figure, field, data);
-  auto const window =
-      make_window(static_cast<int>(layout.picture.width), static_cast<int>(layout.picture.height));
-  vtkNew<vtkRenderer> paper, mesh, words; // from back to front
-  window->SetNumberOfLayers(3);
-  for (int layer = 0; auto* renderer : {paper.Get(), mesh.Get(), words.Get()}) {
-    renderer->SetLayer(layer++);
-    window->AddRenderer(renderer);
-  }
-  paper->SetBackground(1, 1, 1);
-  fill_mesh(*mesh, layout, data);
-  paint_over(*words, [&layout](Canvas& canvas) { draw_words(canvas, layout); });
-  return shoot(*window);
+  auto const layout = std::make_shared<FieldLayout const>(lay_out(figure, field, data));
+  auto const mesh = shoot_mesh(*layout, data, static_cast<double>(figure.dpi) / dots_per_inch);
+  return {layout->picture,
+          [layout, mesh](Canvas& canvas) {
+            canvas.image(mesh, layout->mesh);
+            draw_words(canvas, *layout);
+          },
+          {}};
 }
 
 } // namespace stiction::postproc

@@ -1,12 +1,12 @@
 // Field figures: a mesh coloured by a quantity, with its colour bar.
 #pragma once
-#include "page/picture.hpp"
+#include "page/drawing.hpp"
 #include "spec/spec.hpp"
 
 namespace stiction::postproc {
 
 /// Loads one step and draws it; throws what load_field and make_window throw, and core::InputError for a
 /// scale bar longer than the view.
-[[nodiscard]] Picture draw_field(FigureSpec const& figure, FieldSpec const& field);
+[[nodiscard]] Drawing draw_field(FigureSpec const& figure, FieldSpec const& field);
 
 } // namespace stiction::postproc

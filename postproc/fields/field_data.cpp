@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <vtkCellData.h>
+#include <vtkCellDataToPointData.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkExtractEdges.h>
@@ -14,6 +15,7 @@
 #include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointLocator.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkWarpVector.h>
 #include <vtkXMLDataElement.h>
@@ -204,6 +206,9 @@ void set_view(FieldData& data, FieldSpec const& spec, vtkUnstructuredGrid& grid)
     data.view.include(data.frame, point_of(grid, i));
   if (data.sphere)
     data.view.include(data.frame, *data.sphere, spec.sphere->radius);
+  data.obstacles = outlines_at(spec, data.time, data.view);
+  if (spec.window.empty())
+    include_near(data.view, data.obstacles);
   auto const& window = spec.window;
   double const margin = 0.01 * std::max(data.view.width(), data.view.height());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -253,6 +258,23 @@ vtkSmartPointer<vtkPolyData> edges_of(Grid const& faces) {
   return edges->GetOutput();
 }
 
+/// Gives the points of lines the values of the surface there, those of cells as means at their corners.
+void add_values(vtkPolyData& lines, vtkPolyData* surface, bool on_cells) {
+  vtkNew<vtkCellDataToPointData> at_points;
+  at_points->SetInputData(surface);
+  at_points->Update();
+  auto* values = (on_cells ? at_points->GetPolyDataOutput() : surface)->GetPointData()->GetArray("shown");
+  vtkNew<vtkPointLocator> nearest;
+  nearest->SetDataSet(surface);
+  nearest->BuildLocator();
+  vtkNew<vtkDoubleArray> shown;
+  shown->SetName("shown");
+  for (vtkIdType i = 0; i < lines.GetNumberOfPoints(); ++i)
+    shown->InsertNextValue(values->GetComponent(nearest->FindClosestPoint(lines.GetPoint(i)), 0));
+  lines.GetPointData()->Initialize();
+  lines.GetPointData()->AddArray(shown);
+}
+
 bool is_cropped(FieldSpec const& spec) {
   return std::any_of(spec.crop.begin(), spec.crop.end(), [](auto const& side) { return side.has_value(); });
 }
@@ -284,6 +306,8 @@ FieldData load_field(FieldSpec const& spec) {
       is_cropped(spec) // cut cells would show the pieces they fell into
           ? cropped_lines(*edges_of(off_planes(outer_faces(grid), spec.mirror)), spec.crop, spec.mirror)
           : edges_of(faces);
+  if (spec.mesh)
+    add_values(*data.edges, data.surface, data.on_cells);
   return data;
 }
 

@@ -3,19 +3,21 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "fields/view.hpp"
+#include "fields/obstacles.hpp"
 
 namespace stiction::postproc {
 
 struct FieldData {
   vtkSmartPointer<vtkPolyData> surface; ///< carries the array "shown", in the unit of the figure
-  vtkSmartPointer<vtkPolyData> edges;   ///< cell edges of the mesh, on its surface when it is a solid
+  vtkSmartPointer<vtkPolyData>
+      edges; ///< cell edges of the mesh, on its surface when it is a solid; carry "shown" at their points
   bool on_cells = false;
   double low = 0, high = 0;   ///< of the values within the window
   std::optional<double> time; ///< s, where the files tell it
   Frame frame;
   Extent view;                  ///< the window, or everything
   std::optional<Vector> sphere; ///< its centre
+  std::vector<Outline> obstacles;
 };
 
 /// Throws core::RunError when file, step or array is missing, empty, or not finite;

@@ -15,7 +15,7 @@
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 
-#include "core/error.hpp"
+#include "fields/path.hpp"
 
 namespace stiction::postproc {
 
@@ -107,25 +107,15 @@ vtkSmartPointer<vtkPolyData> rim_of(vtkPolyData* shape) {
 } // namespace
 
 Vector centre_at(SphereSpec const& sphere, std::optional<double> time) {
-  auto const& times = sphere.times;
+  auto const pose = pose_at(sphere.path, time);
   auto centre = sphere.centre;
-  if (times.empty())
-    return centre;
-  if (!time)
-    throw core::RunError(
-        "sphere: its path needs the time of the field, and the file tells none; give a .pvd");
-  auto const after = std::upper_bound(times.begin(), times.end(), *time) - times.begin();
-  auto const right = static_cast<std::size_t>(std::min<std::ptrdiff_t>(after, std::ssize(times) - 1));
-  std::size_t const left = after == 0 ? 0 : static_cast<std::size_t>(after - 1);
-  double const weight =
-      right == left || after == 0 ? 0 : (*time - times[left]) / (times[right] - times[left]);
   for (std::size_t i = 0; i < 3; ++i)
-    if (auto const& moves = sphere.moves[i]; !moves.empty())
-      centre[i] += (1 - weight) * moves[left] + weight * moves[right];
+    centre[i] += pose.move[i];
   return centre;
 }
 
-void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& centre, double lift) {
+void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& centre, double lift,
+                double scale) {
   auto const frame = frame_of(field.view);
   bool const whole = is_whole(field, centre);
   auto const shape = field.view ? ball(field, centre) : vtkSmartPointer<vtkPolyData>();
@@ -133,7 +123,7 @@ void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& cen
   auto const shift = frame.in_space({0, 0}, lift);
   line->SetPosition(shift[0], shift[1], shift[2]);
   line->GetProperty()->LightingOff();
-  line->GetProperty()->SetLineWidth(static_cast<float>(points(0.8)));
+  line->GetProperty()->SetLineWidth(static_cast<float>(scale * points(0.8)));
   renderer.AddActor(line);
   if (!field.view)
     return;

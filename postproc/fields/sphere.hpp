@@ -9,7 +9,9 @@ namespace stiction::postproc {
 /// Where the centre is at `time` (s). Throws core::RunError when it moves and the time is not known.
 [[nodiscard]] Vector centre_at(SphereSpec const& sphere, std::optional<double> time);
 
-/// Adds the sphere of `field` at `centre`; its circle is drawn `lift` toward the eye.
-void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& centre, double lift);
+/// Adds the sphere of `field` at `centre`; its circle is drawn `lift` toward the eye, `scale`
+/// pixels wide for one of 300 dots per inch.
+void add_sphere(vtkRenderer& renderer, FieldSpec const& field, Vector const& centre, double lift,
+                double scale);
 
 } // namespace stiction::postproc

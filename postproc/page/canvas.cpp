@@ -2,7 +2,6 @@
 #include "page/canvas.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
+#include <vtkRect.h>
 #include <vtkSmartPointer.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
@@ -25,10 +25,10 @@ namespace stiction::postproc {
 
 namespace {
 
-void set_font(vtkTextProperty& property, double size) {
+void set_font(vtkTextProperty& property, double size, double scale = 1) {
   property.SetFontFamily(VTK_FONT_FILE); // the built-in font lacks Greek
   property.SetFontFile(STICTION_FONT);
-  property.SetFontSize(static_cast<int>(std::lround(points(size))));
+  property.SetFontSize(static_cast<int>(std::lround(scale * points(size))));
 }
 
 Point operator+(Point a, Point b) {
@@ -107,11 +107,12 @@ public:
     return painter;
   }
   vtkTypeMacro(Painter, vtkAbstractContextItem) bool Paint(vtkContext2D* context) override {
-    Canvas canvas(*context);
+    Canvas canvas(*context, scale);
     paint(canvas);
     return true;
   }
   std::function<void(Canvas&)> paint;
+  double scale = 1;
 };
 
 } // namespace
@@ -144,8 +145,10 @@ void Canvas::brush(Colour colour) {
 }
 
 void Canvas::text(std::string const& text, Point at, Lettering const& lettering) {
+  if (text.empty())
+    return;
   vtkNew<vtkTextProperty> property;
-  set_font(*property, lettering.size);
+  set_font(*property, lettering.size, scale_);
   property->SetOrientation(lettering.upright ? 90 : 0);
   property->SetJustification(static_cast<int>(lettering.across)); // VTK counts left, centre, right alike
   property->SetVerticalJustification(static_cast<int>(lettering.along));
@@ -154,7 +157,8 @@ void Canvas::text(std::string const& text, Point at, Lettering const& lettering)
   context_->ApplyTextProp(property);
   if (lettering.along == Along::centre) // by the capitals, not by the box that has room for descenders
     at.y -= 0.1 * points(lettering.size);
-  context_->DrawString(static_cast<float>(std::round(at.x)), static_cast<float>(std::round(at.y)),
+  auto const pixel = device(at);
+  context_->DrawString(static_cast<float>(std::round(pixel.x)), static_cast<float>(std::round(pixel.y)),
                        vtkStdString(text));
 }
 
@@ -166,11 +170,13 @@ void Canvas::fill(Box const& box, Colour colour) {
 void Canvas::fill(std::vector<Point> const& convex, Colour colour) {
   std::vector<float> flat;
   for (auto const& point : convex) {
-    flat.push_back(static_cast<float>(point.x));
-    flat.push_back(static_cast<float>(point.y));
+    auto const pixel = device(point);
+    flat.push_back(static_cast<float>(pixel.x));
+    flat.push_back(static_cast<float>(pixel.y));
   }
   brush(colour);
-  context_->DrawPolygon(flat.data(), static_cast<int>(convex.size()));
+  context_->GetDevice()->DrawPolygon(flat.data(),
+                                     static_cast<int>(convex.size())); // the context would draw its rim too
 }
 
 void Canvas::frame(Box const& box, Pen const& pen) {
@@ -190,15 +196,19 @@ void Canvas::disc(Point centre, double radius, Colour colour) {
   fill(rim, colour);
 }
 
+void Canvas::marker(Point at, Pen const& pen, Marker marker) {
+  double const size = 1.3 * pen.width;
+  if (marker == Marker::disc)
+    return disc(at, size, pen.colour);
+  double const half = 1.25 * size;
+  fill({{at.x - half, at.y + 0.7 * half}, {at.x, at.y - 1.2 * half}, {at.x + half, at.y + 0.7 * half}},
+       pen.colour);
+}
+
 void Canvas::stroke(std::vector<Point> const& line, Pen const& pen) {
-  if (pen.dash == Dash::points) {
-    for (auto const& point : line)
-      disc(point, 1.3 * pen.width, pen.colour);
-    return;
-  }
   auto const thin = thinned(line, 0.4);
   auto lengths = pattern(pen.dash);
-  if (thin.size() < 2)
+  if (thin.size() < 2 || pen.dash == Dash::points)
     return;
   if (lengths.empty())
     return ribbon(thin, pen);
@@ -210,8 +220,8 @@ void Canvas::stroke(std::vector<Point> const& line, Pen const& pen) {
 
 void Canvas::ribbon(std::vector<Point> const& line, Pen const& pen) {
   std::vector<float> strip;
-  auto rung = [&strip](Point at, Point normal) {
-    for (Point const& p : {at + normal, at - normal}) {
+  auto rung = [this, &strip](Point at, Point normal) {
+    for (Point const& p : {device(at + normal), device(at - normal)}) {
       strip.push_back(static_cast<float>(p.x));
       strip.push_back(static_cast<float>(p.y));
     }
@@ -239,20 +249,17 @@ void Canvas::ribbon(std::vector<Point> const& line, Pen const& pen) {
   context_->DrawQuadStrip(strip.data(), static_cast<int>(strip.size() / 2));
 }
 
-void Canvas::clip(Box const& box) {
-  std::array<int, 4> rectangle{
-      static_cast<int>(std::floor(box.left)), static_cast<int>(std::floor(box.bottom)),
-      static_cast<int>(std::ceil(box.width)), static_cast<int>(std::ceil(box.height))};
-  context_->GetDevice()->EnableClipping(true);
-  context_->GetDevice()->SetClipping(rectangle.data());
+void Canvas::image(Picture const& picture, Box const& box) {
+  auto const at = device({box.left, box.bottom});
+  context_->DrawImage(vtkRectf(static_cast<float>(at.x), static_cast<float>(at.y),
+                               static_cast<float>(scale_ * box.width),
+                               static_cast<float>(scale_ * box.height)),
+                      picture);
 }
 
-void Canvas::unclip() {
-  context_->GetDevice()->EnableClipping(false);
-}
-
-void paint_over(vtkRenderer& renderer, std::function<void(Canvas&)> paint) {
+void paint_over(vtkRenderer& renderer, std::function<void(Canvas&)> paint, double scale) {
   auto painter = vtkSmartPointer<Painter>::New();
+  painter->scale = scale;
   painter->paint = std::move(paint);
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(painter);

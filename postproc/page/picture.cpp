@@ -1,12 +1,15 @@
-// Tiling by rows of pixels, and PNG through memory so that a full disk is noticed.
+// Pasting by rows of pixels, and PNG through memory so that a full disk is noticed.
 #include "page/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
+#include <zlib.h>
 
 #include "core/error.hpp"
 
@@ -18,8 +21,6 @@ int width_of(Picture const& picture) {
 int height_of(Picture const& picture) {
   return picture->GetDimensions()[1];
 }
-
-namespace {
 
 Picture blank(int width, int height) {
   auto picture = Picture::New();
@@ -38,40 +39,31 @@ void paste(Picture const& from, Picture const& to, int left, int bottom) {
   }
 }
 
-} // namespace
+namespace {
 
-Picture tile(std::vector<Picture> const& pictures, int columns, int gap) {
-  auto const count = static_cast<int>(pictures.size());
-  int const rows = (count + columns - 1) / columns, used = std::min(columns, count);
-  std::vector<int> heights(static_cast<std::size_t>(rows), 0);
-  for (int i = 0; i < count; ++i) {
-    auto& height = heights[static_cast<std::size_t>(i / columns)];
-    height = std::max(height, height_of(pictures[static_cast<std::size_t>(i)]));
-  }
-  int const width = width_of(pictures.front());
-  int total = gap * (rows - 1);
-  for (int const height : heights)
-    total += height;
-  auto result = blank(used * width + (used - 1) * gap, total);
-  int top = total;
-  for (int i = 0; i < count; ++i) {
-    auto const& picture = pictures[static_cast<std::size_t>(i)];
-    paste(picture, result, (i % columns) * (width + gap), top - height_of(picture));
-    if (i % columns == columns - 1)
-      top -= heights[static_cast<std::size_t>(i / columns)] + gap;
-  }
-  return result;
+/// Bytes of a whole number, the first the largest.
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8)
+    bytes += static_cast<char>((value >> static_cast<unsigned>(shift)) & 0xffU);
+  return bytes;
 }
 
-void write_png(Picture const& picture, std::filesystem::path const& file) {
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  auto* bytes = writer->GetResult();
+/// PNG's chunk that states the pixels per metre of both axes.
+std::string resolution_chunk(int dpi) {
+  auto const per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
+  std::string const body = "pHYs" + big_endian(per_metre) + big_endian(per_metre) + '\1';
+  auto const sum =
+      crc32(0, reinterpret_cast<unsigned char const*>(body.data()), static_cast<unsigned>(body.size()));
+  return big_endian(9) + body + big_endian(static_cast<std::uint32_t>(sum));
+}
+
+} // namespace
+
+void write_whole(std::string const& bytes, std::filesystem::path const& file) {
   auto const part = std::filesystem::path(file).concat(".part");
   std::ofstream out(part, std::ios::binary);
-  out.write(reinterpret_cast<char const*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   std::error_code problem;
   if (out)
@@ -82,6 +74,18 @@ void write_png(Picture const& picture, std::filesystem::path const& file) {
   std::filesystem::remove(part, ignored);
   throw core::RunError(
       fmt::format("cannot write {}: is the folder writable and the disk not full?", file.string()));
+}
+
+void write_png(Picture const& picture, std::filesystem::path const& file, int dpi) {
+  constexpr std::size_t head = 8 + 25; // PNG's signature and its first chunk
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  auto* result = writer->GetResult();
+  std::string bytes(reinterpret_cast<char const*>(result->GetPointer(0)),
+                    static_cast<std::size_t>(result->GetNumberOfValues()));
+  write_whole(bytes.insert(head, resolution_chunk(dpi)), file);
 }
 
 } // namespace stiction::postproc

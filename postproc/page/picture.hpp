@@ -1,7 +1,7 @@
-// A finished picture: pixels in memory, put together and written as PNG.
+// A finished picture: pixels in memory, put together and written.
 #pragma once
 #include <filesystem>
-#include <vector>
+#include <string>
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -14,10 +14,14 @@ using Picture = vtkSmartPointer<vtkImageData>;
 [[nodiscard]] int width_of(Picture const& picture);
 [[nodiscard]] int height_of(Picture const& picture);
 
-/// Pictures of one width in rows of `columns`, `gap` pixels apart, tops aligned, on white.
-[[nodiscard]] Picture tile(std::vector<Picture> const& pictures, int columns, int gap);
+/// White.
+[[nodiscard]] Picture blank(int width, int height);
+/// Copies a picture into a larger one; it must lie within.
+void paste(Picture const& from, Picture const& to, int left, int bottom);
 
 /// Writes atomically: the file appears whole or not at all. Throws core::RunError when it cannot be written.
-void write_png(Picture const& picture, std::filesystem::path const& file);
+void write_whole(std::string const& bytes, std::filesystem::path const& file);
+/// The same for a picture as PNG that states its resolution.
+void write_png(Picture const& picture, std::filesystem::path const& file, int dpi);
 
 } // namespace stiction::postproc

@@ -21,7 +21,8 @@ inline constexpr int text_dpi = 72;
 /// Text heights, in points.
 inline constexpr double title_size = 8.5, label_size = 8, tick_size = 7, legend_size = 7;
 /// Line widths, in points.
-inline constexpr double curve_width = 1.4, frame_width = 0.6, grid_width = 0.35, mesh_width = 0.25;
+inline constexpr double curve_width = 1.4, frame_width = 0.6, grid_width = 0.35, mesh_width = 0.25,
+                        error_width = 0.8;
 /// White space along the edges of a picture, in points.
 inline constexpr double edge = 3;
 
@@ -29,7 +30,7 @@ struct Colour {
   unsigned char red = 0, green = 0, blue = 0;
 };
 inline constexpr Colour black{0, 0, 0}, white{255, 255, 255}, ink{38, 38, 38}, grid_grey{222, 222, 222},
-    mark_grey{110, 110, 110};
+    mark_grey{110, 110, 110}, mesh_light{215, 215, 215}, obstacle_grey{226, 226, 226};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito 2008), the pale yellow left out; repeats
 /// after 7.

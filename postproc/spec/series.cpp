@@ -134,10 +134,21 @@ Curve load_curve(CurveSpec const& spec, std::size_t index, LinesSpec const& figu
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are reported in our words
   auto const x = load_coordinate(spec, spec.x, figure.x, 0);
   auto const y = load_coordinate(spec, spec.y, figure.y, spec.component);
-  Curve curve{spec.label, pen_of(spec, index, figure), {}};
+  Curve curve{spec.label, pen_of(spec, index, figure), {}, {}, {}, {}};
+  bool const bars = !spec.x_error.empty() || !spec.y_error.empty();
+  auto const error = [](std::vector<double> const& errors, std::size_t i) {
+    return errors.empty() ? 0 : errors[i];
+  };
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
-    if ((!figure.x.log || x[i] > 0) && (!figure.y.log || y[i] > 0))
+    if ((!figure.x.log || x[i] > 0) && (!figure.y.log || y[i] > 0)) {
       curve.points.push_back({x[i], y[i]});
+      if (bars)
+        curve.errors.push_back({error(spec.x_error, i), error(spec.y_error, i)});
+      if (!spec.names.empty())
+        curve.names.push_back(spec.names[i]);
+      if (!spec.at_most.empty())
+        curve.at_most.push_back(spec.at_most[i] != 0);
+    }
   if (curve.points.empty())
     throw core::RunError(fmt::format("curve \"{}\"{}: has no point to draw", spec.label,
                                      spec.file.has_filename() ? " of " + spec.file.string() : ""));

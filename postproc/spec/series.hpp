@@ -12,6 +12,9 @@ struct Curve {
   std::string label;
   Pen pen;
   std::vector<Point> points;
+  std::vector<Point> errors;      ///< half lengths of the bars at the points; empty: none
+  std::vector<std::string> names; ///< beside the points; empty: none
+  std::vector<bool> at_most;      ///< whether a point stands for what lies there or below; empty: none does
 };
 
 /// Reads curve number `index` of a figure. Points that a logarithmic axis cannot show (<= 0) are left out.

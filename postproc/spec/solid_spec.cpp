@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "spec/obstacle_spec.hpp"
+
 namespace stiction::postproc {
 
 namespace {
@@ -63,24 +65,6 @@ void read_crop(Reader& reader, double metres, FieldSpec& field) {
   crop.finish();
 }
 
-/// Displacements in units of `metres` at times in s.
-void read_path(Reader path, double metres, SphereSpec& sphere) {
-  sphere.times = path.numbers("times", "1");
-  bool const rising = std::is_sorted(sphere.times.begin(), sphere.times.end(), std::less_equal<>());
-  if (path.has("times") && (sphere.times.empty() || !rising))
-    path.complain_at("times", "wants at least one time, each later than the one before");
-  for (std::size_t i = 0; i < 3; ++i) {
-    auto& moves = sphere.moves[i];
-    moves = path.numbers(axis_words[i], "1", Need::optional);
-    for (auto& move : moves)
-      move *= metres;
-    if (path.has(axis_words[i]) && moves.size() != sphere.times.size())
-      path.complain_at(axis_words[i],
-                       fmt::format("has {} numbers but times has {}", moves.size(), sphere.times.size()));
-  }
-  path.finish();
-}
-
 std::optional<SphereSpec> sphere_at(Reader& reader, double metres, bool solid) {
   auto given = reader.child("sphere", Need::optional);
   if (!reader.has("sphere"))
@@ -95,7 +79,7 @@ std::optional<SphereSpec> sphere_at(Reader& reader, double metres, bool solid) {
     sphere.centre[i] = metres * centre[i];
   sphere.radius = metres * given.number("radius", "1", core::positive);
   if (auto path = given.child("path", Need::optional); given.has("path"))
-    read_path(path, metres, sphere);
+    sphere.path = read_path(path, metres);
   given.finish();
   return sphere;
 }
@@ -107,6 +91,7 @@ void read_solid(Reader& reader, double metres, FieldSpec& field) {
   field.mirror = mirror_at(reader, field.view.has_value());
   read_crop(reader, metres, field);
   field.sphere = sphere_at(reader, metres, field.view.has_value());
+  field.obstacles = read_obstacles(reader, metres, field.view.has_value());
 }
 
 } // namespace stiction::postproc

@@ -115,6 +115,35 @@ std::optional<Dash> dash_at(Reader& reader) {
   return static_cast<Dash>(found - words.begin());
 }
 
+/// Errors of the points of a curve that is given by `count` numbers.
+std::vector<double> errors_at(Reader& reader, std::string const& key, std::size_t count) {
+  auto errors = reader.numbers(key, "1", Need::optional);
+  if (!reader.has(key))
+    return {};
+  if (errors.size() != count)
+    reader.complain_at(key,
+                       fmt::format("has {} numbers but the curve has {} given points", errors.size(), count));
+  for (double const error : errors)
+    if (!(error >= 0) || !std::isfinite(error))
+      reader.complain_at(key, fmt::format("has {:g}; an error is 0 or more", error));
+  return errors;
+}
+
+/// Texts beside the points of a curve that is given by `count` numbers.
+std::vector<std::string> names_at(Reader& reader, std::size_t count) {
+  auto const& given = reader.at("names", Need::optional);
+  std::vector<std::string> names;
+  if (!reader.has("names"))
+    return names;
+  for (auto const& element : given.list() == nullptr ? core::List{} : *given.list())
+    if (auto const* word = element.text())
+      names.push_back(*word);
+  if (names.size() != count)
+    reader.complain_at("names",
+                       fmt::format("has {} texts but the curve has {} given points", names.size(), count));
+  return names;
+}
+
 CurveSpec read_curve(Reader reader, std::filesystem::path const& folder) {
   CurveSpec curve;
   curve.label = reader.text("label", Need::optional);
@@ -129,6 +158,12 @@ CurveSpec read_curve(Reader reader, std::filesystem::path const& folder) {
   if (numbers && curve.x.numbers.size() != curve.y.numbers.size())
     reader.complain_at(
         "y", fmt::format("has {} numbers but x has {}", curve.y.numbers.size(), curve.x.numbers.size()));
+  curve.x_error = errors_at(reader, "x_error", numbers ? curve.x.numbers.size() : 0);
+  curve.y_error = errors_at(reader, "error", numbers ? curve.x.numbers.size() : 0);
+  curve.names = names_at(reader, numbers ? curve.x.numbers.size() : 0);
+  curve.at_most = reader.numbers("at_most", "1", Need::optional);
+  if (reader.has("at_most") && (!numbers || curve.at_most.size() != curve.x.numbers.size()))
+    reader.complain_at("at_most", "wants 0 or 1 for each given point of the curve");
   reader.finish();
   return curve;
 }
@@ -202,6 +237,7 @@ FieldSpec read_field(Reader& reader, std::filesystem::path const& folder) {
   field.unit = unit_at(reader, "unit", "1");
   field.deformed = reader.flag_or("deformed", false);
   field.mesh = reader.flag_or("mesh", false);
+  field.show_time = reader.flag_or("show_time", true);
   field.range = interval_at(reader, "range");
   double const metres = length_unit_at(reader);
   field.window = window_at(reader, metres);
@@ -239,6 +275,15 @@ MapSpec read_map(Reader& reader) {
 
 void read_content(Reader& reader, FigureSpec& figure, std::filesystem::path const& folder);
 
+/// What files are made.
+void read_output(Reader& reader, FigureSpec& figure) {
+  double const dpi = reader.number_or("dpi", "1", {100, 600}, figure.dpi);
+  if (dpi != std::floor(dpi))
+    reader.complain_at("dpi", fmt::format("is {:g}; a whole number is wanted", dpi));
+  figure.dpi = static_cast<int>(dpi);
+  figure.svg = reader.flag_or("svg", false);
+}
+
 FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool in_panel) {
   FigureSpec figure;
   figure.name = reader.text("name", in_panel ? Need::optional : Need::required);
@@ -256,6 +301,8 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
   figure.height = millimetres(reader.number_or("height", "1", {20, 240}, 0));
   if (kind == "map" && reader.has("height"))
     reader.complain_at("height", "is not for a map, whose rows decide; leave it out");
+  if (!in_panel)
+    read_output(reader, figure);
   read_content(reader, figure, folder);
   reader.finish();
   return figure;

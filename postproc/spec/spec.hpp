@@ -40,7 +40,11 @@ struct CurveSpec {
   std::string label;
   std::filesystem::path file;
   CoordinateSpec x, y;
-  std::size_t component = 0; ///< column of y when it has several
+  std::vector<double> x_error,
+      y_error;                    ///< half lengths of the bars at the points, in the axis unit; empty: none
+  std::vector<std::string> names; ///< beside the points; empty: none
+  std::vector<double> at_most;    ///< not 0: the point lies here or below; empty: none does
+  std::size_t component = 0;      ///< column of y when it has several
   std::optional<std::size_t> colour;
   std::optional<Dash> dash;
 };
@@ -73,12 +77,29 @@ struct ViewSpec {
 /// xmin, xmax, ymin, ymax, zmin, zmax in m; an empty side is open.
 using CropBox = std::array<std::optional<double>, 6>;
 
-/// A rigid sphere, its lengths in m; its centre moves by `moves` at `times` (s), straight in between.
+/// Displacements at `times` (s), in m, straight in between.
+struct PathSpec {
+  std::vector<double> times;
+  std::array<std::vector<double>, 3> moves; ///< x, y, z; each empty or as long as `times`
+  std::vector<double> angle;                ///< rad, likewise
+};
+
+/// A rigid sphere, its lengths in m.
 struct SphereSpec {
   Vector centre{};
   double radius = 0;
-  std::vector<double> times;
-  std::array<std::vector<double>, 3> moves; ///< x, y, z; each empty or as long as `times`
+  PathSpec path;
+};
+
+/// A rigid obstacle in a plane picture, its lengths in m: a disc, a half-plane or an outline.
+struct ObstacleSpec {
+  double radius = 0;           ///< > 0: a disc about `at`
+  std::optional<Point> normal; ///< outward, of a half-plane through `at`
+  std::vector<Point> outline;
+  bool closed = false; ///< the outline
+  bool hollow = false; ///< the inside is what is touched
+  Point at, pivot;     ///< it turns about the pivot
+  PathSpec path;
 };
 
 struct FieldSpec {
@@ -88,7 +109,7 @@ struct FieldSpec {
   std::optional<int> component; ///< nothing: the magnitude
   std::string label;
   Unit unit;
-  bool deformed = false, mesh = true;
+  bool deformed = false, mesh = true, show_time = true;
   Interval range;             ///< in the unit
   std::vector<double> window; ///< xmin, xmax, ymin, ymax in m, in the plane of the picture; empty: all
   std::optional<ScaleBarSpec> scale_bar;
@@ -96,6 +117,7 @@ struct FieldSpec {
   std::vector<int> mirror;      ///< axes 0, 1, 2 across whose plane the mesh is repeated, in this order
   CropBox crop;
   std::optional<SphereSpec> sphere;
+  std::vector<ObstacleSpec> obstacles;
 };
 
 /// An outcome that cells of a map show: a letter, what it means, its colour in the palette.
@@ -122,8 +144,16 @@ struct PanelSpec {
   std::vector<FigureSpec> figures;
 };
 
+/// Least room between a plot and the edges of its picture, pixels.
+struct Margins {
+  double left = 0, right = 0, bottom = 0, top = 0;
+};
+
 struct FigureSpec {
   std::string name, title;
+  int dpi = 300;      ///< of the PNG; layouts count pixels at 300
+  bool svg = false;   ///< the same as lines too
+  Margins margins;    ///< of a plot beside others
   int width = 0;      ///< pixels
   double height = 0;  ///< pixels; 0: chosen
   std::string letter; ///< "(a)" within a panel

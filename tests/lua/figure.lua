@@ -1,5 +1,6 @@
 -- Figures: what they take, what reaches the figure program, and what is said of mistakes.
 local test, equal, fails = ...
+local engine = require "stiction.engine"
 local figure_keys = require "stiction.figure_keys"
 local stiction = require "stiction"
 local figure, units = stiction.figure, stiction.units
@@ -40,6 +41,25 @@ test("components of fields have names, numbers from 1, or are the magnitude", fu
   fails('component = "x"; a number from 1', function() return lines { curves = { { x = {}, y = {}, component = "x" } } } end)
 end)
 
+test("errors of measured points stand in the unit of their axis, one for all or one for each", function()
+  local function of(more)
+    local t = { x = { 1*ms, 2*ms }, y = { 3, 4 } }
+    for key, value in pairs(more) do
+      t[key] = value
+    end
+    return lines { curves = { t } }.curves[1]
+  end
+  equal(of({ error = 0.5 }).error[2], 0.5)
+  equal(of({ x_error = { 0.25*ms, 1e-3 } }).x_error[1], 0.25)
+  equal(of({ x_error = { 0.25*ms, 1e-3 } }).x_error[2], 1)
+  equal(of({}).error, nil)
+  fails("error has 1 values, x has 2", of, { error = { 1 } })
+  fails("cannot be written in 'ms'", of, { x_error = 1*mm })
+  fails("error belongs to a curve whose x and y are lists", function()
+    return lines { curves = { { file = "a.h5", y = "top/force_y", error = 1 } } }
+  end)
+end)
+
 test("a scale bar is a length however it is given", function()
   for _, bar in ipairs { 1*mm, { length = 1*mm, unit = "mm" } } do
     local made = field { scale_bar = bar }.scale_bar
@@ -70,6 +90,8 @@ test("title and height of a panel reach the figure program, and a single figure 
   equal(#spec.figures, 1)
   equal(spec.figures[1].title, "All")
   equal(spec.figures[1].height, 90)
+  equal(figure.panel({ name = "p", svg = true, dpi = 600, figures = { lines {} } }).dpi, 600)
+  fails("dpi and svg are the panel's", figure.panel, { name = "p", figures = { lines { svg = true } } })
   fails("must return a list of figures, not 3", figure.spec, { figures = function() return 3 end }, {})
 end)
 
@@ -82,4 +104,79 @@ test("every key that a table takes is explained", function()
       equal(#key[2] > 0, true)
     end
   end
+end)
+
+local function case_of(folder, manifest)
+  folder = engine.absolute(folder)
+  engine.remove(folder)
+  engine.make_folder(folder)
+  engine.write_file(folder .. "/manifest.json", engine.encode_json(manifest))
+  engine.write_file(folder .. "/fields.pvd", '<DataSet timestep="0"/><DataSet timestep="0.5"/>')
+  local case = { folder = folder, place = "c" }
+  function case.at(_, time, probe, column)
+    return probe == "where" and column == "u_y" and -time or 0
+  end
+  return case
+end
+
+local function metres(value)
+  return { value = value, unit = "m" }
+end
+
+test("the obstacles of a case are drawn in plane pictures, where its manifest and probes say they are", function()
+  local disc = { kind = "rigid.circle", centre = { metres(1e-3), metres(0) }, radius = metres(2e-3) }
+  local scene = { obstacles = {
+    a = { shape = disc, times = { 0, 1 }, y = { metres(0), metres(1e-3) } },
+    b = { shape = { kind = "rigid.plane" }, mass = 1 },
+    c = { shape = { kind = "rigid.polyline", points = { metres(0), metres(0), metres(1), metres(0) }, side = "inside" }, mass = 1 },
+  }, probes = { where = { kind = "probe.rigid", obstacle = "c" } } }
+  local case = case_of("obstacles.test", { scene = scene })
+  local function list(more)
+    more.case, more.window_unit = case, "mm"
+    return field(more).obstacles
+  end
+  local moving = list { deformed = true }
+  equal(#moving, 2)
+  equal(moving[1].radius, 2)
+  equal(moving[1].centre[1], 1)
+  equal(moving[1].path.y[2], 1)
+  equal(moving[1].path.times[2], 1)
+  equal(moving[2].hollow, true)
+  equal(moving[2].points[3], 1000)
+  equal(moving[2].path.y[2], -500)
+  local still = list {}
+  equal(#still, 3)
+  equal(still[1].path, nil)
+  equal(still[2].normal[2], 1)
+  equal(list { obstacles = false }, nil)
+  equal(list { view = { azimuth = 0 } }, nil)
+  equal(list { obstacles = { { centre = { 0*mm, 1*mm }, radius = 3*mm } } }[1].radius, 3)
+  fails("obstacle: unknown key 'center'; did you mean 'centre'?", list, { obstacles = { { center = { 0, 1 } } } })
+  case = case_of("obstacles.test", { scene = { kinematics = "three_dimensional", obstacles = scene.obstacles } })
+  equal(list {}, nil)
+end)
+
+test("measured values come from a csv file with their units", function()
+  local path = engine.absolute("measured.test.csv")
+  local function read(text, more)
+    engine.write_file(path, text)
+    return stiction.csv { file = path, units = more }
+  end
+  local table_of = read("# pulled twice\nway [mm],force (N/m),n\r\n1,2e3,3\n\n2,4,5")
+  equal(tostring(table_of.way[2]), "2 mm")
+  equal(table_of.force[1].si, 2000)
+  equal(table_of.n[2], 5)
+  local made = lines { curves = { { x = table_of.way, y = table_of.n, error = table_of.n } }, x = { label = "d", unit = "um" } }
+  equal(("%.9g"):format(made.curves[1].x[2]), "2000")
+  equal(read("way_mm,f\n1,2\n", { way_mm = "mm" }).way_mm[1].si, 1e-3)
+  equal(stiction.csv(path).f[1], 2)
+  fails("has no column 'g'; did you mean 'f'?; columns: way_mm, f", function() return stiction.csv(path).g end)
+  fails("has no column 'way'; columns: way_mm, f", read, "way_mm,f\n1,2\n", { way = "mm" })
+  fails("column 'way': unknown unit 'furlong'", read, "way [furlong]\n1\n")
+  fails("row 2, column 'f': '-' is no number", read, "way,f\n1,2\n2,-\n")
+  fails("row 2 has 1 entries, its head 2", read, "way,f\n1\n")
+  fails("save it with commas", read, "way;f\n1;2\n")
+  fails("no row of values", read, "way,f\n")
+  fails("stiction.csv takes a file's name", stiction.csv, 3)
+  fails("nowhere.csv", stiction.csv, "nowhere.csv")
 end)

@@ -90,9 +90,10 @@ TEST_CASE("the image of a quarter is symmetric and has no seam") {
 
 TEST_CASE("the component of a vector along the mirrored axis changes sign in the image") {
   auto const keys = [](int component) {
-    return fmt::format(R"("array":"displacement","component":{},"unit":"um","mirror":["x"],"range":[-160,160],
+    return fmt::format(
+        R"("array":"displacement","component":{},"unit":"um","mirror":["x"],"show_time":false,"range":[-160,160],
       "view":{{"azimuth":0,"elevation":90}})",
-                       component);
+        component);
   };
   auto const along = picture_of("along", solid("hex8", keys(0))); // x: negative left, positive right
   auto const across = picture_of("across", solid("hex8", keys(1)));

@@ -101,8 +101,86 @@ TEST_CASE("a vector without component is drawn by its length") {
 }
 
 TEST_CASE("the colour bar spans what the window shows") {
-  auto const image =
-      drawn("span", field(R"("array":"displacement","unit":"mm","window":[-9,9,1,4],"window_unit":"mm")"));
+  auto const image = drawn(
+      "span",
+      field(
+          R"("array":"displacement","unit":"mm","window":[-9,9,1,4],"window_unit":"mm","show_time":false)"));
   CHECK(image.count(highest, {0, 1, 0.5, 1}) > 50); // the block above is not seen
   CHECK(image.count(lowest, {0, 1, 0.5, 1}) > 300);
+}
+
+TEST_CASE("error bars have the length of their errors, and the axis has room for them") {
+  auto const image = lines("bars", R"("label":"y","unit":"1","range":[0,10])",
+                           R"({"x":[1,2,3],"y":[5,5,5],"error":[0,3,0],"style":"points"})");
+  CHECK(image.count(blue, {0.5, 0.6, 0.72, 0.78}) > 100); // up to 8
+  CHECK(image.count(blue, {0.5, 0.6, 0.86, 0.98}) == 0);
+  CHECK(image.count(blue, {0.15, 0.3, 0.65, 0.9}) == 0);
+  auto const high = lines("high_bar", R"("label":"y","unit":"1")",
+                          R"({"x":[1,2,3],"y":[0,1,0],"x_error":[0,0,1],"error":[0,9,0],"style":"points"})");
+  CHECK(high.count(blue, {0.3, 0.7, 0.85, 0.98}) > 100);
+  auto const wrong = draw("few_bars", R"({"name":"it","kind":"lines","x":{"label":"x"},"y":{"label":"y"},
+    "curves":[{"x":[1,2],"y":[1,2],"error":[1]}]})");
+  CHECK(wrong.code == 2);
+  CHECK(wrong.messages.find("has 1 numbers but the curve has 2 given points") != std::string::npos);
+}
+
+TEST_CASE("a field tells the time of its frame, not the time asked for") {
+  auto const with = drawn("with_time", field(R"("array":"von_mises","unit":"MPa")"));
+  auto const without = drawn("without_time", field(R"("array":"von_mises","unit":"MPa","show_time":false)"));
+  int const strip = with.height() - without.height();
+  CHECK(strip > 20);
+  double const below = 1 - static_cast<double>(strip) / with.height();
+  CHECK(with.count(axis, {0.75, 1, below, 1}) > 50);
+  CHECK(with.count(axis, {0, 0.75, below, 1}) == 0);
+  auto const picture = [](std::string const& time) {
+    static_cast<void>(drawn("same_frame", field(R"("array":"beta","range":[0,1],"time":)" + time)));
+    return content(work / "same_frame/it.png");
+  };
+  CHECK(picture("9e-4") == picture("1e-3"));
+}
+
+TEST_CASE("lines of the mesh are light on dark colours and dark on light ones") {
+  auto const shades = [](std::string const& name, std::string const& range) {
+    auto const image = drawn(
+        name, field(R"("array":"beta","mesh":true,"window":[-3,3,5.2,6.8],"window_unit":"mm",)" + range));
+    std::pair<int, int> found; // light, dark
+    for (int y = image.height() / 2; y < image.height() * 0.8; ++y)
+      for (int x = image.width() / 10; x < image.width() * 0.9; ++x) {
+        auto const [r, g, b] = image.at(x, y);
+        found.first += r > 120 && g > 120 && b > 120 ? 1 : 0;
+        found.second += r < 110 && g < 110 && b < 50 ? 1 : 0;
+      }
+    return found;
+  };
+  auto const [light, none] = shades("dark", R"("range":[0,1])");
+  CHECK(light > 500);
+  CHECK(none == 0);
+  auto const [no, dark] = shades("bright", R"("range":[-1,0])");
+  CHECK(no == 0);
+  CHECK(dark > 500);
+}
+
+TEST_CASE("points bear their names, and triangles where the value is at most what they show") {
+  auto const shown = [](std::string const& name, std::string const& more) {
+    auto const image = lines(name, R"("label":"y","unit":"1","range":[0,10])",
+                             R"({"x":[1,2,3],"y":[5,5,5],"style":"points")" + more + "}");
+    return std::pair(image.count(blue, {0.53, 0.58, 0.53, 0.539}),
+                     image.count(blue, {0.562, 0.6, 0.565, 0.6}));
+  };
+  CHECK(shown("discs", "") == std::pair(0, 0));
+  auto const [tip, none] = shown("triangle", R"(,"at_most":[0,1,0])"); // reaches lower than the disc
+  CHECK(tip > 3);
+  CHECK(none == 0);
+  auto const [disc, letter] = shown("named", R"(,"names":["a","M","c"])");
+  CHECK(disc == 0);
+  CHECK(letter > 50);
+  auto const refused = [](std::string const& more, std::string const& word) {
+    auto const wrong = draw("bad_point", R"({"name":"it","kind":"lines","x":{"label":"x"},"y":{"label":"y"},
+    "curves":[{"x":[1,2],"y":[1,2])" + more + "}]}");
+    CHECK(wrong.code == 2);
+    CHECK_MESSAGE(wrong.messages.find(word) != std::string::npos, wrong.messages);
+  };
+  refused(R"(,"names":["a"])", "names: has 1 texts but the curve has 2 given points");
+  refused(R"(,"names":["a",2])", "names: has 1 texts");
+  refused(R"(,"at_most":[1])", "at_most: wants 0 or 1 for each given point");
 }

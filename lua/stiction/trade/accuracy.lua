@@ -192,7 +192,7 @@ end
 function accuracy.recheck(plan, rows)
   local open = {}
   for _, row in ipairs(rows) do
-    local wanted = not plan.options.case or row.case.id == plan.options.case
+    local wanted = not plan.wanted or plan.wanted[row.case.id]
     open[#open + 1] = wanted and row.done and not plan.claims.of[row.case.id] and row or nil
   end
   local found, stopped = recheck.run(plan, open)

@@ -40,12 +40,36 @@ local function band_curve(trade, x)
   return band > 0 and curve or nil
 end
 
-local function points(label, runs, pen, floor)
+--- Points of runs; names: beside them. Errors below the floor stand on it as triangles.
+local function points(label, runs, pen, floor, names)
   return {
-    label = label, colour = pen.colour, style = pen.style or "points",
+    label = label, colour = pen.colour, style = pen.style or "points", names = names,
     x = numeric.map(runs, function(run) return run.work end),
     y = numeric.map(runs, function(run) return math.max(run.error, floor) end),
+    at_most = numeric.map(runs, function(run) return run.error <= floor end),
   }
+end
+
+--- Triangles for the errors that stand on the floor.
+local function clamped(label, xs, errors, floor, colour)
+  local x = {}
+  for i, error in ipairs(errors) do
+    x[#x + 1] = error <= floor and xs[i] or nil
+  end
+  local function each(value)
+    return numeric.map(x, function() return value end)
+  end
+  return #x > 0 and { label = label, x = x, y = each(floor), at_most = each(true), colour = colour, style = "points" } or nil
+end
+
+--- Those of runs, to say in the legend what they stand for.
+local function below_of(runs, floor)
+  return clamped("at most this", numeric.map(runs, function(run) return run.work end),
+    numeric.map(runs, function(run) return run.error end), floor, 6)
+end
+
+local function letter_of(i)
+  return i <= 26 and string.char(96 + i) or tostring(i)
 end
 
 --- What a run changes of the default settings, in a few words.
@@ -74,30 +98,29 @@ local function by_work(a, b)
   return a.work < b.work
 end
 
---- Largest error of every run against its work, log-log: the front joined, a letter over each of its runs, the default
---- marked, and the reference's own uncertainty as a line below which nothing is known.
+--- Largest error of every run against its work, log-log: the front joined, a letter at each of its runs, the default
+--- named, and the reference's own uncertainty as a line below which nothing is known.
 local function exchange_figure(trade)
   local front, all = kept(trade.runs, function(run) return run.front end), kept(trade.runs, function() return true end)
   table.sort(front, by_work)
   table.sort(all, by_work)
-  local floor, marks, longest = floor_of(trade), {}, 0
+  local floor, longest = floor_of(trade), 0
   local curves = { points("all settings", all, { colour = 6 }, floor) }
+  curves[2] = below_of(all, floor)
   curves[#curves + 1] = band_curve(trade, { all[1].work, all[#all].work })
   curves[#curves + 1] = points("front of work and error:", front, { colour = 0, style = "solid" }, floor)
   for i, run in ipairs(front) do
-    local letter = string.char(96 + i)
+    local letter = letter_of(i)
     local name, pen = name_of(trade, run), { colour = hues[(i - 1) % #hues + 1] }
     longest = math.max(longest, #name)
-    curves[#curves + 1] = points(letter .. "  " .. name, { run }, pen, floor)
-    marks[i] = { x = run.work, label = run.default and letter .. ", default" or letter }
+    curves[#curves + 1] = points(letter .. "  " .. name, { run }, pen, floor, { letter })
   end
   local default = kept(all, function(run) return run.default and not run.front end)[1]
   if default then
-    marks[#marks + 1] = { x = default.work, label = "default" }
-    curves[#curves + 1] = points("default", { default }, { colour = 0 }, floor)
+    curves[#curves + 1] = points("default", { default }, { colour = 0 }, floor, { "default" })
   end
   return figure.lines {
-    name = "error_and_work", title = "what accuracy costs", legend = "below", marks = marks,
+    name = "error_and_work", title = "what accuracy costs", legend = "below",
     width = longest > most_letters and "double" or nil,
     x = operations, y = { label = "largest relative error", unit = "1", log = true }, curves = curves,
   }
@@ -129,21 +152,25 @@ end
 
 --- Along one number: error of each judged quantity against its resolution, with the observed order in the legend.
 local function knob_figure(trade, knob)
-  local curves, extent = {}, nil
+  local curves, below, extent = {}, {}, nil
   for _, quantity in ipairs(trade.quantities) do
     if not quantity.watched then
       local line = reference.line(trade.knobs, trade.runs, knob, quantity)
       local its = trade.references[quantity.name]
       local floor = floor_under(its.uncertainty / its.scale)
+      local h = numeric.map(line, function(level) return level.h end)
+      local errors = numeric.map(line, function(level) return level.run.errors[quantity.name] end)
       curves[#curves + 1] = {
         label = quantity.name .. ", " .. order_text(line, quantity, its), colour = #curves, style = "solid",
-        x = numeric.map(line, function(level) return level.h end),
-        y = numeric.map(line, function(level) return math.max(level.run.errors[quantity.name], floor) end),
+        x = h, y = numeric.map(errors, function(error) return math.max(error, floor) end),
       }
+      local label = #below == 0 and "at most this" or nil
+      below[#below + 1] = clamped(label, h, errors, floor, #curves - 1)
       extent = { line[1].h, line[#line].h }
     end
   end
   curves[#curves + 1] = band_curve(trade, extent)
+  table.move(below, 1, #below, #curves + 1, curves)
   return figure.lines {
     name = "error_" .. knob.name, title = "error along " .. knob.name, legend = "below", x = resolution_axis(knob),
     y = { label = "relative error", unit = "1", log = true }, curves = curves,
@@ -155,7 +182,7 @@ local function roomy(values)
   return { numeric.min(values) / 3, numeric.max(values) * 3 }
 end
 
---- All values of one choice, the others by default: error against work, the five least errors named.
+--- All values of one choice, the others by default: error against work, a letter for each in the order of the errors.
 local function choice_figure(trade, knob)
   local by_levels, runs = ladder.index(trade.runs), {}
   for level = 1, #knob.levels do
@@ -164,16 +191,12 @@ local function choice_figure(trade, knob)
   end
   table.sort(runs, function(a, b) return a.run.error ~= b.run.error and a.run.error < b.run.error or
     a.run.error == b.run.error and a.level < b.level end)
-  local curves, others, floor = {}, {}, floor_of(trade)
+  local floor = floor_of(trade)
+  local curves = { below_of(numeric.map(runs, function(entry) return entry.run end), floor) }
   for i, entry in ipairs(runs) do
     local name = entry.name .. (entry.run.default and entry.name ~= "default" and " (default)" or "")
-    if i <= #hues or entry.run.default then
-      curves[#curves + 1] = points(name, { entry.run }, { colour = i <= #hues and hues[i] or 0 }, floor)
-    else
-      others[#others + 1] = entry.run
-    end
+    curves[#curves + 1] = points(letter_of(i) .. "  " .. name, { entry.run }, { colour = hues[i] or 6 }, floor, { letter_of(i) })
   end
-  curves[#curves + 1] = #others > 0 and points("others", others, { colour = 6 }, floor) or nil
   if #runs == 0 then
     return nil
   end
