@@ -2,9 +2,13 @@
 #include <Eigen/Core>
 #include <SuiteSparse_config.h>
 #include <cholmod.h>
+#include <ctime>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <hdf5.h>
+#include <sys/utsname.h>
+#include <thread>
 #include <zlib.h>
 
 #include "core/build_identity.hpp"
@@ -38,7 +42,29 @@ std::string processor() {
   return "unknown";
 }
 
+/// The name of the distribution, and of the kernel: "Debian GNU/Linux 12 (bookworm), Linux 6.1.0 x86_64".
+std::string operating_system() {
+  std::string words;
+  std::ifstream file("/etc/os-release");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("PRETTY_NAME="))
+      words = line.substr(line.find('=') + 1) + ", ";
+  std::erase(words, '"');
+  utsname own{};
+  return uname(&own) == 0 ? words + fmt::format("{} {} {}", own.sysname, own.release, own.machine) : words;
+}
+
 } // namespace
+
+nlohmann::json host_facts() {
+  return {{"processor", processor()},
+          {"cores", std::thread::hardware_concurrency()},
+          {"system", operating_system()}};
+}
+
+std::string utc_now() {
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+}
 
 nlohmann::json build_identity() {
   auto const& identity = core::build_identity();

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/input.hpp"
 #include "core/schema.hpp"
@@ -22,6 +23,12 @@ namespace stiction::record {
 
 /// Program version, commit, compiler and flags, libraries, processor.
 [[nodiscard]] nlohmann::json build_identity();
+
+/// What the run is made on: {"processor", "cores", "system"}.
+[[nodiscard]] nlohmann::json host_facts();
+
+/// The present time as ISO 8601 in UTC: "2026-01-31T12:00:00Z".
+[[nodiscard]] std::string utc_now();
 
 /// Writes the manifest indented, keys sorted, whole or not at all. Throws core::RunError.
 void write_manifest(std::filesystem::path const& path, nlohmann::json const& manifest);

@@ -62,6 +62,8 @@ private:
   void add_extremes();
   void add_peers();
   void add_looking();
+  void add_keeping();
+  void add_again();
   void add_others();
   void add_internal();
 
@@ -74,7 +76,10 @@ void Commands::add_run() {
   study(run)->required();
   study_options(run);
   one_case(run);
+  value<std::string>(run, "--where", "EXPR",
+                     "Only cases for which this holds, in SI, e.g. 'mu > 0.3 and speed < 0.01'");
   flag(run, "list", "List the cases and whether they are done; run nothing");
+  flag(run, "join", "Share the sweep with other runs that join: each case is run once");
   value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
       ->check(CLI::Range(1, 4096).description(""));
   out(run);
@@ -139,6 +144,9 @@ void Commands::add_looking() {
   value<std::string>(show, "--columns", "NAMES", "These parameters and results, comma separated");
   value<std::string>(show, "--csv", "FILE",
                      "Write rows and columns there with every digit, in SI (-: print)");
+  value<std::string>(show, "--h5", "FILE", "Write rows and columns there as HDF5: a table 'cases', in SI");
+  value<std::string>(show, "--sheet", "FILE", "Draw a field of every row's case there, side by side (PNG)");
+  value<std::string>(show, "--field", "NAME", "The field that --sheet draws (default: von_mises)");
   auto& compare = command("compare", "Say what differs between two outputs, and by how much; exit code 1 if "
                                      "cases are missing or results differ");
   value<std::string>(compare, "a", "OUT", "Output folder or study")->required();
@@ -146,6 +154,47 @@ void Commands::add_looking() {
   value<double>(compare, "--tolerance", "SHARE",
                 "Relative difference up to which results are equal (default: 0)");
   flag(compare, "all", "Print all lines, not the first of each kind");
+}
+
+void Commands::add_keeping() {
+  auto& verify = command("verify", "Recompute cases from the source that is kept with them, and compare");
+  value<std::string>(verify, "study", "OUT", "Output folder, study, or what pack made")->required();
+  value<double>(verify, "--sample", "N", "Only N cases, always the same ones (default: all)")
+      ->check(CLI::Range(1, 1000000000).description(""));
+  value<double>(verify, "--tolerance", "SHARE",
+                "Relative difference that is allowed where another build computed them (default: 1e-6)");
+  value<double>(verify, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  flag(verify, "trust", "Let the study open files and start programs (io, os)");
+  auto& pack = command("pack", "Make one archive of an output, described as a Workflow Run RO-Crate");
+  value<std::string>(pack, "study", "OUT", "Output folder or study")->required();
+  value<std::string>(pack, "--to", "FILE", "Archive to write (default: the folder's name with .tar.gz)");
+  value<std::string>(pack, "--license", "NAME",
+                     "Under which it may be used: a name of SPDX, e.g. CC-BY-4.0, or an address");
+  out(pack);
+  auto& report = command("report", "Write one page (HTML) on a study and what its output holds");
+  value<std::string>(report, "study", "STUDY", "Study or output folder")->required();
+  out(report);
+  value<std::string>(report, "--to", "FILE", "File to write (default: report.html in the output folder)");
+}
+
+void Commands::add_again() {
+  auto& results =
+      command("results", "Results and checks of what has run, anew from the histories; run nothing");
+  study(results)->required();
+  study_options(results);
+  one_case(results);
+  out(results);
+  auto& why = command("why", "Say of each case whether run would reuse it, and else what has changed");
+  study(why)->required();
+  study_options(why);
+  one_case(why);
+  out(why);
+  auto& clean = command("clean", "Remove what no case of the study refers to from its output folder");
+  study(clean)->required();
+  flag(clean, "list", "List what would be removed; remove nothing");
+  flag(clean, "trust", "Let the script open files and start programs (io, os)");
+  out(clean);
 }
 
 void Commands::add_others() {
@@ -201,6 +250,8 @@ void Commands::add_all() {
   add_extremes();
   add_peers();
   add_looking();
+  add_keeping();
+  add_again();
   add_others();
   add_internal();
 }

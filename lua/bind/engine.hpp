@@ -18,6 +18,7 @@ void add_script_functions(lua_State* lua);
 void add_catalog_functions(lua_State* lua);
 void add_scene_functions(lua_State* lua);
 void add_series_functions(lua_State* lua);
+void add_table_functions(lua_State* lua);
 void add_solve_functions(lua_State* lua);
 
 } // namespace stiction::bind

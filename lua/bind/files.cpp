@@ -85,6 +85,16 @@ int kind_of_path(lua_State* lua) {
   return 1;
 }
 
+/// file_size(path) -> bytes, nil if there is no such file
+int file_size(lua_State* lua) {
+  std::error_code failed;
+  auto const size = fs::file_size(text_at(lua, 1), failed);
+  if (failed)
+    return 0;
+  push(lua, static_cast<long>(size));
+  return 1;
+}
+
 /// absolute(path) -> the path without links, "." and ".."
 int absolute(lua_State* lua) {
   push(lua, fs::weakly_canonical(fs::absolute(text_at(lua, 1))).string());
@@ -105,6 +115,19 @@ int rename(lua_State* lua) {
     throw core::RunError(
         fmt::format("cannot rename {} to {}: {}", text_at(lua, 1), text_at(lua, 2), failed.message()));
   return 0;
+}
+
+/// link(from, to) -> true, or nil where `to` is there already: of several that try, one has it
+int link_file(lua_State* lua) {
+  std::error_code failed;
+  fs::create_hard_link(text_at(lua, 1), text_at(lua, 2), failed);
+  if (failed && failed != std::errc::file_exists)
+    throw core::RunError(
+        fmt::format("cannot link {} to {}: {}", text_at(lua, 1), text_at(lua, 2), failed.message()));
+  if (failed)
+    return 0;
+  push(lua, true);
+  return 1;
 }
 
 /// list(path, deep) -> sorted paths of the files (deep: in all subfolders; else: files and folders) below
@@ -138,8 +161,8 @@ int remove(lua_State* lua) {
 /// hash(text) -> 16 hexadecimal digits (FNV-1a, 64 bits): tells contents apart, keeps no secrets
 int hash(lua_State* lua) {
   std::uint64_t sum = 14695981039346656037U;
-  for (unsigned char const c : text_at(lua, 1))
-    sum = (sum ^ c) * 1099511628211U;
+  for (char const c : text_at(lua, 1))
+    sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211U;
   push(lua, fmt::format("{:016x}", sum));
   return 1;
 }
@@ -206,9 +229,11 @@ void add_file_functions(lua_State* lua) {
   add<write_file>(lua, "write_file");
   add<make_folder>(lua, "make_folder");
   add<kind_of_path>(lua, "kind_of_path");
+  add<file_size>(lua, "file_size");
   add<absolute>(lua, "absolute");
   add<relative>(lua, "relative");
   add<rename>(lua, "rename");
+  add<link_file>(lua, "link");
   add<list>(lua, "list");
   add<remove>(lua, "remove");
   add<hash>(lua, "hash");

@@ -108,11 +108,11 @@ int open_high(std::string const& path) {
 
 /// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is,
 /// one that gives it up says so no more: both get a second.
-int wait_for_words(int descriptor, std::string const& path, Holder& holder) {
+int wait_for_words(int descriptor, int kind, std::string const& path, Holder& holder) {
   constexpr int most_asked = 50;
   constexpr std::chrono::milliseconds between{20};
   for (int asked = 0; asked < most_asked; ++asked) {
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+    if (flock(descriptor, kind | LOCK_NB) == 0)
       return 0;
     int const failed = errno;
     if (failed != EWOULDBLOCK && failed != EINTR)
@@ -125,14 +125,16 @@ int wait_for_words(int descriptor, std::string const& path, Holder& holder) {
   return EWOULDBLOCK;
 }
 
-/// lock(path, command) -> lock (and, where the file system has no locks, why), or nil and who holds it
+/// lock(path, command, shared) -> lock (and, where the file system has no locks, why), or nil and who holds
+/// it; several may hold a shared one
 int lock(lua_State* lua) {
   auto const path = text_at(lua, 1);
   int const descriptor = open_high(path);
   if (descriptor < 0)
     throw core::RunError(fmt::format("cannot open {}: {}", path, std::strerror(errno)));
   Holder holder;
-  int const failed = wait_for_words(descriptor, path, holder);
+  int const kind = lua_toboolean(lua, 3) != 0 ? LOCK_SH : LOCK_EX;
+  int const failed = wait_for_words(descriptor, kind, path, holder);
   if (failed == 0) {
     held().push_back(descriptor);
     write_holder(descriptor, text_at(lua, 2));

@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "bind/convert.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
+#include "record/manifest.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/probes.hpp"
 #include "scene/run/run.hpp"
@@ -83,6 +85,29 @@ int explain(lua_State* lua) {
   lua_newtable(lua);
   set_list(lua, "sections", explanation.sections);
   set_list(lua, "warnings", explanation.warnings);
+  return 1;
+}
+
+/// What made each table as a value in it, under a name that no parameter has.
+void name_makers(core::Input& input) {
+  if (auto* const list = std::get_if<core::List>(&input.value))
+    for (auto& part : *list)
+      name_makers(part);
+  auto* const table = std::get_if<core::Table>(&input.value);
+  if (table == nullptr)
+    return;
+  for (auto& [name, part] : *table)
+    name_makers(part);
+  if (!input.tag.empty())
+    (*table)["(made by)"].value = std::exchange(input.tag, {});
+}
+
+/// scene_text(scene) -> all that it says, in SI, as JSON: the same for the same scene, wherever it was
+/// written
+int scene_text(lua_State* lua) {
+  auto input = to_input(lua, 1);
+  name_makers(input);
+  bind::push(lua, record::to_json(input).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   return 1;
 }
 
@@ -177,6 +202,7 @@ void add_scene_functions(lua_State* lua) {
   add<preview>(lua, "preview");
   add<validate>(lua, "validate");
   add<explain>(lua, "explain");
+  add<scene_text>(lua, "scene_text");
   add<probe_columns>(lua, "probe_columns");
   add<run>(lua, "run");
 }

@@ -48,9 +48,13 @@ void close_doors(lua_State* lua) {
   lua_pop(lua, 2);
 }
 
+constexpr char const* randomseed = "stiction.randomseed";
+
 void fix_randomness(lua_State* lua) {
   lua_getglobal(lua, "math");
   lua_getfield(lua, -1, "randomseed");
+  lua_pushvalue(lua, -1);
+  lua_setfield(lua, LUA_REGISTRYINDEX, randomseed);
   lua_pushinteger(lua, 1);
   lua_call(lua, 1, 0);
   lua_pushnil(lua); // a script that reseeds from the clock would not repeat
@@ -58,8 +62,17 @@ void fix_randomness(lua_State* lua) {
   lua_pop(lua, 1);
 }
 
+/// reseed(): math.random begins anew
+int reseed(lua_State* lua) {
+  lua_getfield(lua, LUA_REGISTRYINDEX, randomseed);
+  lua_pushinteger(lua, 1);
+  lua_call(lua, 1, 0);
+  return 0;
+}
+
 int open_engine(lua_State* lua) {
   push_engine(lua);
+  add<reseed>(lua, "reseed");
   return 1;
 }
 

@@ -11,6 +11,7 @@
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
+#include "record/manifest.hpp"
 
 namespace stiction::bind {
 
@@ -38,6 +39,12 @@ int terminal_width(lua_State* lua) {
     return 0;
   bool const known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   push(lua, known ? static_cast<int>(size.ws_col) : 80);
+  return 1;
+}
+
+/// utc_now() -> "2026-01-31T12:00:00Z"
+int utc_now(lua_State* lua) {
+  push(lua, record::utc_now());
   return 1;
 }
 
@@ -72,6 +79,7 @@ void add_terminal_functions(lua_State* lua) {
   add<write>(lua, "write");
   add<complain>(lua, "complain");
   add<terminal_width>(lua, "terminal_width");
+  add<utc_now>(lua, "utc_now");
   add<clock>(lua, "clock");
   add<cores>(lua, "cores");
   add<number_text>(lua, "number_text");

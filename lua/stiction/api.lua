@@ -5,10 +5,12 @@ local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local figure = require "stiction.figure"
+local measured = require "stiction.measured"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
 local reference = require "stiction.reference"
+local sample = require "stiction.sample"
 local schemes = require "stiction.schemes"
 local study = require "stiction.study"
 local units = require "stiction.units"
@@ -23,11 +25,14 @@ local own = {
   reference = reference,
   schemes = calls.functions(copy(schemes), "schemes"),
   claim = claim,
+  sample = sample.functions,
 }
 
---- The table for studies in `folder`; nil: file names stand from the current folder on.
-return function(folder)
+--- The table for studies in `folder`; nil: file names stand from the current folder on. note(path, text): told of files
+--- that it reads.
+return function(folder, note)
   local stiction = parts.constructors(folder)
+  stiction.csv = function(t) return measured.read(t, folder, note) end
   for name, value in pairs(own) do
     stiction[name] = value
   end

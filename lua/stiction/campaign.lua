@@ -1,24 +1,46 @@
 -- Cases to run, those already finished left out: what `stiction run` and `stiction trade` share.
+local adoption = require "stiction.adoption"
 local engine = require "stiction.engine"
+local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
 local hold = require "stiction.hold"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
 local rehearsal = require "stiction.rehearsal"
+local report = require "stiction.report"
+local sharing = require "stiction.sharing"
+local summary = require "stiction.summary"
 local warnings = require "stiction.warnings"
 
 local campaign = {}
 
---- Cases with what they left behind: list of {case =, fingerprint =, result = nil | table, done =}.
+local patience = 20 -- times what writing the summary took, between two writings
+local many = 200 -- cases whose scenes are not all kept in memory
+
+--- What stands of the plan's cases: rows as evaluation.row gives them.
 function campaign.survey(plan)
   local rows = {}
   for i, case in ipairs(plan.cases) do
-    local result, fingerprint = output.read_result(plan.folder, case), output.fingerprint(plan.study, case)
-    rows[i] = { case = case, fingerprint = fingerprint, result = result,
-      done = output.is_done(result, fingerprint, plan.study) }
+    rows[i] = evaluation.row(plan.study, plan.folder, case, #plan.cases > many)
   end
+  adoption.find(plan, rows)
   return rows
+end
+
+--- Makes results anew where what makes them has changed since, and says so. all: of every case that has run.
+local function evaluate(plan, rows, all)
+  local count = 0
+  for _, row in ipairs(rows) do
+    if row.stale or all and row.computed and not plan.study.problem then
+      evaluation.anew(plan.study, plan.folder, row, plan.options)
+      count = count + 1
+    end
+  end
+  if count > 0 then
+    report.line("results of %d case%s made anew from %s", count, count > 1 and "s" or "",
+      count > 1 and "their histories" or "its history")
+  end
 end
 
 --- Bad input if the case's scene, or the problem in its place, cannot be, or if a result asks for a column that its
@@ -60,25 +82,42 @@ local function warn(told, rows, options)
   warnings.show(told)
   if options.strict then
     for _, row in ipairs(rows) do
-      told[#told + 1] = row.done and { id = row.case.id, warnings = row.result.warnings } or nil
+      told[#told + 1] = row.computed and { id = row.case.id, warnings = row.result.warnings } or nil
     end
     warnings.refuse(told)
   end
 end
 
---- The folders of the cases that run or are shown are theirs from now on.
-local function settle(plan, rows, pending)
-  local cases = table.move(pending, 1, #pending, 1, {})
-  for _, row in ipairs(rows) do
-    cases[#cases + 1] = row.done and row.case or nil
+--- Gives a row that has run the folder of its id.
+local function settle_row(plan, row)
+  if row.adopted then
+    adoption.take(plan, row)
   end
-  output.settle(plan.folder, cases)
+  output.settle(plan.folder, { row.case })
+  row.place = row.case.id
+end
+
+--- The folders of the cases that run or are shown are theirs from now on; of shared ones, those that will run get theirs
+--- when they begin.
+local function settle(plan, rows, pending)
+  if not plan.office then
+    output.settle(plan.folder, pending)
+  end
+  for _, row in ipairs(rows) do
+    if row.computed and (row.adopted or row.place ~= row.case.id) then
+      if plan.office then
+        plan.office:alone(row.case.id, settle_row, plan, row)
+      else
+        settle_row(plan, row)
+      end
+    end
+  end
 end
 
 function campaign.rows_with_result(rows)
   local kept = {}
   for _, row in ipairs(rows) do
-    if row.done or row.fresh then
+    if row.computed or row.fresh or row.elsewhere then
       kept[#kept + 1] = row
     end
   end
@@ -90,17 +129,56 @@ local function pending_cases(plan, rows)
   local pending, fingerprints = {}, {}
   for _, row in ipairs(rows) do
     fingerprints[row.case.id] = row.fingerprint
-    local wanted = not plan.options.case or row.case.id == plan.options.case
-    if wanted and (plan.options.force or not row.done) then
+    local wanted = not plan.wanted or plan.wanted[row.case.id]
+    if wanted and (plan.options.force or not row.computed) then
       pending[#pending + 1] = row.case
     end
   end
   return pending, fingerprints
 end
 
---- summary.csv of what has ended so far.
+local function write_now(plan, rows)
+  local began = engine.clock()
+  if plan.office then
+    sharing.refresh(plan, rows)
+  end
+  plan.others = not plan.options.trade and (not plan.office and plan.others or summary.others(plan, rows)) or {}
+  summary.write(plan, rows, plan.others)
+  plan.written, plan.writing = engine.clock(), engine.clock() - began
+end
+
+--- summary.csv of what there is so far.
 function campaign.write_summary(plan, rows)
-  output.write_summary(plan.folder, plan.study, plan.names, campaign.rows_with_result(rows), plan.claims)
+  if plan.office then
+    plan.office:alone("=summary", write_now, plan, rows)
+  else
+    write_now(plan, rows)
+  end
+end
+
+--- The same now and then: in a long sweep writing takes a small part of the time.
+local function note_summary(plan, rows)
+  if engine.clock() - plan.written > patience * plan.writing then
+    campaign.write_summary(plan, rows)
+  end
+end
+
+--- What a case ended with that could not say so itself is noted for it.
+local function note_crash(plan, row)
+  local result, folder = row.result, output.case_folder(plan.folder, row.case)
+  if result.verdict == "crashed" and not result.fingerprint and output.key_in(folder) == output.key(row.case) then
+    evaluation.note(plan.study, row.case, result)
+    result.fingerprint = row.fingerprint
+    output.write_result_in(folder, result)
+  end
+end
+
+--- Makes what has run the plan's own, as it stands now.
+local function revive(plan, rows, pending, all)
+  hold.note(plan.folder, plan.study)
+  settle(plan, rows, pending)
+  evaluate(plan, rows, all)
+  campaign.write_summary(plan, rows)
 end
 
 --- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop.
@@ -110,18 +188,31 @@ function campaign.run(plan, rows)
     row_of[row.case.id] = row
   end
   warn(validate_all(plan.study, pending, plan.curves), rows, plan.options)
-  hold.note(plan.folder, plan.study)
-  settle(plan, rows, pending)
-  campaign.write_summary(plan, rows)
+  revive(plan, rows, pending)
   local options = plan.options
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,
     jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints }
-  return jobs.run(pending, settings, function(case, result)
+  local function on_end(case, result)
     local row = row_of[case.id]
     row.result, row.fresh, row.done = result, true, result.verdict == "finished"
-    campaign.write_summary(plan, rows)
-  end)
+    row.computed = row.done or result.verdict == "result failed"
+    note_crash(plan, row)
+    note_summary(plan, rows)
+  end
+  local stopped
+  if plan.office then
+    stopped = sharing.run(plan, row_of, pending, settings, on_end)
+  else
+    stopped = jobs.run(pending, settings, on_end)
+  end
+  campaign.write_summary(plan, rows)
+  return stopped
+end
+
+--- Makes the results of all that has run anew, and runs nothing.
+function campaign.revisit(plan, rows)
+  revive(plan, rows, {}, true)
 end
 
 --- First reason of bad input that a child reported, printed once.

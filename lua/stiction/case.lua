@@ -59,6 +59,18 @@ function Case:at(time, group, name, component)
   return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
 end
 
+--- What a run took, of its result: its counters, seconds, steps, iterations, factorizations and cuts.
+function case_module.cost_of(result)
+  local cost = {}
+  for name, value in pairs(result.counters or {}) do
+    cost[name] = value
+  end
+  for _, name in ipairs { "seconds", "steps", "iterations", "factorizations", "cuts" } do
+    cost[name] = result[name]
+  end
+  return cost
+end
+
 local lazy = {
   history = function(case)
     return engine.read_series(case.folder .. "/series.h5")
@@ -71,11 +83,7 @@ local lazy = {
     if type(result) ~= "table" or type(result.counters) ~= "table" then
       fault.input("%s/result.json is damaged; run the case again", case.folder)
     end
-    local cost = result.counters
-    for _, name in ipairs { "seconds", "steps", "iterations", "factorizations", "cuts" } do
-      cost[name] = result[name]
-    end
-    return cost
+    return case_module.cost_of(result)
   end,
 }
 

@@ -15,7 +15,7 @@ local function read_owner(folder)
 end
 
 --- Bad input if the folder is that of another study which still is there.
-local function check_owner(folder, study)
+function hold.check_owner(folder, study)
   local owner = read_owner(folder).study
   if owner and owner ~= study.source.file and engine.kind_of_path(owner) == "file" then
     fault.input("%s holds the output of another study, %s; choose another folder with --out, or remove that one",
@@ -23,19 +23,18 @@ local function check_owner(folder, study)
   end
 end
 
---- f(...) once nobody else writes into the folder, which is made if it is missing; bad input if somebody does, or if it
---- is another study's. command: the word that is running.
-function hold.folder(folder, study, command, f, ...)
+local function with_lock(shared, folder, study, command, f, ...)
   output.prepare(folder)
-  local lock, words = engine.lock(folder .. "/.lock", ("stiction %s %s"):format(command, study.source.file))
+  local lock, words = engine.lock(folder .. "/.lock", ("stiction %s %s"):format(command, study.source.file), shared)
   if not lock then
-    fault.input("%s is in use by %s; wait until that ends, stop it, or choose another folder with --out", folder, words)
+    fault.input("%s is in use by %s; wait until that ends, stop it, or choose another folder with --out%s", folder, words,
+      command == "run" and " (runs that all have --join share one)" or "")
   elseif words then
     engine.complain(("stiction: %s: its file system knows no locks (%s); let nothing else write there\n"):format(folder,
       words))
   end
   local answers = table.pack(engine.call(function(...)
-    check_owner(folder, study)
+    hold.check_owner(folder, study)
     return f(...)
   end, ...))
   engine.unlock(lock)
@@ -45,17 +44,29 @@ function hold.folder(folder, study, command, f, ...)
   return table.unpack(answers, 2, answers.n)
 end
 
+--- f(...) once nobody else writes into the folder, which is made if it is missing; bad input if somebody does, or if it
+--- is another study's. command: the word that is running.
+function hold.folder(...)
+  return with_lock(false, ...)
+end
+
+--- The same together with others that share the folder: what each does there they claim.
+function hold.shared(...)
+  return with_lock(true, ...)
+end
+
 --- Notes whose the folder is, what the study has read so far, and the units of its results.
 function hold.note(folder, study)
   local files, results = setmetatable({}, { json = "object" }), {}
   for i, entry in ipairs(study.results) do
-    results[i] = { name = entry.name, unit = entry.unit }
+    results[i] = { name = entry.name, unit = entry.unit, meaning = entry.meaning }
   end
   for _, file in ipairs(study.source.files) do
     files[engine.relative(file, study.source.folder)] = study.source.hashes[file]
   end
   engine.write_file(study_file(folder), engine.encode_json({ study = study.source.file, name = study.name,
-    layout = hold.layout, results = results, files = files }, 2) .. "\n")
+    layout = hold.layout, results = results, files = files,
+    drawn = study.sweep.drawn }, 2) .. "\n")
 end
 
 --- The first file that the study has read otherwise than the process that noted it in the folder, nil if there is none.

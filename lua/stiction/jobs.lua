@@ -96,7 +96,9 @@ local function gather(pool, on_end)
       read_message(job, line)
     end
     show_text(pool, job, text)
-    if code then
+    if job.lost then
+      engine.kill(job.process)
+    elseif code then
       on_end(job.case, outcome(job, code))
     elseif overdue(pool, job) then
       on_end(job.case, { verdict = "hung", reason = ("it did not end within %g s"):format(pool.options.limit) })
@@ -131,6 +133,17 @@ local function stop_all(pool, on_end)
   pool.running = {}
 end
 
+--- Starts a case unless it is not this run's.
+local function begin(pool, cases, place)
+  local case, take = cases[place], pool.options.take
+  if take and not take(case) then
+    return
+  elseif not pool.display.width then
+    pool.display:note_good(("%s  started (%d of %d)"):format(case.id, place, #cases))
+  end
+  start(pool, case)
+end
+
 local function how_it_ended(result)
   if result.verdict == "result failed" then
     return ": " .. result.reason
@@ -138,12 +151,21 @@ local function how_it_ended(result)
   return result.seconds and (" in %s, %d steps"):format(progress.duration(result.seconds), result.steps) or ""
 end
 
+--- Tells and counts that a case has ended.
+local function note_end(display, case, result)
+  local good = result.verdict == "finished"
+  local note = good and display.note_good or display.note
+  note(display, ("%s  %s%s"):format(case.id, result.verdict, how_it_ended(result)))
+  display.tally.done, display.tally.failed = display.tally.done + 1, display.tally.failed + (good and 0 or 1)
+end
+
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
 --- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
 --- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
---- must find too; nil: any).
+--- must find too; nil: any), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and then;
+--- a job that it marks `lost` is ended without a word).
 function jobs.run(cases, options, on_end)
-  local pool = { options = options, running = {}, display = progress.display(options.quiet) }
+  local pool = { options = options, running = {}, display = progress.display(options.quiet, #cases) }
   local next_case, bad, some_good = 1, false, false
   local function ended(case, result)
     some_good = some_good or result.verdict == "finished"
@@ -151,16 +173,16 @@ function jobs.run(cases, options, on_end)
       result.bad_input = true -- so it will be in all cases
     end
     bad = bad or (result.bad_input and (result.kind == "changed" or not options.tolerant))
-    pool.display:note(("%s  %s%s"):format(case.id, result.verdict, how_it_ended(result)))
+    note_end(pool.display, case, result)
     on_end(case, result)
   end
   while (next_case <= #cases and not bad) or #pool.running > 0 do
     while next_case <= #cases and #pool.running < options.jobs and not bad do
-      if not pool.display.width then
-        pool.display:note(("%s  started (%d of %d)"):format(cases[next_case].id, next_case, #cases))
-      end
-      start(pool, cases[next_case])
+      begin(pool, cases, next_case)
       next_case = next_case + 1
+    end
+    if options.tick then
+      options.tick(pool.running)
     end
     await(pool)
     if engine.stopped() then

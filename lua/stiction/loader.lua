@@ -138,7 +138,7 @@ local function make_require(source)
   local loaded = {}
   return function(name)
     if name == "stiction" then
-      source.stiction = source.stiction or require "stiction.api"(source.folder)
+      source.stiction = source.stiction or require "stiction.api"(source.folder, function(...) note_read(source, ...) end)
       return source.stiction
     elseif name:find("/", 1, true) then
       return load_other(source, name)

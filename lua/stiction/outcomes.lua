@@ -207,7 +207,7 @@ local function put_words(t, case, head, parameters, results)
   t:put(case, "word", "reason", case.reason)
 end
 
---- {folder =, columns = {{name =, of =, kind =, unit =, numeric =}}, by_name =, by_key = (of "<kind> <name>"),
+--- {folder =, owner = (study.json), columns = {{name =, of =, kind =, unit =, numeric =}}, by_name =, by_key = (of "<kind> <name>"),
 --- cases = {{name =, folder =, verdict =, reason =, values = by column}}}; bad input if there is nothing to read.
 function outcomes.read(folder)
   if engine.kind_of_path(folder) ~= "folder" then
@@ -218,7 +218,7 @@ function outcomes.read(folder)
   if #cases == 0 then
     fault.input("%s holds no results: no summary.csv with cases, and no folder of a case", folder)
   end
-  local t = setmetatable({ folder = folder, cases = cases, columns = {}, by_key = {}, by_name = {} }, Table)
+  local t = setmetatable({ folder = folder, owner = owner, cases = cases, columns = {}, by_key = {}, by_name = {} }, Table)
   for _, case in ipairs(cases) do
     t:put(case, "word", "case", case.name)
     t:put(case, "word", "verdict", case.verdict)

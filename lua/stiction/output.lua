@@ -2,11 +2,8 @@
 local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
-local loader = require "stiction.loader"
+local identity = require "stiction.identity"
 local ordered = require "stiction.ordered"
-local parts = require "stiction.parts"
-local problem = require "stiction.problem"
-local units = require "stiction.units"
 
 local output = {}
 
@@ -23,35 +20,31 @@ function output.prepare(folder)
   end
 end
 
---- Parameters as plain values for JSON: SI numbers with their dimension.
-function output.plain(parameters)
-  local plain = setmetatable({}, { json = "object" })
-  for _, name in ipairs(ordered.keys(parameters)) do
-    local value = parameters[name]
-    if units.is_quantity(value) then
-      plain[name] = { value = value.si, unit = engine.dimension_text(value.metre, value.kilogram, value.second) }
-    else
-      plain[name] = value
-    end
-  end
-  return plain
+output.plain, output.fingerprint, output.files_read = identity.plain, identity.of, identity.files_read
+
+--- A table that a file holds as JSON, nil if it holds none.
+function output.read_file(path)
+  local value = engine.decode_json(engine.read_file(path) or "")
+  return type(value) == "table" and value or nil
 end
 
---- Text that tells the parameters of a case apart from those of all others.
+--- Text that tells parameters apart.
 local function key_of(parameters)
   return engine.hash(engine.encode_json(parameters))
 end
 
 --- That of a case: as its parameters read back from a file.
-local function key(case)
-  return key_of(engine.decode_json(engine.encode_json(output.plain(case.p))))
+function output.key(case)
+  local own = rawget(case, "key") or key_of(engine.decode_json(engine.encode_json(identity.plain(case.p))))
+  rawset(case, "key", own)
+  return own
 end
 
 --- That of the parameters which a case's folder holds the data of; nil if it does not say.
-local function key_in(folder)
-  for _, name in ipairs { "/case.json", "/result.json", "/outcome.json" } do
-    local kept = engine.decode_json(engine.read_file(folder .. name) or "")
-    if type(kept) == "table" and type(kept.parameters) == "table" then
+function output.key_in(folder)
+  for _, name in ipairs { "/result.json", "/case.json", "/outcome.json" } do
+    local kept = output.read_file(folder .. name)
+    if kept and type(kept.parameters) == "table" then
       return key_of(kept.parameters)
     end
   end
@@ -60,9 +53,9 @@ end
 --- Name of a case's folder: its id; while that holds other parameters (of --set, --quick, or without them), what was
 --- kept of its own stands beside, its id followed by "@" and their key.
 function output.case_name(folder, case)
-  local own, there = key(case), key_in(folder .. "/" .. case.id)
+  local own, there = output.key(case), output.key_in(folder .. "/" .. case.id)
   local aside = case.id .. "@" .. own
-  return there and there ~= own and engine.kind_of_path(folder .. "/" .. aside) and aside or case.id
+  return there ~= own and engine.kind_of_path(folder .. "/" .. aside) and aside or case.id
 end
 
 function output.case_folder(folder, case)
@@ -73,8 +66,8 @@ end
 --- aside, what was put aside of its own comes back.
 function output.settle(folder, cases)
   for _, case in ipairs(cases) do
-    local own_folder, own = folder .. "/" .. case.id, key(case)
-    local there = key_in(own_folder)
+    local own_folder, own = folder .. "/" .. case.id, output.key(case)
+    local there = output.key_in(own_folder)
     if there and there ~= own then
       local aside = own_folder .. "@" .. there
       engine.remove(aside)
@@ -87,87 +80,25 @@ function output.settle(folder, cases)
   end
 end
 
---- A case begins anew in its folder: its parameters are noted, its mark of having finished is gone.
-function output.begin(folder, case)
+--- Notes in the folder of its id what a case is made of.
+function output.describe(folder, case, study)
+  local scene = study and not study.problem and identity.scene_text(study, case) or "null"
+  local text = engine.encode_json({ case = case.id, parameters = identity.plain(case.p),
+    program = identity.program(), scene = "@" }, 2)
+  text = text:gsub('"scene": "@"', function() return '"scene": ' .. scene end)
+  engine.write_file(folder .. "/" .. case.id .. "/case.json", text .. "\n")
+end
+
+--- A case begins anew in its folder: what it is made of is noted, its mark of having finished is gone.
+function output.begin(folder, case, study)
   local own_folder = folder .. "/" .. case.id
   output.settle(folder, { case })
   output.prepare(own_folder)
   engine.remove(own_folder .. "/result.json")
-  engine.write_file(own_folder .. "/case.json",
-    engine.encode_json({ case = case.id, parameters = output.plain(case.p) }, 2) .. "\n")
+  output.describe(folder, case, study)
 end
 
---- The files that the scene or the saved problem of a case consists of.
-local function data_files(study, case)
-  if study.problem then
-    return { problem.read(study, case.p).file }
-  end
-  local made, scene = engine.call(study.scene_of, study, case)
-  if not made and scene.kind == "stopped" then
-    error(scene, 0)
-  end
-  return made and parts.files(scene) or {} -- a scene that cannot be made is told before it runs
-end
-
---- Text that changes when one of them does; "" if there are none.
-function output.data_identity(study, case)
-  if study.problem then
-    return problem.identity(study, case.p)
-  end
-  local files = data_files(study, case)
-  return #files > 0 and loader.hash(files) or ""
-end
-
---- What the study has read so far, and what the case's scene or problem consists of: list of {path =, hash =}, the paths
---- as they stand from the study's folder on.
-function output.files_read(study, case)
-  local list, seen = {}, {}
-  local function add(file, hash)
-    if not seen[file] then
-      list[#list + 1], seen[file] = { path = engine.relative(file, study.source.folder), hash = hash }, true
-    end
-  end
-  for _, file in ipairs(study.source.files) do
-    add(file, study.source.hashes[file])
-  end
-  for _, file in ipairs(data_files(study, case)) do
-    local path = engine.absolute(file)
-    add(path, loader.file_hash(file))
-  end
-  return list
-end
-
---- The first of such files that has another content now, nil if none has.
-local function changed_file(study, files)
-  for _, file in ipairs(files) do
-    local path = engine.absolute(file.path:sub(1, 1) == "/" and file.path or study.source.folder .. "/" .. file.path)
-    if (study.source.hashes[path] or loader.file_hash(path)) ~= file.hash then
-      return path
-    end
-  end
-end
-
-local function identity_of_program()
-  local files = {}
-  for _, file in ipairs(engine.list(engine.library_root() .. "/stiction", true)) do
-    files[#files + 1] = file:find("%.lua$") and file or nil
-  end
-  return loader.hash(files) .. (engine.build_id() or loader.hash { "/proc/self/exe" })
-end
-
-local own_identity -- as this process found it: what is installed meanwhile did not make its results
-
---- Fingerprint of a case: of the study's files as they were loaded, the library, the program, the parameters, and the
---- files of its scene or saved problem.
-function output.fingerprint(study, case)
-  own_identity = own_identity or identity_of_program()
-  return engine.hash(study.identity .. own_identity .. case.id .. engine.encode_json(output.plain(case.p)) .. (case.problems or "")
-    .. output.data_identity(study, case))
-end
-
-function output.result_file(folder, case)
-  return output.case_folder(folder, case) .. "/result.json"
-end
+output.data_identity, output.program = identity.of_data, identity.whole_program
 
 --- True if x is nil or a list of tables, each with a text under every name.
 local function may_be_list(x, ...)
@@ -186,31 +117,60 @@ local function is_result(value)
     return value[name] == nil or type(value[name]) == kind
   end
   return type(value) == "table" and type(value.verdict) == "string" and may_be("string", "reason")
-    and may_be("table", "results") and may_be_list(value.files, "path", "hash")
+    and may_be("table", "results") and may_be("table", "counters") and may_be("table", "run") and may_be("string", "sources")
+    and may_be("table", "remarks") and may_be_list(value.files, "path", "hash")
     and may_be_list(value.warnings, "text", "change")
 end
 
---- What a case left behind, nil if it never ended or its file is damaged.
+--- The result in a case's folder, nil if there is none or its file is damaged; and what tells whether it is still there.
+function output.read_result_in(case_folder)
+  local text = engine.read_file(case_folder .. "/result.json") or ""
+  local result = engine.decode_json(text)
+  return is_result(result) and result or nil, engine.hash(text)
+end
+
+--- What a case left behind, what tells whether that is still there, and the name of the folder that it is in.
 function output.read_result(folder, case)
-  local text = engine.read_file(output.result_file(folder, case))
-  local result = text and engine.decode_json(text)
-  return is_result(result) and result or nil
+  local result, mark = output.read_result_in(folder .. "/" .. case.id)
+  if result and type(result.parameters) == "table" and key_of(result.parameters) == output.key(case) then
+    return result, mark, case.id
+  end
+  local name = output.case_name(folder, case)
+  if name ~= case.id then
+    result, mark = output.read_result_in(folder .. "/" .. name)
+  end
+  return result, mark, name
+end
+
+function output.write_result_in(case_folder, result)
+  engine.write_file(case_folder .. "/result.json", engine.encode_json(result, 2) .. "\n")
 end
 
 function output.write_result(folder, case, result)
-  engine.write_file(output.result_file(folder, case), engine.encode_json(result, 2) .. "\n")
+  output.write_result_in(output.case_folder(folder, case), result)
 end
 
---- True if the case ended well with this fingerprint and, if its study is given, what it read then is still the same.
-function output.is_done(result, fingerprint, study)
-  return result ~= nil and result.verdict == "finished" and result.fingerprint == fingerprint
-    and not (study and changed_file(study, result.files or {}))
+--- True if the case ran to its end, whether or not its results could be computed, with this fingerprint.
+function output.is_computed(result, fingerprint)
+  return result ~= nil and (result.verdict == "finished" or result.verdict == "result failed")
+    and result.fingerprint == fingerprint
+end
+
+--- True if the case ended well with this fingerprint.
+function output.is_done(result, fingerprint)
+  return output.is_computed(result, fingerprint) and result.verdict == "finished"
+end
+
+--- True if nothing that the case's scene and results are made from has changed since.
+function output.is_of_sources(study, case, result)
+  return result ~= nil and result.sources == identity.of_sources(study, case)
+    and not identity.changed_file(study, result.files)
 end
 
 --- True if what an extreme ended with still is of these files.
 function output.is_current(study, kept, fingerprint)
   return kept.fingerprint == fingerprint and may_be_list(kept.files, "path", "hash")
-    and not changed_file(study, kept.files or {})
+    and not identity.changed_file(study, kept.files)
 end
 
 --- "cells=8; steps=5": the parameters, apart from swept ones, that are not the study's own.
@@ -258,15 +218,15 @@ function output.write_summary(folder, study, names, rows, claims)
   local claimed = claims and claims.names or {}
   local lines = { table.concat(summary_head(study, names, claimed), ",") }
   for _, row in ipairs(rows) do
-    local words = { row.case.id }
+    local words = { row.name or row.case.id }
     local function add(value)
       words[#words + 1] = csv.word(value)
     end
     for _, name in ipairs(names) do
-      add(row.case.p[name])
+      add(rawget(row.case.p, name))
     end
     for _, entry in ipairs(study.results) do
-      add((row.result.results or {})[entry.name])
+      add((row.result.results or {})[entry.name] or "nan")
     end
     for _, field in ipairs(measures) do
       add(row.result[field])

@@ -4,6 +4,8 @@ local engine = require "stiction.engine"
 local progress = {}
 
 local between_refreshes, between_lines = 0.2, 10 -- s
+local most_jobs = 8 -- that a terminal shows a line of
+local few = { terminal = 20, other = 200 } -- cases of which each is told
 
 local scales = { { 1, "s" }, { 1e-3, "ms" }, { 1e-6, "us" }, { 1e-9, "ns" } }
 
@@ -38,6 +40,14 @@ function progress.line(id, p)
     progress.duration(p.seconds_left))
 end
 
+--- One line on where a sweep stands, of {total =, done =, failed =, began =}.
+function progress.sweep_line(tally, running, now)
+  local rate = tally.done / math.max(now - tally.began, 1e-3)
+  local left = rate > 0 and "  left " .. progress.duration((tally.total - tally.done) / rate) or ""
+  return ("%d of %d cases done, %d failed, %d running  %.3g/min%s"):format(tally.done, tally.total, tally.failed, running,
+    60 * rate, left)
+end
+
 local Display = {}
 Display.__index = Display
 
@@ -57,10 +67,21 @@ function Display:note(text)
   engine.write(text .. "\n")
 end
 
-local function refresh(self, running)
+--- A line that stays on the start or the good end of a case, unless there are many.
+function Display:note_good(text)
+  if self.tally.total <= few[self.width and "terminal" or "other"] then
+    self:note(text)
+  end
+end
+
+local function refresh(self, running, now)
   erase(self)
   local lines = {}
-  for _, job in ipairs(running) do
+  if self.tally.total > 1 then
+    lines[1] = progress.sweep_line(self.tally, #running, now):sub(1, self.width - 1)
+  end
+  for i = 1, math.min(#running, most_jobs) do
+    local job = running[i]
     local line = job.progress and progress.line(job.case.id, job.progress) or job.case.id .. "  starting"
     lines[#lines + 1] = line:sub(1, self.width - 1)
   end
@@ -79,7 +100,14 @@ function Display:update(running)
   if self.width then
     if now - self.last >= between_refreshes then
       self.last = now
-      refresh(self, running)
+      refresh(self, running, now)
+    end
+    return
+  end
+  if self.tally.total > few.other then
+    if now - self.last >= between_lines then
+      self.last = now
+      engine.write(progress.sweep_line(self.tally, #running, now) .. "\n")
     end
     return
   end
@@ -95,9 +123,10 @@ function Display:finish()
   erase(self)
 end
 
---- A display on standard output; a quiet one shows nothing.
-function progress.display(quiet)
-  return setmetatable({ quiet = quiet, width = engine.terminal_width(), shown = 0, last = 0 }, Display)
+--- A display on standard output of so many cases; a quiet one shows nothing.
+function progress.display(quiet, total)
+  local tally = { total = total, done = 0, failed = 0, began = engine.clock() }
+  return setmetatable({ quiet = quiet, tally = tally, width = engine.terminal_width(), shown = 0, last = 0 }, Display)
 end
 
 return progress

@@ -7,14 +7,21 @@ local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local hold = require "stiction.hold"
+local numeric = require "stiction.numeric"
 local output = require "stiction.output"
 local report = require "stiction.report"
+local selection = require "stiction.selection"
+local sharing = require "stiction.sharing"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
-local function list_cases(rows)
-  for _, row in ipairs(rows) do
-    report.line("%s  %s", row.case.id, row.done and "finished" or "to run")
+local most_missing = 8 -- cases named
+
+local function list_cases(plan)
+  for _, row in ipairs(campaign.survey(plan)) do
+    local wanted = not plan.options.where or plan.wanted[row.case.id]
+    local line = wanted and report.line or function() end
+    line("%s  %s", row.case.id, row.done and "finished" or row.computed and row.result.verdict or "to run")
   end
   return 0
 end
@@ -34,31 +41,96 @@ end
 
 local function any_failed(rows)
   for _, row in ipairs(rows) do
-    if row.fresh and not row.done then
+    if (row.fresh or row.computed or row.elsewhere) and not row.done then
       return true
     end
   end
   return false
 end
 
+--- "mu0 (to run), mu0.4 (not converged)"
+local function words_missing(rows)
+  local words = {}
+  for _, row in ipairs(rows) do
+    if not row.done then
+      words[#words + 1] = ("%s (%s)"):format(row.case.id, (row.fresh or row.elsewhere or row.computed) and row.result.verdict
+        or "to run")
+    end
+  end
+  local shown = table.concat(words, ", ", 1, math.min(#words, most_missing))
+  return #words > most_missing and ("%s and %d more"):format(shown, #words - most_missing) or shown
+end
+
+local function draw(plan, cases)
+  return drawing.alone(plan.folder, drawing.draw, plan.study, cases, plan.folder)
+end
+
+--- f(...), which may not manage with cases missing; then says so. False if it went wrong otherwise.
+local function try(what, f, ...)
+  local held, value = engine.call(f, ...)
+  if not held and value.kind == "stopped" then
+    error(value, 0)
+  elseif not held then
+    report.line("no %s with cases missing: %s", what, tostring(value))
+  end
+  return held and value or nil
+end
+
+--- Figures of what there is, and checks of it once all have ended, although not all finished; whether that went well.
+local function judge_part(plan, cases, rows)
+  local ended = numeric.first_where(rows, function(row) return not (row.fresh or row.elsewhere or row.computed) end) == nil
+  report.line("%d of %d cases finished: %s; missing: %s", #cases, #rows,
+    ended and "checks and figures of these" or "no checks until all are", words_missing(rows))
+  if #cases == 0 or plan.options.case then
+    return true
+  end
+  local checks = ended and try("checks", check.run, plan.study, cases, plan.accuracy)
+  if checks then
+    output.write_checks(plan.folder, checks)
+    report.checks(checks)
+  end
+  if plan.study.figures and not plan.options.no_figures then
+    try("figures", draw, plan, cases)
+  end
+  return not ended
+end
+
 --- Checks and figures when every case of the sweep is there; whether all went well.
 local function judge(plan, rows)
   local cases = finished_cases(plan, rows)
   if #cases < #rows then
-    report.line("%d of %d cases finished: no checks, no figures until all are", #cases, #rows)
-    return true
+    return judge_part(plan, cases, rows)
   end
   local checks = check.run(plan.study, cases, plan.accuracy)
   output.write_checks(plan.folder, checks)
   local good = report.checks(checks) == 0
   if not plan.options.no_figures then
-    good = drawing.alone(plan.folder, drawing.draw, plan.study, cases, plan.folder) and good
+    good = draw(plan, cases) and good
   end
   return good
 end
 
---- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =}; where accuracy is asked for also
---- {accuracy =, claims =}.
+--- The set of ids that --case and --where choose, nil for all.
+local function chosen(study, cases, options)
+  if options.case and options.where then
+    fault.input("--case and --where both choose cases; give one of them")
+  elseif options.case then
+    return { [sweep.find(cases, options.case).id] = true }
+  elseif not options.where then
+    return nil
+  end
+  local ids = {}
+  for _, case in ipairs(selection.filter(selection.of_parameters(study.name, cases), options.where)) do
+    ids[case.name] = true
+  end
+  if not next(ids) then
+    fault.input("--where '%s' holds for none of the %d cases; --list shows them", options.where, #cases)
+  end
+  return ids
+end
+
+--- Outputs are only written for a plan: {study =, cases =, names =, folder =, options =, wanted = ids to run, nil: all};
+--- where accuracy is asked for also {accuracy =, claims =}.
 local function make_plan(options)
   local study, own = study_module.load(options.study, options.trust), nil
   if options.accuracy or options.check_accuracy then
@@ -67,11 +139,8 @@ local function make_plan(options)
     fault.input("--of names what --accuracy or --check-accuracy is about; give one of them")
   end
   local cases, names = sweep.cases(study, options)
-  if options.case then
-    sweep.find(cases, options.case)
-  end
   return { study = study, cases = cases, names = names, folder = output.folder(study, options),
-    options = options, accuracy = own, claims = own and accuracy.known(own, cases, options) }
+    options = options, wanted = chosen(study, cases, options), accuracy = own, claims = own and accuracy.known(own, cases, options) }
 end
 
 --- What --check-accuracy asks for, and the summary with it; what ended it early, if anything.
@@ -100,12 +169,47 @@ local function run(plan)
   return good and not any_failed(rows) and 0 or 1
 end
 
+--- Results and checks of what has run, anew; the exit code.
+local function revisit(plan)
+  local rows = campaign.survey(plan)
+  local known = campaign.rows_with_result(rows)
+  if #known == 0 then
+    fault.input("no finished case of these scenes in %s; 'stiction why' says why, 'stiction run' runs them", plan.folder)
+  end
+  engine.remove(plan.folder .. "/checks.json")
+  campaign.revisit(plan, rows)
+  report.cases(plan.study, known)
+  local good = judge(plan, rows)
+  report.line("output: %s", plan.folder)
+  return good and not any_failed(rows) and 0 or 1
+end
+
+--- Whether others may run in the folder meanwhile.
+local function is_shared(options)
+  for _, name in ipairs(options.join and { "force", "check-accuracy" } or {}) do
+    if options[name] then
+      fault.input("--join: a sweep that is shared takes no --%s; give that to a run of its own", name)
+    end
+  end
+  return options.join or options.case and not options.anew and not options.check_accuracy
+end
+
 --- Runs a study; its exit code, its output folder and its study table.
 return function(options)
   local plan = make_plan(options)
   if options.quick and not next(plan.study.quick) then
     engine.complain("stiction: the study has no quick form, which is quick = { sweep = ..., set = ... }: it runs in full\n")
   end
-  local code = options.list and list_cases(campaign.survey(plan)) or hold.folder(plan.folder, plan.study, "run", run, plan)
+  local code
+  if options.list then
+    hold.check_owner(plan.folder, plan.study)
+    code = list_cases(plan)
+  elseif is_shared(options) then
+    code = hold.shared(plan.folder, plan.study, "run", sharing.with, plan, run)
+  elseif options.anew then
+    code = hold.folder(plan.folder, plan.study, "results", revisit, plan)
+  else
+    code = hold.folder(plan.folder, plan.study, "run", run, plan)
+  end
   return code, plan.folder, plan.study
 end

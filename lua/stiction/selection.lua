@@ -2,6 +2,8 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local ordered = require "stiction.ordered"
+local units = require "stiction.units"
 
 local selection = {}
 
@@ -69,6 +71,23 @@ function selection.filter(outcome, text)
     kept[#kept + 1] = value and case or nil
   end
   return kept
+end
+
+--- What selection.filter wants of cases that need not have run: their parameters, in SI.
+function selection.of_parameters(name, cases)
+  local outcome = { folder = name, columns = {}, by_name = {}, cases = {} }
+  for i, case in ipairs(cases) do
+    local values = {}
+    for _, key in ipairs(ordered.keys(case.p)) do
+      values[key] = units.si(case.p[key])
+      if not outcome.by_name[key] then
+        outcome.by_name[key] = { name = key, kind = "parameter", numeric = type(values[key]) == "number" }
+        table.insert(outcome.columns, outcome.by_name[key])
+      end
+    end
+    outcome.cases[i] = { name = case.id, values = values }
+  end
+  return outcome
 end
 
 local function before(a, b)

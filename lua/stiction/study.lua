@@ -6,6 +6,7 @@ local fault = require "stiction.fault"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
+local sample = require "stiction.sample"
 local units = require "stiction.units"
 
 local study = {}
@@ -115,7 +116,8 @@ function study.read_sweep(t)
   local sweep = { axes = {} }
   local first = t[1]
   if is_table(first) and type(first[1]) ~= "string" then
-    return { cases = check_cases(t) }
+    local drawn, ids = sample.drawn(t)
+    return { cases = check_cases(t), ids = ids, drawn = drawn }
   end
   for _, key in ipairs(names_of(t)) do
     local name, values = key, t[key]
@@ -179,7 +181,10 @@ end
 
 --- The scene of a case, made once.
 function methods.scene_of(self, case)
-  case.scene = case.scene or self.scene(case.p)
+  if not case.scene then
+    engine.reseed() -- one case's scene does not depend on whether another's was made before
+    case.scene = self.scene(case.p)
+  end
   if type(case.scene) ~= "table" then
     fault.input("study.scene must end with: return stiction.scene{ ... }; it gave %s",
       case.scene == nil and "nothing" or "a " .. type(case.scene))

@@ -134,7 +134,7 @@ local function apply_quick(plan, values, quick)
   end
   local replacement = study_module.read_sweep(quick.sweep or {})
   if replacement.cases then
-    plan.axes, plan.cases = nil, replacement.cases
+    plan.axes, plan.cases, plan.ids = nil, replacement.cases, replacement.ids
   end
   for _, axis in ipairs(replacement.axes or {}) do
     set(plan, values, axis.name, axis.values[1], "study.quick.sweep")
@@ -191,16 +191,16 @@ local function check_case(names, case, values)
   end
 end
 
-local taken = { figures = true, trade = true, finer = true } -- folders beside those of cases
+local taken = { figures = true, trade = true, finer = true, source = true } -- folders beside those of cases
 
-local function make_case(study, names, swept, first, values)
+local function make_case(study, names, swept, first, values, drawn_id)
   check_case(names, swept, values)
   local p = copy(values)
   for _, name in ipairs(names) do
     p[name] = swept[name]
   end
   setmetatable(p, strict)
-  local id = study.case_id and study.case_id(p) or default_id(names, swept, first, study.first)
+  local id = study.case_id and study.case_id(p) or drawn_id or default_id(names, swept, first, study.first)
   if type(id) ~= "string" or not id:find("^[%w._+-]+$") or id:find("^%.") then
     fault.input("study.case_id gave '%s': a case's name is a folder's name of letters, digits and . _ + -", tostring(id))
   elseif taken[id] or id:find("%.json$") or id:find("%.csv$") then
@@ -212,12 +212,13 @@ end
 
 local function copy_plan(plan)
   local twin = {}
-  for part, list in pairs(plan) do
+  for part, list in pairs { axes = plan.axes, cases = plan.cases } do
     twin[part] = {}
     for i, entry in ipairs(list) do
       twin[part][i] = copy(entry)
     end
   end
+  twin.ids = plan.ids
   return twin
 end
 
@@ -284,8 +285,8 @@ function sweep.cases(study, options)
   local own = study.sweep
   study.first = (own.cases or multiply(own.axes))[1]
   local cases, seen = {}, {}
-  for _, entry in ipairs(swept) do
-    local case = make_case(study, names, entry, swept[1], values)
+  for i, entry in ipairs(swept) do
+    local case = make_case(study, names, entry, swept[1], values, plan.ids and plan.ids[i])
     case.problems = options.problems and math.floor(options.problems)
     if not seen[case.id] then
       cases[#cases + 1], seen[case.id] = case, case
@@ -294,6 +295,16 @@ function sweep.cases(study, options)
     end
   end
   return cases, names
+end
+
+--- The case of an earlier run that was called `id`, of its parameters as a file tells them; what the study has got since
+--- has its own value.
+function sweep.recall(study, id, parameters)
+  local p = base_values(study)
+  for name, value in pairs(parameters) do
+    p[name] = type(value) == "table" and value.value * units.units(value.unit) or value
+  end
+  return { id = id, p = setmetatable(p, strict) }
 end
 
 --- The case called `id`, or bad input.

@@ -25,7 +25,8 @@ function warnings.groups(told)
   return groups
 end
 
-local function cases_of(ids, count)
+--- "all 3 cases: a, b, c", of so many.
+function warnings.cases_of(ids, count)
   if #ids == 1 then
     return "case " .. ids[1]
   end
@@ -37,7 +38,7 @@ end
 --- Prints the groups of told = {{id =, warnings =}}.
 function warnings.show(told)
   for _, group in ipairs(warnings.groups(told)) do
-    report.line("warning: %s (%s%s)", group.text, #group.ids > 1 and "or alike, in " or "", cases_of(group.ids, #told))
+    report.line("warning: %s (%s%s)", group.text, #group.ids > 1 and "or alike, in " or "", warnings.cases_of(group.ids, #told))
     report.line("  -> %s", group.change)
   end
 end

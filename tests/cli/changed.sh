@@ -47,9 +47,13 @@ echo "return 1" >late/factor.lua
 expect 0 "checks held" "$stiction" run late --no-figures
 expect 0 "mu0  finished|mu0.2  finished|mu0.4  finished" "$stiction" run late --list
 echo "return 2" >late/factor.lua
-expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run late --list
+expect 0 "mu0  finished|mu0.2  finished|mu0.4  finished" "$stiction" run late --list
+expect 0 "mu0  reused, results anew: factor.lua has changed" "$stiction" why late
+expect 0 "results of 3 cases made anew from their histories|checks held" "$stiction" run late --no-figures
+holds "a case was run again for its results" [ "$(grep -c started output)" = 0 ]
+holds "the results of another module: $(cat out/late/summary.csv)" grep -q '^mu0,0,46.3' out/late/summary.csv
 echo "return 1" >late/factor.lua
-expect 0 "mu0  finished" "$stiction" run late --list
+expect 0 "results of 3 cases made anew" "$stiction" run late --no-figures
 sed -i 's/poisson = 0.3/poisson = 0.4/' late/block.lua
 expect 0 "mu0  to run|mu0.2  to run|mu0.4  to run" "$stiction" run late --list
 

@@ -26,9 +26,13 @@ holds "more than one case ran" [ "$(find out/late -name series.h5 | wc -l)" = 1 
 # one that raises: that result of that case is empty, the others stand, the sweep goes on, and the exit code tells
 changed raises 's/function(run) return run:at(1\*s, "sole", "force_y")/function(run, p) if p.mu == 0.2 then local x = p.side.wrong.thing end return run:at(1*s, "sole", "force_y")/'
 expect 1 "mu0.2  result failed: result force_y: study.lua:34|mu0.4  finished|2 of 3 cases finished" "$stiction" run raises --no-figures --jobs 1
-holds "rows: $(cat out/raises/summary.csv)" grep -q '^mu0.2,0.2,,[0-9].*,result failed,' out/raises/summary.csv
+holds "rows: $(cat out/raises/summary.csv)" grep -q '^mu0.2,0.2,nan,[0-9].*,result failed,' out/raises/summary.csv
 holds "two finished rows" [ "$(grep -c ',finished,' out/raises/summary.csv)" = 2 ]
-expect 1 "mu0.2  started (1 of 1)" "$stiction" run raises --no-figures
+expect 1 "mu0.2: result failed: result force_y: study.lua:34|2 of 3 cases finished" "$stiction" run raises --no-figures
+holds "a case was run again for its results" [ "$(grep -c started output)" = 0 ]
+sed -i 's/if p.mu == 0.2 then local x = p.side.wrong.thing end//' raises/study.lua
+expect 0 "results of 3 cases made anew|mu0.2  finished|checks held" "$stiction" run raises --no-figures
+holds "a case was run again for mended results" [ "$(grep -c started output)" = 0 ]
 changed text 's/return run:at(1\*s, "sole", "force_y")/return "much"/'
 expect 1 "result force_y must be a number, not a string" "$stiction" run text --no-figures --quick
 

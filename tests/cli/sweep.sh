@@ -44,10 +44,13 @@ expect 0 "checks held" "$stiction" run "$tiny" --quick --problems 10 --out kept 
 holds "kept once" [ "$(grep -c started output)" = 0 ]
 expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --problems 5 --out kept --no-figures
 
-# a changed script makes its results stale
+# a changed scene makes its results stale, other words do not
 changed stale ''
 expect 0 "checks held" "$stiction" run stale --no-figures
 sed -i 's/soft rubber/softer rubber/' stale/study.lua
+expect 0 "checks held" "$stiction" run stale --no-figures
+holds "a case was run again for a note" [ "$(grep -c started output)" = 0 ]
+sed -i 's/young = { 1\*MPa/young = { 1.1*MPa/' stale/study.lua
 expect 0 "mu0  started" "$stiction" run stale --no-figures
 
 changed wrong 's/case.results.force_y > 0/case.results.force_y < 0/'
@@ -60,6 +63,6 @@ expect 0 '"phases"|"factorizations"|"limit"' "$stiction" bench "$tiny" --json
 expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
 expect 2 "no finished case in out/wrong with these parameters" "$stiction" figures wrong --set steps=7
 rm out/wrong/mu0/result.json
-sed -i 's/soft rubber/stiffer rubber/' wrong/study.lua
-expect 0 "2 of 3 cases finished with these parameters|has changed since" "$stiction" figures wrong
+sed -i 's/poisson = 0.3/poisson = 0.31/' wrong/block.lua
+expect 0 "2 of 3 cases finished with these parameters|have changed since" "$stiction" figures wrong
 finish

@@ -17,4 +17,10 @@ holds "a strict run began a case" [ -z "$(find nothing -name series.h5)" ]
 expect 0 "checks held" "$stiction" run "$tiny" --strict --no-figures
 holds "no warnings" [ "$(grep -c 'warning:' output)" = 0 ]
 holds "nothing to warn of" grep -q '"warnings": \[\]' out/tiny/mu0/manifest.json
+
+# what cases remark at their end, once for those alike
+expect 0 "remark: at t = |(or alike, in all 2 cases: pillars2, pillars4)" \
+  "$stiction" run "$here"/../../studies/examples/fibrillar_pad --quick --no-figures --out pad
+holds "a remark once: $(grep remark: output)" [ "$(grep -c remark: output)" = 1 ]
+expect 0 "pillars2: remark: at t" "$stiction" run "$here"/../../studies/examples/fibrillar_pad --quick --no-figures --out one --case pillars2
 finish

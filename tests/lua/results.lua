@@ -6,6 +6,7 @@ local check = require "stiction.check"
 local engine = require "stiction.engine"
 local numeric = stiction.numeric
 local output = require "stiction.output"
+local progress = require "stiction.progress"
 local report = require "stiction.report"
 local units = stiction.units
 local mm, ms, s = units.mm, units.ms, units.s
@@ -117,6 +118,23 @@ test("results are kept in SI, whatever their unit, and printed in it", function(
   equal(results.rise, 0.003)
   local text = printed(report.cases, study, { { case = case, result = { verdict = "finished", results = results } } })
   assert(text:find("one +finished +8 +3\n"), text)
+end)
+
+test("failures of many cases are told once, of few each", function()
+  local study, rows = { results = {} }, {}
+  for i = 1, 9 do
+    rows[i] = { case = { id = "c" .. i }, result = i < 3 and { verdict = "stopped", reason = "by the user" }
+      or { verdict = "failed", reason = ("no force at %g s"):format(0.1 * i) } }
+  end
+  local text = printed(report.cases, study, rows)
+  assert(text:find("c1: stopped: by the user\nc2: stopped: by the user\n", 1, true), text)
+  assert(text:find("c3: failed: no force at 0.3 s\n  alike in 6 more: c4, c5, c6, c7, c8, c9\n", 1, true), text)
+end)
+
+test("a sweep says where it stands", function()
+  equal(progress.sweep_line({ total = 100, done = 20, failed = 1, began = 10 }, 2, 70),
+    "20 of 100 cases done, 1 failed, 2 running  20/min  left 4 min 00 s")
+  equal(progress.sweep_line({ total = 9, done = 0, failed = 0, began = 10 }, 2, 70), "0 of 9 cases done, 0 failed, 2 running  0/min")
 end)
 
 test("checks that failed are counted and told", function()

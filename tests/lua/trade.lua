@@ -8,6 +8,7 @@ local exchange = require "stiction.trade.exchange"
 local extrapolation = require "stiction.trade.extrapolation"
 local ladder = require "stiction.ladder"
 local output = require "stiction.output"
+local pictures = require "stiction.trade.pictures"
 local quantity = require "stiction.trade.quantity"
 local reference = require "stiction.trade.reference"
 local units = require("stiction").units
@@ -403,4 +404,35 @@ test("what was found now is held to the share asked for", function()
   equal((failing(own, { case_of(5, 0.3, {}) })), "s5_mu0.3: off by no more than asked for")
   own.share = nil
   equal(select(2, failing(own, { case_of(5, 0.3, {}) })), 0)
+end)
+
+test("in a trade's figures each named run has its letter beside it, and errors on the floor are marked as such", function()
+  local axes = ladder.knobs({ { "size", { 4*mm, 2*mm } }, { "scheme", { "a", "b" } } }, { size = 2*mm, scheme = "a" })
+  local function run(size, scheme, work, error, more)
+    local made = { levels = { size, scheme }, work = work, error = error, errors = { q = error }, values = { q = error } }
+    for key, value in pairs(more or {}) do
+      made[key] = value
+    end
+    return made
+  end
+  local list = pictures.of {
+    knobs = axes, quantities = { { name = "q" } }, references = { q = { uncertainty = 0.01, scale = 1, value = 0 } },
+    runs = { run(2, 1, 20, 1e-5, { default = true, front = true }), run(1, 1, 10, 0.1, { front = true }), run(2, 2, 30, 0.2) },
+  }
+  local front, along, choice = list[1], list[2], list[3]
+  local named, clamped = {}, 0
+  for _, curve in ipairs(front.curves) do
+    named[#named + 1] = curve.names and curve.names[1] .. "=" .. curve.label
+    clamped = clamped + (curve.label == "at most this" and 1 or 0)
+    for i, below in ipairs(curve.at_most or {}) do
+      equal(below, curve.y[i] <= 0.001 and 1 or 0)
+    end
+  end
+  equal(table.concat(named, "; "), "a=a  size 4 mm; b=b  default")
+  equal(clamped, 1)
+  equal(front.marks, nil)
+  equal(along.curves[#along.curves].label, "at most this")
+  equal(#along.curves[#along.curves].x, 1)
+  equal(along.curves[#along.curves].y[1], 0.001)
+  equal(choice.curves[#choice.curves].names[1], "b")
 end)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "mesh/topology/quality.hpp"
 #include "record/manifest.hpp"
 
@@ -128,6 +129,7 @@ json settings_of(Scene const& scene) {
   settings["scheme"] = describe(scene.part.scheme);
   settings["solver"] = describe(scene.part.solver);
   settings["control"] = record::describe(&scene.part.control, scene.part.control.schema());
+  settings["control"]["bulk_taken"] = dynamics::by_multigrid(*scene.model) ? "multigrid" : "direct";
   if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
     settings["accuracy"] = record::describe(&*accuracy, accuracy->schema());
   for (auto const& [name, body] : scene.part.bodies) {
@@ -171,6 +173,7 @@ json manifest_of(core::Input const& input, Scene const& scene, RunOptions const&
   manifest["case"] = options.case_id;
   manifest["scene"] = record::to_json(input);
   manifest["build"] = record::build_identity();
+  manifest["host"] = record::host_facts();
   manifest["settings"] = settings_of(scene);
   manifest["parts"] = describe_parts(input, scene.part);
   return manifest;

@@ -31,6 +31,8 @@ void Recorder::frame(dynamics::State const& state) {
 std::string Recorder::problem(contact::Problem const& problem, std::string const& name) const {
   if (problem.points.empty())
     return "";
+  if (problem.W.together() != nullptr)
+    return "not written, as it has no matrix (control.bulk = \"direct\" makes one)";
   auto const folder = folder_ / "problems";
   record::prepare_output(folder);
   record::save_problem(folder / (name + ".h5"), problem);

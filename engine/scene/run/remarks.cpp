@@ -17,7 +17,7 @@ constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
 
 contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked which) {
   auto const& problem = contact.problem();
-  if (problem.points.empty())
+  if (problem.points.empty() || problem.W.together())
     return {};
   return contact::doubts(problem, contact.forces(), contact::displacement(problem, contact.forces()), which);
 }

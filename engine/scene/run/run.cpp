@@ -394,10 +394,12 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   core::Input asked = input;
   double cells_evaluated = 0;
   auto meshes = nlohmann::json::array();
+  auto const started = record::utc_now();
   for (int pass = 1;; ++pass) {
     auto const scene = build(asked);
     record::prepare_output(options.out);
     auto manifest = manifest_of(asked, scene, options);
+    manifest["started"] = started;
     Run running(scene, options);
     auto const warnings = running.warnings();
     auto& told = manifest["warnings"] = nlohmann::json::array();
@@ -422,7 +424,8 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     }
     if (!result.remarks.empty())
       manifest["remarks"] = result.remarks;
-    if (manifest.contains("remarks") || control.wanted())
+    manifest["ended"] = record::utc_now();
+    if (result.verdict != "output failed")
       record::write_manifest(options.out / "manifest.json", manifest);
     if (last)
       return result;

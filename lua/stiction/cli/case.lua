@@ -1,11 +1,13 @@
 -- One case of a sweep, run in a process of its own for `stiction run`.
 local case_module = require "stiction.case"
 local engine = require "stiction.engine"
+local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
 local hold = require "stiction.hold"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
+local provenance = require "stiction.provenance"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
@@ -61,20 +63,13 @@ local function fingerprint_of(study, case, options)
   return own
 end
 
---- Adds the results of a run that finished; one that fails costs the run that verdict, the others stand.
-local function compute_results(study, result, run)
-  local results, failures, missing = case_module.compute(study, run)
-  result.results, result.missing = results, missing or nil
-  if #failures > 0 then
-    result.verdict, result.reason = "result failed", table.concat(failures, "\n")
-  end
-end
-
 local function run(options, study)
   local cases, names = sweep.cases(study, options)
   local case = sweep.find(cases, options.case)
   local fingerprint = fingerprint_of(study, case, options)
-  output.begin(options.out, case)
+  local made = provenance.begin(options, output.program())
+  provenance.keep(options.out, study, output.files_read(study, case))
+  output.begin(options.out, case, study)
   local folder = output.case_folder(options.out, case)
   local result, answers
   if study.problem then
@@ -84,11 +79,12 @@ local function run(options, study)
       rehearse = options.rehearse or 0, alone = options.alone }
     result = engine.run(study:scene_of(case), settings, progress_teller())
   end
+  evaluation.note(study, case, result)
+  result.fingerprint = fingerprint
   if result.verdict == "finished" then
-    compute_results(study, result, answers or case_module.new(case.id, case.p, folder))
+    evaluation.fill(study, case, result, answers or case_module.new(case.id, case.p, folder))
   end
-  result.case, result.parameters = case.id, output.plain(case.p)
-  result.fingerprint, result.files = fingerprint, output.files_read(study, case)
+  result.run = provenance.ended(made)
   output.write_result(options.out, case, result)
   tell { ended = result }
   return result.verdict == "finished" and 0 or 1

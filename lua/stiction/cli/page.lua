@@ -4,15 +4,14 @@ local describe = require "stiction.cli.describe"
 local docs = require "stiction.cli.docs"
 local engine = require "stiction.engine"
 local figure_keys = require "stiction.figure_keys"
+local html = require "stiction.html"
 local pages = require "stiction.cli.pages"
 
 local head = [[
 <!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>Stiction %s: reference</title><style>
-body { font: 16px/1.5 sans-serif; margin: 0 auto; max-width: 60rem; padding: 1rem; color: #111; background: #fff }
-pre, code { font: 14px/1.45 monospace; background: #f2f2f2 } pre { padding: .7rem; overflow-x: auto } code { padding: 0 .2rem }
-table { border-collapse: collapse; width: 100%% } td, th { border-bottom: 1px solid #ccc; padding: .25rem .6rem; text-align: left;
-vertical-align: top } input { font: inherit; width: 100%%; box-sizing: border-box; padding: .4rem } a { color: #004488 }
+%s
+input { font: inherit; width: 100%%; box-sizing: border-box; padding: .4rem }
 header { position: sticky; top: 0; background: #fff; padding: .5rem 0 } .hidden { display: none }
 </style></head><body><header><h1>Stiction %s</h1>
 <input id="search" type="search" placeholder="search every name, parameter, column and meaning" aria-label="search"></header>
@@ -29,31 +28,12 @@ document.getElementById("search").addEventListener("input", event => {
 </script></body></html>
 ]]
 
-local signs = { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }
-
-local function plain(text)
-  return (tostring(text):gsub('[&<>"]', signs))
-end
-
-local function rows(list, heading)
-  local lines = { "<table><tr><th>" .. table.concat(heading, "</th><th>") .. "</th></tr>" }
-  for _, row in ipairs(list) do
-    local cells = { ("<code>%s</code>"):format(plain(row[1])) }
-    for i = 2, #heading do
-      cells[i] = plain(row[i])
-    end
-    lines[#lines + 1] = "<tr><td>" .. table.concat(cells, "</td><td>") .. "</td></tr>"
-  end
-  lines[#lines + 1] = "</table>"
-  return table.concat(lines, "\n")
-end
-
 local function section(id, title, body)
-  return ('<section id="%s"><h3><code>%s</code></h3>\n%s\n</section>'):format(plain(id), plain(title), body)
+  return ('<section id="%s"><h3><code>%s</code></h3>\n%s\n</section>'):format(html.plain(id), html.plain(title), body)
 end
 
 local function prose(id, title, text)
-  return section(id, title, "<pre>" .. plain(text) .. "</pre>")
+  return section(id, title, "<pre>" .. html.plain(text) .. "</pre>")
 end
 
 local function parameters(kind)
@@ -61,28 +41,28 @@ local function parameters(kind)
   for i, parameter in ipairs(kind.parameters) do
     list[i] = { parameter.name, describe.range(parameter), describe.need(parameter), parameter.meaning }
   end
-  return #list > 0 and rows(list, { "parameter", "range", "default", "meaning" }) or ""
+  return #list > 0 and html.rows(list, { "parameter", "range", "default", "meaning" }) or ""
 end
 
 local function part(category, kind, recorded)
   local call = describe.call(category, kind)
-  local body = { ("<p>%s</p>"):format(plain(kind.meaning)) }
+  local body = { ("<p>%s</p>"):format(html.plain(kind.meaning)) }
   if pages.notes[kind.name] then
-    body[#body + 1] = "<pre>" .. plain(pages.notes[kind.name]) .. "</pre>"
+    body[#body + 1] = "<pre>" .. html.plain(pages.notes[kind.name]) .. "</pre>"
   end
   if kind.source ~= "" then
-    body[#body + 1] = "<p>Source: " .. plain(kind.source) .. "</p>"
+    body[#body + 1] = "<p>Source: " .. html.plain(kind.source) .. "</p>"
   end
   body[#body + 1] = parameters(kind)
   if recorded then
-    body[#body + 1] = "<p>Records:</p>" .. rows(recorded, { "column", "unit", "meaning" })
+    body[#body + 1] = "<p>Records:</p>" .. html.rows(recorded, { "column", "unit", "meaning" })
   end
   return section(call, "stiction." .. call, table.concat(body, "\n"))
 end
 
 local function add_parts(list)
   for _, category in ipairs(engine.catalog()) do
-    list[#list + 1] = ("<h2>%s: %s</h2>"):format(plain(category.name), plain(category.meaning))
+    list[#list + 1] = ("<h2>%s: %s</h2>"):format(html.plain(category.name), html.plain(category.meaning))
     local recorded = category.name == "probe" and columns.by_kind(category.kinds) or {}
     for _, kind in ipairs(category.kinds) do
       list[#list + 1] = part(category, kind, recorded[kind.name])
@@ -93,26 +73,26 @@ end
 local function add_figures(list)
   list[#list + 1] = "<h2>Figures</h2>" .. prose("figure", "figures", pages.figure)
   for _, entry in ipairs(figure_keys.tables) do
-    list[#list + 1] = section("figure." .. entry[1], entry[1], ("<p>%s</p>"):format(plain(entry[2]))
-      .. rows(entry[3], { "key", "meaning" }))
+    list[#list + 1] = section("figure." .. entry[1], entry[1], ("<p>%s</p>"):format(html.plain(entry[2]))
+      .. html.rows(entry[3], { "key", "meaning" }))
   end
 end
 
 local function add_functions(list)
   list[#list + 1] = "<h2>Functions</h2>"
   for _, entry in ipairs(docs.functions()) do
-    list[#list + 1] = section(entry.name, entry.call, ("<p>%s</p>"):format(plain(entry.meaning)))
+    list[#list + 1] = section(entry.name, entry.call, ("<p>%s</p>"):format(html.plain(entry.meaning)))
   end
 end
 
 local function add_units(list)
   list[#list + 1] = "<h2>Units</h2>" .. prose("units", "units", pages.units)
-  list[#list + 1] = section("unit words", "unit words", rows(describe.units(), { "unit", "in SI", "of" }))
+  list[#list + 1] = section("unit words", "unit words", html.rows(describe.units(), { "unit", "in SI", "of" }))
 end
 
 --- The page, HTML.
 return function()
-  local list = { head:format(engine.version, engine.version), "<h2>Commands and studies</h2>" }
+  local list = { head:format(engine.version, html.style, engine.version), "<h2>Commands and studies</h2>" }
   for _, name in ipairs { "commands", "study", "results", "solve", "trade", "peers" } do
     list[#list + 1] = prose(name, name, pages[name])
   end

@@ -10,10 +10,20 @@ stiction help TOPIC       topics: commands, new, study, results, figure, columns
 
 pages.commands = [[
 new NAME       write a study to start from into a folder of your own; --list: the examples; 'stiction help new'
-run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report
+run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report;
+               --join: several runs, also on several machines, share the sweep
+results STUDY  results and checks of what has run, made anew from the histories; no case runs
+why STUDY      of each case: reused by the next run, or which value changed from what to what
+clean STUDY    remove what no case of the study refers to from its output (--list: only say what)
 figures STUDY  draw the figures again from the output
 show STUDY     the cases that an output holds: --where 'mu > 0.3 and verdict == "finished"' (SI), --sort -NAME,
-               --columns a,b, --csv FILE; STUDY may be an output folder; nothing is run
+               --columns a,b, --csv FILE, --h5 FILE (a table 'cases', SI), --sheet FILE (a field of every case, PNG);
+               STUDY may be an output folder; nothing is run
+report STUDY   one page (HTML) that needs nothing else: question, parameters with reasons, results with units and what they
+               may be off by, checks, figures, warnings and remarks, what was modelled, versions; also of an output folder
+verify OUT     compute its cases again (all, or --sample N) from the source that is kept with them, and compare with what is
+               kept: to the last bit, or within --tolerance if another build or processor made it; OUT: also an archive
+pack OUT       one archive (.tar.gz) of an output with its description as a Workflow Run RO-Crate, which verify accepts
 compare A B    two outputs (folders or studies): the parameters, settings and results that differ, and by how much
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
@@ -27,7 +37,7 @@ test [--all]   build and run the tests
 STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.
 Exit codes: 0 all held; 1 a case failed, a check did not hold, or the run was stopped; 2 bad input.
 Output of run, below out/<study> or --out DIR: summary.csv, checks.json, figures.json, figures/, and a
-folder per case with series.h5, fields.pvd, steps.csv, manifest.json, result.json.
+folder per case with series.h5, fields.pvd, steps.csv, manifest.json, case.json, result.json; source/: the files read.
 
 steps.csv has a row for every step with contact problems, and for every cut and growth of the step with its reason;
 its column `contact` counts what answered the problems of that attempt ("sweeps 3 newton 1"), as that of summary.csv
@@ -68,7 +78,8 @@ return stiction.study {
   given = { radius = 5*mm },                          -- stated by the source
   chosen = { step = {0.01*s, "halving it changes nothing"} },   -- ours, each with its reason
   sweep = { mu = {0, 0.2} },                          -- all combinations; or {{"v", {...}}, {"mu", {...}}} to fix
-                                                      -- the order; or a list of cases {{mu = 0}, {mu = 0.2}}
+                                                      -- the order; or a list of cases {{mu = 0}, {mu = 0.2}};
+                                                      -- stiction.sample.zip, latin_hypercube, sobol draw lists
   case_id = function(p) return "..." end,             -- optional; else like mu0.2
   scene = function(p) return stiction.scene{ ... } end,         -- p: all values above by name; or in its place
                                                       -- problem = function(p) return {file = "...h5"} end
@@ -100,6 +111,7 @@ check: equal(name, value, expected, tolerance), close(name, value, expected, rel
        ledger(case, tolerance): energies sum up to 1e-6 of the largest (probe.energy{audit = true});
        table{title =, columns = {...}, rows = {{"key", ...}, ...}}: into the report, joined by title and key.
 stiction.schemes: names(), make(name), about(name): the time schemes that studies compare.
+stiction.csv "FILE" or {file =, units =}: columns of measured values by name, as lists of quantities.
 figure: lines{...}, field{...}, panel{...}, map{...}: 'stiction help figure'.]]
 
 pages.figure = [[
@@ -114,7 +126,13 @@ columns' lists them). cases: as in results and checks; a loop over them makes a 
     curves[i] = { label = "mu = " .. case.p.mu, case = case, y = "top/force_y" }
   end
   return { stiction.figure.lines { name = "force", x = { label = "time", unit = "ms" },
-    y = { label = "force", unit = "N/m" }, curves = curves } }]]
+    y = { label = "force", unit = "N/m" }, curves = curves } }
+
+Measured values beside them: stiction.csv "pull.csv" reads a file in the study's folder whose head is like
+"time [ms],force [N/m],scatter [N/m]"; units = { force = "N/m" } says what its head does not:
+
+  local pull = stiction.csv "pull.csv"                -- or { file = "pull.csv", units = { ... } }
+  curves[#curves + 1] = { label = "measured", x = pull.time, y = pull.force, error = pull.scatter, style = "points" }]]
 
 pages.results = [[
 results = {                                           -- a key of a study

@@ -5,6 +5,7 @@ local fault = require "stiction.fault"
 local outcomes = require "stiction.outcomes"
 local report = require "stiction.report"
 local selection = require "stiction.selection"
+local sheet = require "stiction.sheet"
 
 local most_rows, most_reasons, widest_word = 40, 5, 40 -- on the screen
 
@@ -34,6 +35,50 @@ local function write_csv(folder, file, text)
   end
   engine.write_file(file, text)
   report.line("%s", file)
+end
+
+--- What is known of the results, by name.
+local function meanings_of(outcome)
+  local by_name = {}
+  for _, entry in ipairs(type(outcome.owner.results) == "table" and outcome.owner.results or {}) do
+    if type(entry) == "table" and entry.name then
+      by_name[entry.name] = type(entry.meaning) == "string" and entry.meaning or nil
+    end
+  end
+  return by_name
+end
+
+local function si_unit(word)
+  local factor, metre, kilogram, second = engine.parse_unit(word)
+  return factor and word ~= "" and engine.dimension_text(metre, kilogram, second) or word
+end
+
+--- A column as engine.write_table takes it: numbers, not a number where there is none, or else texts.
+local function table_column(column, cases, meaning)
+  local own = { name = column.name, unit = si_unit(column.unit), meaning = meaning or column.kind }
+  local numbers, texts = {}, {}
+  for i, case in ipairs(cases) do
+    local value = case.values[column.name]
+    numbers[i] = type(value) == "number" and value + 0.0 or 0/0
+    texts[i] = value == nil and "" or type(value) == "number" and engine.number_text(value) or tostring(value)
+    own.worded = own.worded or value ~= nil and type(value) ~= "number"
+  end
+  own.worded = own.worded or not column.numeric
+  own.numbers, own.texts = not own.worded and numbers or nil, own.worded and texts or nil
+  return own
+end
+
+local function write_h5(outcome, file, cases, columns)
+  if not file:find("%.h5$") and not file:find("%.hdf5$") then
+    fault.input("--h5: the name of an HDF5 file ends in .h5 or .hdf5, unlike %s", file)
+  end
+  local list, meanings = {}, meanings_of(outcome)
+  for k, column in ipairs(columns) do
+    list[k] = table_column(column, cases, column.kind == "result" and meanings[column.of] or nil)
+  end
+  engine.write_table(file, "cases", #cases, list)
+  report.line("%s: table 'cases' of %d rows: h5py.File(%q)[\"cases\"][:], pandas.read_hdf(%q, \"cases\")", file, #cases, file,
+    file)
 end
 
 --- As many columns as fit beside each other, and the names of the others. words: by column and row, heading first.
@@ -135,6 +180,12 @@ return function(options)
   if options.csv then
     write_csv(outcome.folder, options.csv, csv_text(cases, columns))
     return 0
+  end
+  if options.h5 then
+    write_h5(outcome, options.h5, cases, options.columns and columns or outcome.columns)
+    return 0
+  elseif options.sheet then
+    return sheet.draw(outcome, cases, options.sheet, options.field) and 0 or 1
   end
   show_table(cases, columns)
   show_reasons(cases)

@@ -4,6 +4,7 @@ local check = require "stiction.check"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local hold = require "stiction.hold"
+local identity = require "stiction.identity"
 local jobs = require "stiction.jobs"
 local loader = require "stiction.loader"
 local map = require "stiction.extremes.map"
@@ -51,8 +52,9 @@ local function survey(plan)
     local text = engine.read_file(outcome_file(plan, case))
     local kept = text and engine.decode_json(text)
     local fingerprint = output.fingerprint(plan.study, case)
-    local current = kept and output.is_current(plan.study, kept, fingerprint) and not plan.options.force
-    rows[i] = { case = case, fingerprint = fingerprint, outcome = current and kept or nil }
+    local whole = engine.hash(fingerprint .. identity.of_sources(plan.study, case))
+    local current = kept and output.is_current(plan.study, kept, whole) and not plan.options.force
+    rows[i] = { case = case, fingerprint = fingerprint, whole = whole, outcome = current and kept or nil }
   end
   return rows
 end
@@ -76,7 +78,7 @@ local function run_cells(plan, rows)
       return
     end
     row.outcome = outcome.of(result)
-    row.outcome.fingerprint, row.outcome.files = row.fingerprint, result.files
+    row.outcome.fingerprint, row.outcome.files = row.whole, result.files
     engine.make_folder(output.case_folder(plan.folder, case))
     if row.outcome.letter ~= "H" and row.outcome.letter ~= "X" then
       engine.write_file(outcome_file(plan, case), engine.encode_json(row.outcome, 2) .. "\n")

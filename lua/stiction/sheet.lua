@@ -1,0 +1,85 @@
+-- A contact sheet: one small picture of a field for each of many cases.
+local drawing = require "stiction.drawing"
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local ordered = require "stiction.ordered"
+local provenance = require "stiction.provenance"
+local report = require "stiction.report"
+
+local sheet = {}
+
+local most, most_columns = 100, 6 -- pictures, and those beside each other
+local default = "von_mises"
+local unit_of = { von_mises = "Pa", cauchy_stress = "Pa", contact_pressure = "Pa", normal_adhesion = "Pa",
+  tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1" }
+
+--- Names of the parameters in which the cases differ.
+local function varying(outcome, cases)
+  local names = {}
+  for _, column in ipairs(outcome.columns) do
+    for _, case in ipairs(column.kind == "parameter" and cases or {}) do
+      if case.values[column.name] ~= cases[1].values[column.name] then
+        names[#names + 1] = column.name
+        break
+      end
+    end
+  end
+  return names
+end
+
+local function title(case, names)
+  local words = {}
+  for i, name in ipairs(names) do
+    local value = case.values[name]
+    words[i] = ("%s %s"):format(name, type(value) == "number" and ("%.4g"):format(value) or tostring(value))
+  end
+  return #words > 0 and #words <= 3 and table.concat(words, ", ") or case.name
+end
+
+local function pictures(outcome, cases, field)
+  local list, names = {}, varying(outcome, cases)
+  for _, case in ipairs(cases) do
+    local file = case.folder .. "/fields.pvd"
+    if #list < most and engine.kind_of_path(file) == "file" then
+      list[#list + 1] = { kind = "field", name = case.name, title = title(case, names), file = engine.absolute(file),
+        array = field, unit = unit_of[field], time = "last", deformed = true }
+    end
+  end
+  return list
+end
+
+local function write(place, list, file)
+  local columns = math.min(most_columns, math.ceil(math.sqrt(#list)))
+  local spec = { figures = { { kind = "panel", name = "sheet", columns = columns, width = "double", figures = list } } }
+  engine.write_file(place .. "/figures.json", engine.encode_json(spec))
+  if not drawing.run(place .. "/figures.json", place) then
+    return false
+  end
+  local picture = engine.read_file(place .. "/sheet.png")
+  engine.write_file(file, picture or fault.run("the figure program drew no sheet"))
+  return true
+end
+
+--- Draws the field (its name, or nil) of the cases that have fields, at their ends, into `file`; false if the figure
+--- program failed.
+function sheet.draw(outcome, cases, file, field)
+  if not file:find("%.png$") then
+    fault.input("--sheet: a picture's name ends in .png, unlike %s", file)
+  end
+  field = field or default
+  if not unit_of[field] then
+    local names = ordered.keys(unit_of)
+    fault.input("--field: there is no field '%s'%s; fields: %s", field, fault.meant(field, names), table.concat(names, ", "))
+  end
+  local list = pictures(outcome, cases, field)
+  if #list == 0 then
+    fault.input("--sheet: none of these cases has fields (fields.pvd)")
+  end
+  local drawn = provenance.in_scratch(write, list, file)
+  if drawn then
+    report.line("%s: %s of %d of %d cases", file, field, #list, #cases)
+  end
+  return drawn
+end
+
+return sheet
