@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "figure.hpp"
+#include "film.hpp"
 
 namespace {
 
@@ -22,28 +23,42 @@ struct Options {
   std::string only;
 };
 
-/// Draws and writes NAME.png, and NAME.svg if asked for; what VTK complains about meanwhile makes the figure
-/// fail instead of going to the screen.
+void refuse_errors(vtkStringOutputWindow& log) {
+  std::string const said = log.GetOutput();
+  if (auto const error = said.find("ERR"); error != std::string::npos)
+    throw core::RunError("VTK says: " + said.substr(error, 400));
+}
+
+bool is_film(postproc::FigureSpec const& figure) {
+  auto const* field = std::get_if<postproc::FieldSpec>(&figure.content);
+  return field != nullptr && field->film;
+}
+
+/// Draws and writes `file`, NAME.png or the film NAME.ogv, and NAME.svg and NAME.pdf if asked for; what VTK
+/// complains about meanwhile makes the figure fail instead of going to the screen.
 void draw_to_files(postproc::FigureSpec const& figure, fs::path const& file) {
-  auto const lines = fs::path(file).replace_extension(".svg");
   vtkNew<vtkStringOutputWindow> log;
   vtkOutputWindow::SetInstance(log);
   std::error_code ignored;
-  for (auto const& old : {file, lines}) // no picture of an earlier run survives a failure
-    fs::remove(old, ignored);
+  for (char const* kind : {".png", ".svg", ".pdf", ".ogv"}) // no picture of an earlier run survives a failure
+    fs::remove(fs::path(file).replace_extension(kind), ignored);
+  if (is_film(figure)) {
+    postproc::write_film(figure, file);
+    return refuse_errors(*log);
+  }
   auto const drawing = postproc::draw(figure);
   auto const picture = postproc::shoot(drawing, figure.dpi);
   if (figure.svg)
-    postproc::write_svg(drawing, lines);
-  std::string const said = log->GetOutput();
-  if (auto const error = said.find("ERR"); error != std::string::npos)
-    throw core::RunError("VTK says: " + said.substr(error, 400));
+    postproc::write_svg(drawing, fs::path(file).replace_extension(".svg"));
+  if (figure.pdf)
+    postproc::write_pdf(drawing, fs::path(file).replace_extension(".pdf"));
+  refuse_errors(*log);
   postproc::write_png(picture, file, figure.dpi);
 }
 
 /// Draws one figure and returns its exit code.
 int attempt(postproc::FigureSpec const& figure, fs::path const& out) {
-  auto const file = out / (figure.name + ".png");
+  auto const file = out / (figure.name + (is_film(figure) ? ".ogv" : ".png"));
   try {
     draw_to_files(figure, file);
     fmt::print("{}\n", file.string());

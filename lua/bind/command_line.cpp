@@ -138,6 +138,7 @@ void Commands::add_looking() {
       command("show", "Show the cases that an output folder holds, filtered and sorted; run nothing");
   value<std::string>(show, "study", "STUDY", "Study or output folder")->required();
   out(show);
+  one_case(show);
   value<std::string>(show, "--where", "EXPR",
                      "Only cases for which this holds, in SI, e.g. 'mu > 0.3 and verdict == \"finished\"'");
   value<std::string>(show, "--sort", "NAME", "By this parameter or result; -NAME: from the largest on");
@@ -146,7 +147,14 @@ void Commands::add_looking() {
                      "Write rows and columns there with every digit, in SI (-: print)");
   value<std::string>(show, "--h5", "FILE", "Write rows and columns there as HDF5: a table 'cases', in SI");
   value<std::string>(show, "--sheet", "FILE", "Draw a field of every row's case there, side by side (PNG)");
-  value<std::string>(show, "--field", "NAME", "The field that --sheet draws (default: von_mises)");
+  value<std::string>(show, "--animate", "FILE",
+                     "Film a field of one --case over its time there (Ogg/Theora)");
+  value<std::string>(show, "--field", "NAME",
+                     "The field that --sheet and --animate draw (default: von_mises)");
+  value<double>(show, "--frames", "N", "Frames of --animate, spread evenly (default: all that were kept)")
+      ->check(CLI::Range(2, 100000).description(""));
+  value<double>(show, "--rate", "N", "Frames a second of --animate (default: 10)")
+      ->check(CLI::Range(1, 60).description(""));
   auto& compare = command("compare", "Say what differs between two outputs, and by how much; exit code 1 if "
                                      "cases are missing or results differ");
   value<std::string>(compare, "a", "OUT", "Output folder or study")->required();

@@ -240,12 +240,19 @@ function figure.field(t)
   result.range = scaled(t.range, unit_of(t.unit, "figure.field"))
   local metres = unit_of(t.window_unit or "m", "figure.field: window_unit")
   result.window = scaled(t.window, metres)
-  result.view = t.view and copy(t.view, known.view, "view")
+  if t.view then
+    result.view = copy(t.view, known.view, "view")
+    result.view.azimuth = result.view.azimuth or 30 -- an empty table would be a list
+  end
   result.crop = t.crop and crop(t.crop, metres)
   result.sphere = t.sphere and sphere(t.sphere, metres)
   result.obstacles = obstacle_list(t, metres)
   result.component = component(t.component, t.array)
   result.scale_bar = t.scale_bar and scale_bar(t.scale_bar)
+  if t.film then
+    result.film = copy(t.film == true and {} or t.film, known.film, "film")
+    result.film.rate = result.film.rate or 10 -- an empty table would be a list
+  end
   return result
 end
 
@@ -255,8 +262,10 @@ function figure.panel(t)
   result.figures = each(t.figures or {}, "figure.panel: figures", function(entry)
     if getmetatable(entry) ~= figure_mark then
       fault.script("figure.panel: figures holds %s; each is made by figure.lines, field or map", word_of(entry))
-    elseif entry.dpi or entry.svg then
-      fault.script("figure.panel: dpi and svg are the panel's, not those of a figure in it")
+    elseif entry.dpi or entry.svg or entry.pdf then
+      fault.script("figure.panel: dpi, svg and pdf are the panel's, not those of a figure in it")
+    elseif entry.film then
+      fault.script("figure.panel: a film is a figure of its own, not a part of a panel")
     end
     return entry
   end)

@@ -6,6 +6,7 @@ local common = {
   { "height", "mm; default by the content" },
   { "dpi", "dots per inch of the PNG, which states them, 100 to 600; default 300" },
   { "svg", "true: NAME.svg too, in the size of print: lines, areas and letters as paths, meshes as pictures of `dpi`" },
+  { "pdf", "true: NAME.pdf too, in the size of print: lines and areas as paths, letters as text, meshes as pictures of `dpi`" },
 }
 
 local function with_common(keys)
@@ -79,6 +80,8 @@ keys.tables = {
     { "view", "of a solid: {azimuth =, elevation =} in degrees, default 30 and 25" },
     { "mirror", "list of \"x\", \"y\", \"z\": shown with its image across x = 0, ..." },
     { "crop", "a solid cut by a box: {xmin =, xmax =, ymin =, ymax =, zmin =, zmax =}, any of them" },
+    { "film", "true or {frames = how many, spread evenly; default all, rate = of them a second; default 10}: NAME.ogv "
+      .. "(Ogg/Theora) instead of NAME.png, all frames in one window and one range of colours" },
     { "sphere", "a rigid sphere or circle: {centre =, radius =, path = {times =, x =, y =, z =}}" },
     { "obstacles", "of a plane picture: false: none; default: those of the case, as they are at the time (free ones need a "
       .. "probe.rigid; at the start if not deformed); or a list of obstacle{ ... }" },
@@ -109,6 +112,7 @@ keys.tables = {
 --- The keys of smaller tables.
 keys.small = {
   scale_bar = { "length", "unit" },
+  film = { "frames", "rate" },
   view = { "azimuth", "elevation" },
   crop = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" },
   sphere = { "centre", "radius", "path" },

@@ -2,6 +2,7 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local units = require "stiction.units"
 
@@ -45,6 +46,21 @@ local function environment(outcome, case)
     names[column.name] = value == nil and column.numeric and 0/0 or value
   end
   return names
+end
+
+--- Of these cases the one of this name, alone; bad input if the folder has none of it.
+function selection.one(outcome, cases, name)
+  local names, kept = {}, {}
+  for i, case in ipairs(outcome.cases) do
+    names[i] = case.name
+  end
+  if not numeric.first_where(names, function(own) return own == name end) then
+    fault.input("--case: %s has no case '%s'%s", outcome.folder, name, fault.meant(name, names))
+  end
+  for _, case in ipairs(cases) do
+    kept[#kept + 1] = case.name == name and case or nil
+  end
+  return kept
 end
 
 --- The cases for which the expression holds, all without one.

@@ -2,16 +2,13 @@
 local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
-local ordered = require "stiction.ordered"
+local field_pictures = require "stiction.field_pictures"
 local provenance = require "stiction.provenance"
 local report = require "stiction.report"
 
 local sheet = {}
 
 local most, most_columns = 100, 6 -- pictures, and those beside each other
-local default = "von_mises"
-local unit_of = { von_mises = "Pa", cauchy_stress = "Pa", contact_pressure = "Pa", normal_adhesion = "Pa",
-  tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1" }
 
 --- Names of the parameters in which the cases differ.
 local function varying(outcome, cases)
@@ -39,10 +36,10 @@ end
 local function pictures(outcome, cases, field)
   local list, names = {}, varying(outcome, cases)
   for _, case in ipairs(cases) do
-    local file = case.folder .. "/fields.pvd"
-    if #list < most and engine.kind_of_path(file) == "file" then
-      list[#list + 1] = { kind = "field", name = case.name, title = title(case, names), file = engine.absolute(file),
-        array = field, unit = unit_of[field], time = "last", deformed = true }
+    local file = field_pictures.file(case.folder)
+    if #list < most and file then
+      list[#list + 1] = { kind = "field", name = case.name, title = title(case, names), file = file, array = field,
+        unit = field_pictures.unit(field), time = "last", deformed = true, view = field_pictures.view(case.folder) }
     end
   end
   return list
@@ -66,11 +63,8 @@ function sheet.draw(outcome, cases, file, field)
   if not file:find("%.png$") then
     fault.input("--sheet: a picture's name ends in .png, unlike %s", file)
   end
-  field = field or default
-  if not unit_of[field] then
-    local names = ordered.keys(unit_of)
-    fault.input("--field: there is no field '%s'%s; fields: %s", field, fault.meant(field, names), table.concat(names, ", "))
-  end
+  field = field or field_pictures.default
+  field_pictures.unit(field)
   local list = pictures(outcome, cases, field)
   if #list == 0 then
     fault.input("--sheet: none of these cases has fields (fields.pvd)")

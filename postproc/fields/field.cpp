@@ -56,9 +56,8 @@ std::string time_words(double time) {
 Scale colour_scale(FieldSpec const& spec, FieldData const& data) {
   if (spec.range)
     return {spec.range->first, spec.range->second, false};
-  if (data.high - data.low > 1e-9 * std::max(std::abs(data.low), std::abs(data.high)))
-    return {data.low, data.high, false};
-  return {std::min(0.0, data.low), data.high > 0 ? data.high : data.low < 0 ? 0.0 : 1.0, false};
+  auto const [low, high] = colour_range(data.low, data.high);
+  return {low, high, false};
 }
 
 /// The mesh as large as the width allows, at most as high as given (or 1.2 times as high as wide).
@@ -303,6 +302,12 @@ void draw_words(Canvas& canvas, FieldLayout const& layout) {
 }
 
 } // namespace
+
+std::pair<double, double> colour_range(double low, double high) {
+  if (high - low > 1e-9 * std::max(std::abs(low), std::abs(high)))
+    return {low, high};
+  return {std::min(0.0, low), high > 0 ? high : low < 0 ? 0.0 : 1.0};
+}
 
 Drawing draw_field(FigureSpec const& figure, FieldSpec const& field) {
   auto const data = load_field(field);

@@ -5,6 +5,9 @@
 
 namespace stiction::postproc {
 
+/// The colours' range for values in this one: wide enough to be drawn where they hardly differ.
+[[nodiscard]] std::pair<double, double> colour_range(double low, double high);
+
 /// Loads one step and draws it; throws what load_field and make_window throw, and core::InputError for a
 /// scale bar longer than the view.
 [[nodiscard]] Drawing draw_field(FigureSpec const& figure, FieldSpec const& field);

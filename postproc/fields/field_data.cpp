@@ -43,29 +43,33 @@ void check_exists(fs::path const& file) {
     throw core::RunError(fmt::format("{}: no such file; run its study first", file.string()));
 }
 
-/// The file of the step nearest to `time`, or of the last one.
-Step step_file(fs::path const& index, std::optional<double> time) {
+/// The steps that a .pvd lists, in its order.
+std::vector<Step> steps_in(fs::path const& index) {
   auto const root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(index.string().c_str()));
   auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (collection == nullptr)
     throw core::RunError(fmt::format("{}: is not a ParaView collection", index.string()));
-  Step found;
-  double nearest = std::numeric_limits<double>::infinity();
+  std::vector<Step> steps;
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
     auto* step = collection->GetNestedElement(i);
     double at = 0;
-    if (step->GetAttribute("file") == nullptr || step->GetScalarAttribute("timestep", at) == 0)
-      continue;
-    double const distance = time ? std::abs(at - *time) : -at;
-    if (found.file.empty() || distance < nearest) {
-      nearest = distance;
-      found = {index.parent_path() / step->GetAttribute("file"), at};
-    }
+    if (step->GetAttribute("file") != nullptr && step->GetScalarAttribute("timestep", at) != 0)
+      steps.push_back({index.parent_path() / step->GetAttribute("file"), at});
   }
-  if (found.file.empty())
+  if (steps.empty())
     throw core::RunError(fmt::format("{}: lists no step", index.string()));
-  return found;
+  return steps;
+}
+
+/// The file of the step nearest to `time`, or of the last one.
+Step step_file(fs::path const& index, std::optional<double> time) {
+  auto const steps = steps_in(index);
+  auto const distance = [time](Step const& step) {
+    return time ? std::abs(*step.time - *time) : -*step.time;
+  };
+  return *std::min_element(steps.begin(), steps.end(),
+                           [&](Step const& a, Step const& b) { return distance(a) < distance(b); });
 }
 
 Grid read_grid(fs::path const& file) {
@@ -280,6 +284,15 @@ bool is_cropped(FieldSpec const& spec) {
 }
 
 } // namespace
+
+std::vector<double> times_of(fs::path const& index) {
+  check_exists(index);
+  std::vector<double> times;
+  for (auto const& step : steps_in(index))
+    times.push_back(*step.time);
+  std::sort(times.begin(), times.end());
+  return times;
+}
 
 FieldData load_field(FieldSpec const& spec) {
   check_exists(spec.file);

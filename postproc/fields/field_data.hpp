@@ -20,6 +20,9 @@ struct FieldData {
   std::vector<Outline> obstacles;
 };
 
+/// The times of the frames that a .pvd lists, s. Throws core::RunError when it cannot be read.
+[[nodiscard]] std::vector<double> times_of(std::filesystem::path const& index);
+
 /// Throws core::RunError when file, step or array is missing, empty, or not finite;
 /// core::InputError when the array has no such component or another dimension than the unit wanted.
 [[nodiscard]] FieldData load_field(FieldSpec const& spec);

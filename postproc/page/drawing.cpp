@@ -20,14 +20,6 @@ int pixels(double length, double scale) {
   return static_cast<int>(std::lround(scale * length));
 }
 
-void paint(Drawing const& drawing, Canvas const& canvas) {
-  auto own = canvas;
-  if (drawing.paint)
-    drawing.paint(own);
-  for (auto const& part : drawing.parts)
-    paint(part.drawing, canvas.from(part.at));
-}
-
 std::string content(std::filesystem::path const& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -55,6 +47,14 @@ std::string with_steady_name(std::string text) {
 }
 
 } // namespace
+
+void paint(Drawing const& drawing, Canvas const& canvas) {
+  auto own = canvas;
+  if (drawing.paint)
+    drawing.paint(own);
+  for (auto const& part : drawing.parts)
+    paint(part.drawing, canvas.from(part.at));
+}
 
 Drawing tile(std::vector<Drawing> drawings, int columns, double gap) {
   auto const wide = static_cast<std::size_t>(columns);

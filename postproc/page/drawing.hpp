@@ -28,6 +28,13 @@ struct Drawing::Part {
 /// Throws what make_window throws.
 [[nodiscard]] Picture shoot(Drawing const& drawing, int dpi);
 
+/// Paints a drawing and its parts.
+void paint(Drawing const& drawing, Canvas const& canvas);
+
+/// The drawing as a page of PDF in its size in print: lines and areas as paths, letters as text in an
+/// embedded font, meshes as pictures. Throws core::RunError when it cannot be made or written.
+void write_pdf(Drawing const& drawing, std::filesystem::path const& file);
+
 /// The drawing as lines, areas and letters made of paths, in its size in print; meshes as embedded pictures.
 /// Throws what make_window throws, core::RunError when the file cannot be written.
 void write_svg(Drawing const& drawing, std::filesystem::path const& file);

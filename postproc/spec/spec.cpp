@@ -224,6 +224,21 @@ std::optional<ScaleBarSpec> scale_bar_at(Reader& reader) {
   return result;
 }
 
+std::optional<FilmSpec> film_at(Reader& reader) {
+  auto film = reader.child("film", Need::optional);
+  if (!reader.has("film"))
+    return {};
+  if (reader.has("time"))
+    reader.complain_at("time", "is not for a film, which shows all times; leave it out");
+  double const frames = film.number_or("frames", "1", {0, 1e5}, 0),
+               rate = film.number_or("rate", "1", {1, 60}, 10);
+  for (auto const& [key, value] : {std::pair{"frames", frames}, std::pair{"rate", rate}})
+    if (value != std::floor(value))
+      film.complain_at(key, fmt::format("is {:g}; a whole number is wanted", value));
+  film.finish();
+  return FilmSpec{static_cast<int>(frames), static_cast<int>(rate)};
+}
+
 FieldSpec read_field(Reader& reader, std::filesystem::path const& folder) {
   FieldSpec field;
   field.file = folder / reader.text("file");
@@ -243,6 +258,7 @@ FieldSpec read_field(Reader& reader, std::filesystem::path const& folder) {
   field.window = window_at(reader, metres);
   read_solid(reader, metres, field);
   field.scale_bar = scale_bar_at(reader);
+  field.film = film_at(reader);
   return field;
 }
 
@@ -282,6 +298,18 @@ void read_output(Reader& reader, FigureSpec& figure) {
     reader.complain_at("dpi", fmt::format("is {:g}; a whole number is wanted", dpi));
   figure.dpi = static_cast<int>(dpi);
   figure.svg = reader.flag_or("svg", false);
+  figure.pdf = reader.flag_or("pdf", false);
+}
+
+/// A film is one file by itself.
+void check_film(Reader& reader, FigureSpec const& figure, bool in_panel) {
+  auto const* field = std::get_if<FieldSpec>(&figure.content);
+  if (field == nullptr || !field->film)
+    return;
+  if (in_panel)
+    reader.complain_at("film", "is not for a part of a panel; make it a figure of its own");
+  if (figure.svg || figure.pdf)
+    reader.complain_at("film", "is written as Ogg/Theora alone; leave out svg and pdf");
 }
 
 FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool in_panel) {
@@ -304,6 +332,7 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
   if (!in_panel)
     read_output(reader, figure);
   read_content(reader, figure, folder);
+  check_film(reader, figure, in_panel);
   reader.finish();
   return figure;
 }

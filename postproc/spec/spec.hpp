@@ -102,6 +102,12 @@ struct ObstacleSpec {
   PathSpec path;
 };
 
+/// A field over time: its frames, spread evenly over those that there are.
+struct FilmSpec {
+  int frames = 0; ///< 0: all
+  int rate = 10;  ///< a second
+};
+
 struct FieldSpec {
   std::filesystem::path file;
   std::optional<double> time; ///< s; nothing: the last step
@@ -118,6 +124,7 @@ struct FieldSpec {
   CropBox crop;
   std::optional<SphereSpec> sphere;
   std::vector<ObstacleSpec> obstacles;
+  std::optional<FilmSpec> film; ///< all in one window and one range, instead of one picture
 };
 
 /// An outcome that cells of a map show: a letter, what it means, its colour in the palette.
@@ -153,6 +160,7 @@ struct FigureSpec {
   std::string name, title;
   int dpi = 300;      ///< of the PNG; layouts count pixels at 300
   bool svg = false;   ///< the same as lines too
+  bool pdf = false;   ///< the same with letters as text
   Margins margins;    ///< of a plot beside others
   int width = 0;      ///< pixels
   double height = 0;  ///< pixels; 0: chosen

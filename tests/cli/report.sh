@@ -124,6 +124,18 @@ if [ $figures = yes ]; then
   "$stiction" show out/tiny --where 'mu == 0.2' --sheet one.png --field contact_pressure >/dev/null
   holds "a smaller one" [ "$(wc -c <one.png)" -lt "$(wc -c <sheet.png)" ]
 fi
+# a film of one case
+if [ $figures = yes ]; then
+  expect 0 "film.ogv: beta of case mu0.2 over its time" "$stiction" show out/tiny --case mu0.2 --animate film.ogv --field beta --frames 2 --rate 3
+  holds "a film" [ "$(head -c 4 film.ogv)" = OggS ]
+  expect 1 "has 3 frames, and a film of 9 is wanted" "$stiction" show out/tiny --case mu0.2 --animate none.ogv --frames 9
+  holds "no film of frames that are not there" [ ! -e none.ogv ]
+fi
+expect 2 "a film shows one case, and 3 are chosen; give --case ID" "$stiction" show out/tiny --animate x.ogv
+expect 2 "--case: out/tiny has no case 'mu0.3'; did you mean 'mu0.2'?" "$stiction" show out/tiny --case mu0.3 --animate x.ogv
+expect 2 "a film's name ends in .ogv" "$stiction" show out/tiny --case mu0.2 --animate x.gif
+expect 2 "--frames and --rate are of a film" "$stiction" show out/tiny --frames 3
+expect 0 "mu0.2  finished|; 1 chosen" "$stiction" show out/tiny --case mu0.2
 expect 2 "there is no field 'von_mise'; did you mean 'von_mises'?" "$stiction" show out/tiny --sheet x.png --field von_mise
 expect 2 "a picture's name ends in .png" "$stiction" show out/tiny --sheet x.jpg
 expect 2 "none of these cases has fields" "$stiction" show out/tiny --sheet x.png --where 'mu > 1'

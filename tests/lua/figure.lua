@@ -91,7 +91,8 @@ test("title and height of a panel reach the figure program, and a single figure 
   equal(spec.figures[1].title, "All")
   equal(spec.figures[1].height, 90)
   equal(figure.panel({ name = "p", svg = true, dpi = 600, figures = { lines {} } }).dpi, 600)
-  fails("dpi and svg are the panel's", figure.panel, { name = "p", figures = { lines { svg = true } } })
+  fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { svg = true } } })
+  fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { pdf = true } } })
   fails("must return a list of figures, not 3", figure.spec, { figures = function() return 3 end }, {})
 end)
 

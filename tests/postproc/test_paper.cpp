@@ -1,6 +1,7 @@
 // What a figure in print needs: a stated resolution, lines as SVG, plots of a panel in line.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <regex>
@@ -93,6 +94,34 @@ TEST_CASE("SVG has the size in print, letters as paths, meshes as pictures, and 
   CHECK_FALSE(std::filesystem::exists(work / "svg/it.svg")); // of an earlier run
 }
 
+TEST_CASE("PDF has the size in print, letters as text in its own font, and repeats") {
+  auto const panel =
+      R"({"name":"it","kind":"panel","pdf":true,"title":"β of µ","figures":[)" + field("") + "," +
+      lines("part", R"("range":[0,1e-3])", R"(,"curves":[{"label":"a label","x":[0,1],"y":[0,1e-3]}])") +
+      "]}";
+  auto const result = draw("pdf", panel);
+  REQUIRE_MESSAGE(result.code == 0, result.messages);
+  auto const first = content(work / "pdf/it.pdf");
+  CHECK(first.starts_with("%PDF-"));
+  CHECK(first.find("/MediaBox [ 0 0 496.0") != std::string::npos); // 175 mm
+  for (char const* part : {"/ToUnicode", "/FontFile2", "+DejaVuSans", "/Subtype /Image", "/Type0"})
+    CHECK_MESSAGE(first.find(part) != std::string::npos, part);
+  REQUIRE(draw("pdf", panel).code == 0);
+  CHECK(content(work / "pdf/it.pdf") == first);
+  if (std::system("command -v pdftotext >/dev/null") != 0) {
+    MESSAGE("not read back: pdftotext is not installed (poppler-utils)");
+    return;
+  }
+  auto const told = work / "pdf/it.txt", complaints = work / "pdf/said.txt";
+  REQUIRE(std::system(fmt::format("pdftotext -layout {} {} 2>{}", (work / "pdf/it.pdf").string(),
+                                  told.string(), complaints.string())
+                          .c_str()) == 0);
+  auto const text = content(told);
+  for (char const* words : {"β of µ", "(a)", "von_mises [MPa]", "(b)", "y [10⁻³]", "0.8"})
+    CHECK_MESSAGE(text.find(words) != std::string::npos, text);
+  CHECK_MESSAGE(content(complaints).find("Syntax Error") == std::string::npos, content(complaints));
+}
+
 TEST_CASE("a curve that leaves its plot ends at the frame, in SVG too") {
   REQUIRE(draw("leaves",
                lines("it", R"("range":[0,1])", R"(,"svg":true,"curves":[{"x":[0,0.5,1],"y":[0.5,9,0.5]}])"))
@@ -125,4 +154,63 @@ TEST_CASE("plots of a panel stand in line whatever their ticks, titles and legen
   CHECK(std::abs((columns[1] - columns[0]) - (columns[3] - columns[2])) <= 1);
   REQUIRE(rows.size() == 4);
   CHECK(std::abs((rows[1] - rows[0]) - (rows[3] - rows[2])) <= 1);
+}
+
+namespace {
+
+/// What the head of a film and its last page state.
+struct Film {
+  int width = 0, height = 0, rate = 0, frames = 0;
+};
+
+int big_endian(std::string const& bytes, std::size_t at, std::size_t count) {
+  int value = 0;
+  for (std::size_t i = at; i < at + count; ++i)
+    value = 256 * value + static_cast<unsigned char>(bytes.at(i));
+  return value;
+}
+
+Film film_of(std::filesystem::path const& file) {
+  auto const bytes = content(file);
+  auto const head = bytes.find("\x80theora"), last = bytes.rfind("OggS");
+  REQUIRE(bytes.starts_with("OggS"));
+  REQUIRE(head != std::string::npos);
+  Film film{big_endian(bytes, head + 14, 3), big_endian(bytes, head + 17, 3), 0, 0};
+  film.rate = big_endian(bytes, head + 22, 4) / big_endian(bytes, head + 26, 4);
+  int const shift =
+      (big_endian(bytes, head + 40, 2) >> 5) & 31; // between key frames and those that follow them
+  int granule = 0;
+  for (std::size_t i = 4; i-- > 0;)
+    granule = 256 * granule + static_cast<unsigned char>(bytes.at(last + 6 + i));
+  film.frames = (granule >> shift) + (granule & ((1 << shift) - 1));
+  return film;
+}
+
+} // namespace
+
+TEST_CASE("a film has its frames and rate, in the size of the picture that holds all of them") {
+  auto const of = [](std::string const& more) { return field(R"(,"deformed":true)" + more); };
+  auto const result = draw("film", of(R"(,"film":{"rate":4})"));
+  REQUIRE_MESSAGE(result.code == 0, result.messages);
+  CHECK(result.messages.find("film/it.ogv") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(work / "film/it.png"));
+  auto const film = film_of(work / "film/it.ogv");
+  CHECK(film.rate == 4);
+  CHECK(film.frames == 2);
+  REQUIRE(draw("still", of(R"(,"time":0)")).code == 0);
+  Image const still(work / "still/it.png");
+  CHECK(film.width == still.width() + still.width() % 2);
+  CHECK(film.height > still.height()); // the second frame reaches lower
+  REQUIRE(draw("film", of("")).code == 0);
+  CHECK_FALSE(std::filesystem::exists(work / "film/it.ogv")); // of an earlier run
+  CHECK(
+      draw("film", of(R"(,"film":{"frames":9})")).messages.find("has 2 frames, and a film of 9 is wanted") !=
+      std::string::npos);
+  CHECK(draw("film", of(R"(,"film":{},"time":0)")).messages.find("is not for a film") != std::string::npos);
+  CHECK(draw("film", of(R"(,"film":{},"pdf":true)")).messages.find("leave out svg and pdf") !=
+        std::string::npos);
+  CHECK(draw("film", of(R"(,"film":{"rate":2.5})")).messages.find("a whole number is wanted") !=
+        std::string::npos);
+  auto const panel = R"({"name":"p","kind":"panel","figures":[)" + of(R"(,"film":{})") + "]}";
+  CHECK(draw("film", panel).messages.find("is not for a part of a panel") != std::string::npos);
 }

@@ -18,6 +18,7 @@ clean STUDY    remove what no case of the study refers to from its output (--lis
 figures STUDY  draw the figures again from the output
 show STUDY     the cases that an output holds: --where 'mu > 0.3 and verdict == "finished"' (SI), --sort -NAME,
                --columns a,b, --csv FILE, --h5 FILE (a table 'cases', SI), --sheet FILE (a field of every case, PNG);
+               --case ID --animate FILE.ogv: a field (--field) of one case over its time, --frames N of it, --rate N a second;
                STUDY may be an output folder; nothing is run
 report STUDY   one page (HTML) that needs nothing else: question, parameters with reasons, results with units and what they
                may be off by, checks, figures, warnings and remarks, what was modelled, versions; also of an output folder

@@ -2,6 +2,7 @@
 local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local film = require "stiction.film"
 local outcomes = require "stiction.outcomes"
 local report = require "stiction.report"
 local selection = require "stiction.selection"
@@ -174,23 +175,30 @@ return function(options)
   local outcome = outcomes.read(outcomes.folder(options.study, options.out))
   local columns = selection.columns(outcome, options.columns)
   local cases = selection.filter(outcome, options.where)
+  if options.case then
+    cases = selection.one(outcome, cases, options.case)
+  end
   if options.sort then
     cases = selection.sort(outcome, cases, options.sort)
   end
-  if options.csv then
+  if not options.animate and (options.frames or options.rate) then
+    fault.input("--frames and --rate are of a film: --animate FILE")
+  elseif options.csv then
     write_csv(outcome.folder, options.csv, csv_text(cases, columns))
     return 0
   end
   if options.h5 then
     write_h5(outcome, options.h5, cases, options.columns and columns or outcome.columns)
     return 0
+  elseif options.animate then
+    return film.draw(outcome, cases, options.animate, options) and 0 or 1
   elseif options.sheet then
     return sheet.draw(outcome, cases, options.sheet, options.field) and 0 or 1
   end
   show_table(cases, columns)
   show_reasons(cases)
   report.line("%s: %s%s%s", outcome.folder, count(outcome.cases),
-    options.where and ("; %d chosen"):format(#cases) or "",
+    (options.where or options.case) and ("; %d chosen"):format(#cases) or "",
     any_scaled(columns) and " (--where and --csv are in SI)" or "")
   return 0
 end

@@ -1,0 +1,33 @@
+-- What pictures of an output's fields need to know: units by name, and whether a case is seen from a side.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local ordered = require "stiction.ordered"
+
+local field_pictures = {}
+
+field_pictures.default = "von_mises"
+
+local unit_of = { von_mises = "Pa", cauchy_stress = "Pa", contact_pressure = "Pa", normal_adhesion = "Pa",
+  tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1" }
+
+--- The unit of a field; bad input if there is none of this name.
+function field_pictures.unit(name)
+  local names = ordered.keys(unit_of)
+  return unit_of[name] or fault.input("--field: there is no field '%s'%s; fields: %s", name, fault.meant(name, names),
+    table.concat(names, ", "))
+end
+
+--- From where a case in this folder is seen: {} if it is a solid, nil if it is plane.
+function field_pictures.view(folder)
+  local manifest = engine.decode_json(engine.read_file(folder .. "/manifest.json") or "")
+  local scene = type(manifest) == "table" and manifest.scene
+  return type(scene) == "table" and scene.kinematics == "three_dimensional" and {} or nil
+end
+
+--- The index of the frames that are kept in this folder, nil if there are none.
+function field_pictures.file(folder)
+  local file = folder .. "/fields.pvd"
+  return engine.kind_of_path(file) == "file" and engine.absolute(file) or nil
+end
+
+return field_pictures

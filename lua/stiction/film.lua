@@ -1,0 +1,47 @@
+-- A film of one case: a field at the times that were kept of its run.
+local case_module = require "stiction.case"
+local drawing = require "stiction.drawing"
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local field_pictures = require "stiction.field_pictures"
+local figure = require "stiction.figure"
+local provenance = require "stiction.provenance"
+local report = require "stiction.report"
+
+local film = {}
+
+local function write(place, picture, file)
+  engine.write_file(place .. "/figures.json", engine.encode_json({ figures = { picture } }))
+  if not drawing.run(place .. "/figures.json", place) then
+    return false
+  end
+  local bytes = engine.read_file(place .. "/film.ogv")
+  engine.write_file(file, bytes or fault.run("the figure program made no film"))
+  return true
+end
+
+--- Writes a film of the one case that is left into `file`; options.field, frames, rate or nil; false if the figure program
+--- failed.
+function film.draw(outcome, cases, file, options)
+  if not file:find("%.ogv$") then
+    fault.input("--animate: a film's name ends in .ogv (Ogg/Theora), unlike %s", file)
+  elseif #cases ~= 1 then
+    fault.input("--animate: a film shows one case, and %d are chosen; give --case ID, one of those that "
+      .. "'stiction show %s' lists", #cases, outcome.folder)
+  end
+  local case, field = cases[1], options.field or field_pictures.default
+  local unit = field_pictures.unit(field)
+  if not field_pictures.file(case.folder) then
+    fault.input("--animate: case %s has no fields (fields.pvd); a scene's output{ frames = ... } says how many", case.name)
+  end
+  local run = case_module.new(case.name, {}, case.folder, engine.absolute(case.folder))
+  local picture = figure.field { name = "film", title = case.name, case = run, array = field, unit = unit, deformed = true,
+    view = field_pictures.view(case.folder), film = { frames = options.frames, rate = options.rate } }
+  local drawn = provenance.in_scratch(write, picture, file)
+  if drawn then
+    report.line("%s: %s of case %s over its time", file, field, case.name)
+  end
+  return drawn
+end
+
+return film
