@@ -3,6 +3,7 @@ local accuracy = require "stiction.trade.accuracy"
 local calls = require "stiction.calls"
 local fault = require "stiction.fault"
 local ledger = require "stiction.ledger"
+local numeric = require "stiction.numeric"
 local proof = require "stiction.proof"
 local tables = require "stiction.tables"
 local units = require "stiction.units"
@@ -100,7 +101,7 @@ function check.recorder()
   function recorder.ledger(case, tolerance, probe)
     local open, largest = ledger.open(case, probe or "energy")
     local t = number(tolerance or 1e-6)
-    return record(("%s: ledger closes, over its largest term"):format(case.id), open / largest, 0, t,
+    return record(("%s: ledger closes, over its largest term"):format(case.id), numeric.share(open, largest), 0, t,
       open < math.huge and open <= t * largest)
   end
 

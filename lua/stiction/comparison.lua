@@ -130,8 +130,10 @@ end
 
 --- The difference of two values: absolute, and relative to the larger one; infinite where they cannot be subtracted.
 local function distance(left, right)
-  if left == right then
+  if left == right or left ~= left and right ~= right then
     return 0, 0
+  elseif left ~= left or right ~= right then
+    return nil, math.huge
   elseif type(left) ~= "number" or type(right) ~= "number" then
     return nil, math.huge
   end

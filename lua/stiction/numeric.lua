@@ -167,4 +167,9 @@ function numeric.map(values, f)
   return list
 end
 
+--- Part over whole; of nothing nothing is 0, and anything else infinite.
+function numeric.share(part, whole)
+  return part == 0 and 0 or part / whole
+end
+
 return numeric

@@ -65,6 +65,9 @@ expect 1 "mu0.2: off by no more than asked for" \
   "$stiction" run soft --accuracy 3% --of force_y --set young=2MPa --set mu=0.2 --check-accuracy --no-figures --out three
 expect 0 "mu0.4: off by at most" "$stiction" run soft --check-accuracy --of force_y --set mu=0.4 --no-figures --out four
 holds "claims need no measured trade" grep -q 'seconds,force_y_error,set,warnings$' four/summary.csv
+# what is 0 whatever the settings is off by nothing
+expect 0 "mu0: off by at most|force_x 0%" "$stiction" run soft --check-accuracy --set mu=0 --case mu0 --no-figures --out five
+holds "an error that is no number: $(cat output five/summary.csv)" [ "$(cat output five/summary.csv | grep -c -- '[-,]nan')" = 0 ]
 expect 2 "has no \`trade" "$stiction" run "$tiny" --check-accuracy
 expect 2 "write a share above 0" "$stiction" run soft --accuracy lots --no-figures
 sed -i 's/soft rubber/softer rubber/' soft/study.lua

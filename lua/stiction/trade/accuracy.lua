@@ -172,6 +172,15 @@ function accuracy.known(own, cases, options)
   return claims
 end
 
+--- "2.5%", or what there is to say where there is no share.
+local function share_words(its)
+  if not its then
+    return "not known"
+  end
+  return its.relative < math.huge and ("%.2g%%"):format(100 * its.relative)
+    or its.absolute < math.huge and ("%.2g in SI, and it is 0 here"):format(its.absolute) or "of a curve that is 0 here"
+end
+
 --- {absolute by name} of what was found for a case, with its words, and the largest relative one that decides.
 local function settle(own, id, found)
   local absolute, words, worst = {}, {}, 0
@@ -180,10 +189,11 @@ local function settle(own, id, found)
     absolute[name] = its and its.absolute
     if own.of or its.judged then
       worst = math.max(worst, its and its.relative or math.huge)
-      words[#words + 1] = its and ("%s %.2g%%"):format(name, 100 * its.relative) or name .. " not known"
+      words[#words + 1] = name .. " " .. share_words(its)
     end
   end
-  report.line("%s: off by at most %.2g%% (%s)", id, 100 * worst, table.concat(words, ", "))
+  local most = worst < math.huge and ("off by at most %.2g%%"):format(100 * worst) or "the share that it is off by is not known"
+  report.line("%s: %s (%s)", id, most, table.concat(words, ", "))
   return absolute, worst
 end
 

@@ -119,11 +119,11 @@ function claim.judge(study, case, variants, cases, against)
     if list then
       local sum, changes = floor * size, {}
       for i, variant in ipairs(variants) do
-        sum, changes[i] = sum + variant.factor * list[i + 1], list[i + 1] / scale
+        sum, changes[i] = sum + variant.factor * list[i + 1], numeric.share(list[i + 1], scale)
       end
-      claims[quantity.name] = { absolute = quantity.curve and sum / scale or sum, relative = sum / scale,
-        judged = not quantity.watched, changes = changes,
-          error = against and list[#list] / scale }
+      claims[quantity.name] = { absolute = quantity.curve and numeric.share(sum, scale) or sum,
+        relative = numeric.share(sum, scale), judged = not quantity.watched, changes = changes,
+        error = against and numeric.share(list[#list], scale) }
     end
   end
   return claims
