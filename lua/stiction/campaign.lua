@@ -5,6 +5,8 @@ local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
 local hold = require "stiction.hold"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
 local rehearsal = require "stiction.rehearsal"
@@ -18,6 +20,20 @@ local campaign = {}
 local patience = 20 -- times what writing the summary took, between two writings
 local many = 200 -- cases whose scenes are not all kept in memory
 
+--- Says once what is swept and no scene asks for, which is often a slip of the pen.
+local function tell_unread(plan)
+  local study, first = plan.study, plan.cases[1] or {}
+  local known = {}
+  for _, name in ipairs(first.p and ordered.keys(first.p) or {}) do
+    known[#known + 1] = not numeric.first_where(first.swept or {}, function(own) return own == name end) and name or nil
+  end
+  for _, name in ipairs(not study.told_unread and study:unread(first.swept or {}) or {}) do
+    engine.complain(("stiction: no scene reads the swept parameter '%s'%s: all its values give the same scene\n"):format(name,
+      fault.meant(name, known)))
+    study.told_unread = true
+  end
+end
+
 --- What stands of the plan's cases: rows as evaluation.row gives them.
 function campaign.survey(plan)
   local rows = {}
@@ -25,6 +41,7 @@ function campaign.survey(plan)
     rows[i] = evaluation.row(plan.study, plan.folder, case, #plan.cases > many)
   end
   adoption.find(plan, rows)
+  tell_unread(plan)
   return rows
 end
 

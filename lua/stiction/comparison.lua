@@ -1,5 +1,6 @@
 -- What differs between two outputs: cases, parameters, settings, results.
 local engine = require "stiction.engine"
+local manifests = require "stiction.manifest"
 local ordered = require "stiction.ordered"
 
 local comparison = {}
@@ -73,9 +74,8 @@ end
 
 --- What a case was run with: by kind of setting, texts by their paths.
 local function settings_of(outcome, case)
-  local manifest = engine.decode_json(engine.read_file(case.folder .. "/manifest.json") or "")
+  local manifest = manifests.read(case.folder)
   local parameters, settings, files, program = {}, {}, {}, {}
-  manifest = type(manifest) == "table" and manifest or {}
   for _, column in ipairs(outcome.columns) do
     local value = case.values[column.name]
     if column.kind == "parameter" and value ~= nil then

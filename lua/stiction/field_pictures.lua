@@ -1,6 +1,7 @@
 -- What pictures of an output's fields need to know: units by name, and whether a case is seen from a side.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local manifest = require "stiction.manifest"
 local ordered = require "stiction.ordered"
 
 local field_pictures = {}
@@ -19,8 +20,7 @@ end
 
 --- From where a case in this folder is seen: {} if it is a solid, nil if it is plane.
 function field_pictures.view(folder)
-  local manifest = engine.decode_json(engine.read_file(folder .. "/manifest.json") or "")
-  local scene = type(manifest) == "table" and manifest.scene
+  local scene = manifest.read(folder).scene
   return type(scene) == "table" and scene.kinematics == "three_dimensional" and {} or nil
 end
 

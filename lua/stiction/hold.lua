@@ -9,9 +9,23 @@ local function study_file(folder)
   return folder .. "/study.json"
 end
 
+--- What study.json of the folder says, {} if there is none; bad input if it cannot be read, or if a newer version wrote it.
+function hold.owner(folder)
+  local text = engine.read_file(study_file(folder))
+  local kept = text and engine.decode_json(text)
+  if text and type(kept) ~= "table" then
+    fault.input("%s is damaged, so that it is not known whose the folder is; remove that file if the folder is this study's, "
+      .. "or choose another folder with --out", study_file(folder))
+  elseif kept and type(kept.layout) == "number" and kept.layout > hold.layout then
+    fault.input("%s was written by a newer version of Stiction (layout %g; %s reads up to %d); read it with that one, or "
+      .. "choose another folder with --out", folder, kept.layout, engine.version, hold.layout)
+  end
+  return kept or {}
+end
+
 local function read_owner(folder)
-  local kept = engine.decode_json(engine.read_file(study_file(folder)) or "")
-  return type(kept) == "table" and type(kept.study) == "string" and kept or {}
+  local kept = hold.owner(folder)
+  return type(kept.study) == "string" and kept or {}
 end
 
 --- Bad input if the folder is that of another study which still is there.

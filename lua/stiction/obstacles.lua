@@ -1,5 +1,6 @@
 -- The rigid obstacles of a case, as plane pictures draw them.
 local engine = require "stiction.engine"
+local manifest = require "stiction.manifest"
 local ordered = require "stiction.ordered"
 
 local obstacles = {}
@@ -72,8 +73,7 @@ end
 --- where none can be drawn. One that is free and followed by no probe is left out, as nothing tells where it is.
 --- `moving`: on their paths, else as at the start.
 function obstacles.of(case, moving)
-  local manifest = engine.decode_json(engine.read_file(case.folder .. "/manifest.json") or "")
-  local scene = type(manifest) == "table" and manifest.scene
+  local scene = manifest.read(case.folder).scene
   if type(scene) ~= "table" or scene.kinematics == "three_dimensional" then
     return nil
   end

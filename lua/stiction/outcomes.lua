@@ -27,16 +27,6 @@ local function decoded(path)
   return type(value) == "table" and value or nil
 end
 
---- study.json of the folder, {} if it has none; bad input if a newer version wrote it.
-local function owner_of(folder)
-  local owner = decoded(folder .. "/study.json") or {}
-  if type(owner.layout) == "number" and owner.layout > hold.layout then
-    fault.input("%s was written by a newer version of Stiction (layout %g; %s reads up to %d); read it with that one",
-      folder, owner.layout, engine.version, hold.layout)
-  end
-  return owner
-end
-
 --- Names in the head of summary.csv, and its rows by name in their order; a second entry of a name, what a run took, is
 --- called "measure <name>".
 local function read_summary(folder)
@@ -213,7 +203,7 @@ function outcomes.read(folder)
   if engine.kind_of_path(folder) ~= "folder" then
     fault.input("there is no output folder %s; 'stiction run' on the study makes it", folder)
   end
-  local owner, head, rows = owner_of(folder), read_summary(folder)
+  local owner, head, rows = hold.owner(folder), read_summary(folder)
   local cases = read_cases(folder, rows)
   if #cases == 0 then
     fault.input("%s holds no results: no summary.csv with cases, and no folder of a case", folder)

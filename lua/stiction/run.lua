@@ -197,9 +197,7 @@ end
 --- Runs a study; its exit code, its output folder and its study table.
 return function(options)
   local plan = make_plan(options)
-  if options.quick and not next(plan.study.quick) then
-    engine.complain("stiction: the study has no quick form, which is quick = { sweep = ..., set = ... }: it runs in full\n")
-  end
+  sweep.tell_quick(plan.study, options)
   local code
   if options.list then
     hold.check_owner(plan.folder, plan.study)

@@ -179,11 +179,37 @@ function methods.variant(self, changes)
   return study.define(t)
 end
 
+--- p as a scene sees it; `read` notes the names that it asks for.
+local function watched(p, read)
+  return setmetatable({}, {
+    __index = function(_, name)
+      read[name] = true
+      return p[name]
+    end,
+    __pairs = function()
+      for name in ordered.pairs(p) do
+        read[name] = true
+      end
+      return ordered.pairs(p)
+    end,
+  })
+end
+
+--- The swept names that no scene made so far has asked for, sorted; {} before any was made.
+function methods.unread(self, names)
+  local list = {}
+  for _, name in ipairs(names) do
+    list[#list + 1] = self.read and not self.read[name] and name or nil
+  end
+  return list
+end
+
 --- The scene of a case, made once.
 function methods.scene_of(self, case)
   if not case.scene then
     engine.reseed() -- one case's scene does not depend on whether another's was made before
-    case.scene = self.scene(case.p)
+    self.read = self.read or {}
+    case.scene = self.scene(watched(case.p, self.read))
   end
   if type(case.scene) ~= "table" then
     fault.input("study.scene must end with: return stiction.scene{ ... }; it gave %s",

@@ -271,6 +271,13 @@ local function differ(p, q)
   return numeric.first_where(ordered.keys(p), function(name) return p[name] ~= q[name] end) ~= nil
 end
 
+--- Says once of a study without a quick form that --quick asks for none.
+function sweep.tell_quick(study, options)
+  if options.quick and not next(study.quick) then
+    engine.complain("stiction: the study has no quick form, which is quick = { sweep = ..., set = ... }: it stands in full\n")
+  end
+end
+
 --- The cases of `study` under options {quick =, set =, trade =}: list of {id =, p =}, and the names that are swept.
 function sweep.cases(study, options)
   if options.trade then
@@ -287,6 +294,7 @@ function sweep.cases(study, options)
   local cases, seen = {}, {}
   for i, entry in ipairs(swept) do
     local case = make_case(study, names, entry, swept[1], values, plan.ids and plan.ids[i])
+    case.swept = names
     case.problems = options.problems and math.floor(options.problems)
     if not seen[case.id] then
       cases[#cases + 1], seen[case.id] = case, case

@@ -39,7 +39,7 @@ done
 expect 0 "mu0  to run" "$stiction" run mark --list
 
 changed slow '/^ *quick = {/d'
-expect 0 "the study has no quick form|it runs in full" "$stiction" run slow --quick --list
+expect 0 "the study has no quick form|it stands in full" "$stiction" run slow --quick --list
 
 mkdir scripts
 cat >scripts/deep.lua <<'L'

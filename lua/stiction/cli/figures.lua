@@ -70,6 +70,7 @@ end
 
 return function(options)
   local study = study_module.load(options.study, options.trust)
+  sweep.tell_quick(study, options)
   local folder = output.folder(study, options)
   if engine.kind_of_path(folder) ~= "folder" then
     fault.input("no finished case in %s with these parameters; run the study first", folder)

@@ -70,6 +70,7 @@ end
 
 return function(options)
   local study = study_module.load(options.study, options.trust)
+  sweep.tell_quick(study, options)
   local cases = sweep.cases(study, options)
   cases = options.case and { sweep.find(cases, options.case) } or cases
   local plan = { study = study, cases = cases, folder = output.folder(study, options), options = options }
