@@ -17,7 +17,8 @@ struct PreparedBlock {
   std::vector<double> gradients; ///< [cells, points, width, nodes], 1/m; width as in Geometry
   std::vector<double>
       volumes; ///< that the points stand for, [cells, points], m^2 (m^3 when axisymmetric or in 3D)
-  BlockPasses const* passes; ///< the code for this kind
+  BlockPasses const* passes;     ///< the code for this kind
+  material::Material const* law; ///< of all its cells
   [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
 };
 

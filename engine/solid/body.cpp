@@ -1,11 +1,18 @@
 // Refuses interpolations that a body's cells cannot carry.
 #include "solid/body.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 
 namespace stiction::solid {
+
+bool linear(Body const& body) {
+  return material::linear(body.material) &&
+         std::all_of(body.laws.begin(), body.laws.end(),
+                     [](auto const& law) { return material::linear(law); });
+}
 
 void check_interpolation(Body const& body) {
   if (body.interpolation == Interpolation::plain)

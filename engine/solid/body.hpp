@@ -29,11 +29,18 @@ enum class Interpolation { plain, mean_dilatation };
 struct Body {
   std::string name;
   mesh::Mesh mesh;
-  material::Material material;
-  double density = 0; ///< kg/m^3
+  material::Material material; ///< of all cells, or the most compliant of `laws`
+  double density = 0;          ///< kg/m^3
   Interpolation interpolation = Interpolation::plain;
   std::optional<material::KelvinVoigt> damping{}; ///< viscous stress beside the law's; none by default
+  std::vector<material::Material> laws{};         ///< of each block of the mesh; empty: `material` of all
+  [[nodiscard]] material::Material const& law_of(std::size_t block) const {
+    return laws.empty() ? material : laws.at(block);
+  }
 };
+
+/// Are the forces of all cells linear in the displacement?
+[[nodiscard]] bool linear(Body const& body);
 
 /// Throws InputError where mean dilatation cannot help: cells whose strain is constant.
 void check_interpolation(Body const& body);

@@ -24,7 +24,7 @@ public:
   using Stiffness = std::array<Square, G::pairs>; ///< between components i >= j, lower ones by symmetry
 
   Cell(PreparedBlock const& block, Body const& body)
-      : block_(block), body_(body), finite_(!small_strain(body.material)),
+      : block_(block), body_(body), finite_(!small_strain(*block.law)),
         mean_(body.interpolation == Interpolation::mean_dilatation) {}
 
   [[nodiscard]] Index const* connectivity() const { return &block_.connectivity[ix(number_ * nodes)]; }
@@ -55,7 +55,7 @@ public:
 
   /// The law's response at every point; its energy in this cell.
   template<material::Wanted wanted> double respond() {
-    solid::respond<voigt>(body_.material, wanted, {strains_.data(), at(points())},
+    solid::respond<voigt>(*block_.law, wanted, {strains_.data(), at(points())},
                           {responses_.data(), at(points())});
     double energy = 0;
     for (int q = 0; q < points(); ++q)

@@ -79,15 +79,15 @@ BlockPasses const& passes(Kinematics kinematics, int nodes) {
 
 Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics_(kinematics) {
   core::expect(body.mesh.nodes.cols() == dimension(kinematics), "a mesh of the kinematics' dimension");
-  for (auto const& block : body.mesh.blocks)
-    blocks_.push_back(prepare(block));
+  for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i)
+    blocks_.push_back(prepare(body.mesh.blocks[i], body.law_of(i)));
 }
 
-PreparedBlock Cells::prepare(mesh::Block const& block) const {
+PreparedBlock Cells::prepare(mesh::Block const& block, material::Material const& law) const {
   auto const& rule = mesh::stiffness_rule(block.kind);
   int const nodes = mesh::info(block.kind).nodes, points = static_cast<int>(rule.weights.size());
   core::expect(points <= most_points, "quadrature points within the capacity of a cell");
-  PreparedBlock prepared{block.kind, nodes, points, block.nodes, {}, {}, &passes(kinematics_, nodes)};
+  PreparedBlock prepared{block.kind, nodes, points, block.nodes, {}, {}, &passes(kinematics_, nodes), &law};
   for (Index c = 0; c < prepared.cells(); ++c) {
     Matrix const X = corners(body_->mesh, nodes_of(prepared, c));
     for (int q = 0; q < points; ++q) {

@@ -53,7 +53,7 @@ public:
   [[nodiscard]] Index count() const;
 
 private:
-  [[nodiscard]] PreparedBlock prepare(mesh::Block const& block) const;
+  [[nodiscard]] PreparedBlock prepare(mesh::Block const& block, material::Material const& law) const;
   template<class BlockPass>
   void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass&& pass) const;
 

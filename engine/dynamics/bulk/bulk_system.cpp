@@ -105,7 +105,7 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
     gather_grip(model);
   linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(),
-                               [](auto const& body) { return material::linear(body->material); });
+                               [](auto const& body) { return solid::linear(*body); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
 }

@@ -1,4 +1,4 @@
-// Layout: /nodes [n, dim]; /blocks/<i>: kind, nodes; /sets/<i>: name, nodes, facet_nodes, facet_sizes.
+// Layout: /nodes [n, dim]; /blocks/<i>: kind, nodes; /sets/<i>: name, nodes, facet_nodes, facet_sizes, cells.
 #include "mesh/files/mesh_file.hpp"
 
 #include <fmt/format.h>
@@ -107,10 +107,11 @@ void write_set(hid_t group, std::string const& name, Set const& set) {
   write(group, "nodes", set.nodes);
   write(group, "facet_nodes", facet_nodes);
   write(group, "facet_sizes", facet_sizes);
+  write(group, "cells", set.cells);
 }
 
 Set read_set(hid_t group) {
-  Set set{read<Index>(group, "nodes").values, {}};
+  Set set{read<Index>(group, "nodes").values, {}, read<Index>(group, "cells").values};
   auto const nodes = read<Index>(group, "facet_nodes").values;
   auto const sizes = read<Index>(group, "facet_sizes").values;
   auto next = nodes.begin();
@@ -141,6 +142,9 @@ void refuse_unless_whole(Mesh const& mesh) {
     refuse_unless_there(set.nodes, mesh);
     for (auto const& facet : set.facets)
       refuse_unless_there(facet.nodes, mesh);
+    for (Index const cell : set.cells)
+      if (cell < 0 || cell >= mesh.cell_count())
+        throw core::RunError("the mesh file has sets of cells that it lacks");
   }
 }
 

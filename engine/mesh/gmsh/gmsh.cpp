@@ -283,15 +283,22 @@ core::Schema const& MshFile::schema() {
   using core::Need;
   static auto const result =
       core::Describe<MshFile>(
-          "msh_file", "mesh file of gmsh (.msh: sets are its physical groups), Abaqus or CalculiX (.inp: "
-                      "its surfaces, node and element sets), legacy VTK (.vtk: no sets), or a closed "
-                      "surface to fill (.stl: sets surface, face_1, ... between creases); and all")
-          .file("path", &MshFile::path, Need::required, "file name, ends in .msh, .inp, .vtk or .stl")
-          .number("scale", &MshFile::scale, "m", core::positive, Need::optional, "length of the file's unit")
+          "msh_file",
+          "mesh file of gmsh (.msh: sets are its physical groups), Abaqus or CalculiX (.inp: "
+          "its surfaces, node and element sets), VTK (.vtu, legacy .vtk: NAME_VALUE of its arrays of "
+          "whole numbers), or a closed surface to fill (.stl: sets surface, face_1, ... between "
+          "creases); and all")
+          .file("path", &MshFile::path, Need::required, "file name, ends in .msh, .inp, .vtu, .vtk or .stl")
+          .number("scale", &MshFile::scale, "m", core::positive, Need::optional,
+                  "length of the file's unit; default: it is in metres")
           .number("size", &MshFile::size, "m", core::non_negative, Need::optional,
                   "of the tetrahedra that fill an .stl")
           .build();
   return result;
+}
+
+void MshFile::read_nested(core::Reader& reader) {
+  scaled = reader.has("scale");
 }
 
 Mesh gmsh_geometry(GmshGeometry const& geometry) {
@@ -305,14 +312,10 @@ namespace {
 
 void refuse_unless_readable(MshFile const& file, std::string const& what) {
   auto const& path = file.path;
-  if (path.ends_with(".vtu"))
-    throw core::InputError(
-        fmt::format("{}: .vtu is not read; save it as legacy .vtk (ParaView: Save Data), or by "
-                    "meshio convert as .inp or .msh",
-                    what));
   bool const stl = path.ends_with(".stl");
-  if (!stl && !path.ends_with(".msh") && !path.ends_with(".inp") && !path.ends_with(".vtk"))
-    throw core::InputError(fmt::format("{}: the name must end in .msh, .inp, .vtk or .stl", what));
+  if (!stl && !path.ends_with(".msh") && !path.ends_with(".inp") && !path.ends_with(".vtu") &&
+      !path.ends_with(".vtk"))
+    throw core::InputError(fmt::format("{}: the name must end in .msh, .inp, .vtu, .vtk or .stl", what));
   if (stl != (file.size > 0))
     throw core::InputError(stl ? fmt::format("{}: give the size of the cells that fill it, size = ...", what)
                                : fmt::format("{}: size is for .stl; the file has its cells", what));

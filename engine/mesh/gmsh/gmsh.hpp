@@ -52,13 +52,16 @@ struct GmshGeometry {
 
 /// A mesh file, solid where it has solid cells. Sets: of gmsh's .msh its physical groups by name (curves in
 /// 2D and surfaces in 3D become boundaries, others node sets), of Abaqus' .inp its surfaces (boundaries),
-/// node and element sets, of an .stl "surface" and "face_1", ... between creases of 40 degrees; "all"
-/// (nodes). Without physical surfaces (2D) or volumes (3D) all cells are taken.
+/// node and element sets, of a grid of VTK NAME_VALUE of its arrays of whole numbers, of an .stl "surface"
+/// and "face_1", ... between creases of 40 degrees; "all" (nodes). Sets of cells know their cells. Without
+/// physical surfaces (2D) or volumes (3D) all cells are taken.
 struct MshFile {
-  std::string path;   ///< ends in .msh, .inp, .vtk or .stl
-  double scale = 1.0; ///< length of the file's unit, m
-  double size = 0;    ///< of the tetrahedra that fill an .stl, m; else 0
+  std::string path;    ///< ends in .msh, .inp, .vtu, .vtk or .stl
+  double scale = 1.0;  ///< length of the file's unit, m
+  double size = 0;     ///< of the tetrahedra that fill an .stl, m; else 0
+  bool scaled = false; ///< the script gives the scale
   static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
 };
 
 /// Throws InputError for outlines that are open, arcs off their circle, unknown names, and what gmsh refuses.

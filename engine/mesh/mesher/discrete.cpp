@@ -1,5 +1,6 @@
-// Cells become one discrete entity, every set one of its own.
+// Cells become discrete entities by the sets they are in, every other set one of its own.
 #include <gmsh.h>
+#include <set>
 
 #include "mesh/mesher/file_mesh.hpp"
 
@@ -21,8 +22,7 @@ void add_entity(int dim, std::string const& name, std::map<int, Tags> const& nod
   gmsh::model::setPhysicalName(dim, group, name);
 }
 
-void add_cells(FileMesh const& mesh, int dim) {
-  int const entity = gmsh::model::addDiscreteEntity(dim);
+void add_nodes(FileMesh const& mesh, int dim, int entity) {
   Tags tags;
   std::vector<double> places;
   for (auto const& [tag, place] : mesh.nodes) {
@@ -30,18 +30,40 @@ void add_cells(FileMesh const& mesh, int dim) {
     places.insert(places.end(), place.begin(), place.end());
   }
   gmsh::model::mesh::addNodes(dim, entity, tags, places);
-  std::map<int, Tags> by_type;
+}
+
+/// Cells that are in the same sets stand in one entity; the sets are groups of these.
+void add_cells(FileMesh const& mesh, int dim) {
+  std::map<std::size_t, std::set<std::string>> sets_of; // by cell
+  for (auto const& [name, cells] : mesh.cell_sets)
+    for (std::size_t const cell : cells)
+      sets_of[cell].insert(name);
+  std::map<std::set<std::string>, std::map<int, Tags>> parts; // nodes by type
   for (auto const& [number, cell] : mesh.cells) {
     auto const& info = mesh::info(cell.kind);
     Tags nodes(cell.nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       nodes[static_cast<std::size_t>(info.gmsh_order[k])] = cell.nodes[k];
-    auto& all = by_type[info.gmsh_type];
+    auto& all = parts[sets_of[number]][info.gmsh_type];
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
-  for (auto const& [type, nodes] : by_type)
-    gmsh::model::mesh::addElementsByType(entity, type, {}, nodes);
-  gmsh::model::setPhysicalName(dim, gmsh::model::addPhysicalGroup(dim, {entity}), "all");
+  std::map<std::string, std::vector<int>> groups;
+  for (auto const& [names, by_type] : parts) {
+    int const entity = gmsh::model::addDiscreteEntity(dim);
+    if (groups.empty())
+      add_nodes(mesh, dim, entity);
+    for (auto const& [type, nodes] : by_type)
+      gmsh::model::mesh::addElementsByType(entity, type, {}, nodes);
+    groups["all"].push_back(entity);
+    for (auto const& name : names)
+      if (name != "all")
+        groups[name].push_back(entity);
+  }
+  for (auto const& [name, entities] : groups) {
+    bool const taken = mesh.node_sets.contains(name) || mesh.side_sets.contains(name);
+    gmsh::model::setPhysicalName(dim, gmsh::model::addPhysicalGroup(dim, entities),
+                                 (taken ? std::string(cells_only) : "") + name);
+  }
 }
 
 } // namespace

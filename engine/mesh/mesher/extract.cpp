@@ -24,22 +24,26 @@ using mesh::Mesh;
 struct Elements {
   int type;
   Tags nodes;
+  Tags tags; ///< gmsh's numbers of the elements
 };
 
 /// All elements of dimension `dim` on the given entities.
 std::vector<Elements> elements_on(int dim, std::vector<int> const& entities) {
-  std::map<int, Tags> by_type;
+  std::map<int, Elements> by_type;
   for (int const entity : entities) {
     std::vector<int> types;
     std::vector<Tags> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, dim, entity);
-    for (std::size_t i = 0; i < types.size(); ++i)
-      by_type[types[i]].insert(by_type[types[i]].end(), nodes[i].begin(), nodes[i].end());
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      auto& all = by_type.try_emplace(types[i], Elements{types[i], {}, {}}).first->second;
+      all.nodes.insert(all.nodes.end(), nodes[i].begin(), nodes[i].end());
+      all.tags.insert(all.tags.end(), elements[i].begin(), elements[i].end());
+    }
   }
   std::vector<Elements> result;
   result.reserve(by_type.size());
-  for (auto& [type, nodes] : by_type)
-    result.push_back({type, std::move(nodes)});
+  for (auto& [type, elements] : by_type)
+    result.push_back(std::move(elements));
   return result;
 }
 
@@ -237,12 +241,38 @@ std::vector<mesh::Facet> facets_on(std::vector<Elements> const& sides, Numbering
   return facets;
 }
 
-void add_sets(Mesh& mesh, Numbering const& numbering) {
+/// The numbers of cells, block after block, by gmsh's tags.
+using CellNumbers = std::map<std::size_t, Index>;
+
+CellNumbers numbers_of(std::vector<Elements> const& cells) {
+  CellNumbers numbers;
+  for (auto const& elements : cells)
+    for (std::size_t const tag : elements.tags)
+      numbers.emplace(tag, static_cast<Index>(numbers.size()));
+  return numbers;
+}
+
+Indices cells_of(std::vector<Elements> const& elements, CellNumbers const& numbers) {
+  Indices cells;
+  for (auto const& part : elements)
+    for (std::size_t const tag : part.tags)
+      cells.push_back(numbers.at(tag));
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+void add_sets(Mesh& mesh, Numbering const& numbering, CellNumbers const& cells) {
   auto const boundary = boundary_by_corners(mesh);
   for (int dim = 0; dim <= mesh.dim; ++dim)
     for (auto const& group : groups_of(dim)) {
       auto const elements = elements_on(dim, group.entities);
+      if (group.name.starts_with(cells_only)) {
+        mesh.sets[group.name.substr(cells_only.size())].cells = cells_of(elements, cells);
+        continue;
+      }
       auto& set = mesh.sets[group.name];
+      if (dim == mesh.dim)
+        set.cells = cells_of(elements, cells);
       Indices const nodes = unique_nodes(elements, numbering);
       Indices both;
       std::set_union(set.nodes.begin(), set.nodes.end(), nodes.begin(), nodes.end(),
@@ -292,7 +322,7 @@ Mesh extract(double scale) {
     mesh.blocks.push_back(block_of(elements, numbering));
   if (dim == 2)
     turn_to_front(mesh);
-  add_sets(mesh, numbering);
+  add_sets(mesh, numbering, numbers_of(cells));
   return mesh;
 }
 

@@ -57,15 +57,6 @@ void open_msh(std::string const& path, std::string content, std::string const& o
   std::filesystem::remove(twin);
 }
 
-void open_vtk(std::string const& path, std::string const& content) {
-  if (!content.starts_with("# vtk DataFile"))
-    throw core::InputError("not a legacy VTK file: it does not begin with \"# vtk DataFile\"");
-  if (content.find("UNSTRUCTURED_GRID") == std::string::npos)
-    throw core::InputError(
-        "the file has no DATASET UNSTRUCTURED_GRID, so no cells; write an unstructured grid");
-  gmsh::open(path);
-}
-
 /// A closed surface of triangles becomes a volume of tetrahedra of one size.
 void fill_stl(std::string const& path, double size) {
   gmsh::open(path);
@@ -106,8 +97,8 @@ void import_file(nlohmann::json const& request, std::string const& output) {
   auto const ends_in = [&path](char const* ending) { return path.ends_with(ending); };
   if (ends_in(".inp"))
     put_into_gmsh(parse_inp(read.str()));
-  else if (ends_in(".vtk"))
-    open_vtk(path, read.str());
+  else if (ends_in(".vtk") || ends_in(".vtu"))
+    put_into_gmsh(read_vtk(path));
   else if (ends_in(".stl"))
     fill_stl(path, request.at("size").get<double>());
   else

@@ -332,8 +332,7 @@ private:
           throw core::InputError(fmt::format("node set {} has node {}, which is not in the file", name, tag));
   }
 
-  /// Cells are the elements of the highest dimension; sets of those one lower are sides, of cells their
-  /// nodes.
+  /// Cells are the elements of the highest dimension; sets of those one lower are sides.
   FileMesh assembled() {
     int dim = 0;
     for (auto const& [tag, element] : elements_)
@@ -346,7 +345,7 @@ private:
         mesh_.cells[tag] = {*kind_of(element.type), element.nodes};
     mesh_.node_sets = node_sets_;
     for (auto const& [name, tags] : element_sets_)
-      if (!name.starts_with('_') && !mesh_.side_sets.contains(name) && !mesh_.node_sets.contains(name))
+      if (!name.starts_with('_'))
         add_element_set(name, tags, dim);
     for (auto& [name, tags] : mesh_.node_sets) {
       std::sort(tags.begin(), tags.end());
@@ -357,7 +356,9 @@ private:
     return std::move(mesh_);
   }
 
+  /// Sides of a name that nodes or sides have already are left out.
   void add_element_set(std::string const& name, Tags const& tags, int dim) {
+    bool const taken = mesh_.side_sets.contains(name) || mesh_.node_sets.contains(name);
     for (auto const tag : tags) {
       auto const found = elements_.find(tag);
       if (found == elements_.end())
@@ -365,9 +366,8 @@ private:
             fmt::format("element set {} has element {}, which is not in the file", name, tag));
       auto const& [type, nodes] = found->second;
       if (type.dim == dim) {
-        auto& set = mesh_.node_sets[name];
-        set.insert(set.end(), nodes.begin(), nodes.end());
-      } else if (type.dim == dim - 1) {
+        mesh_.cell_sets[name].push_back(tag);
+      } else if (type.dim == dim - 1 && !taken) {
         mesh_.side_sets[name].push_back(nodes);
       }
     }

@@ -14,9 +14,9 @@ void build_geometry(nlohmann::json const& request);
 /// Meshes one of a few solids about the origin with tetrahedra; its faces become physical surfaces.
 void build_solid(nlohmann::json const& request);
 
-/// Reads the mesh file of a request (.msh, .inp, legacy .vtk) into gmsh's current model, or fills the surface
-/// of an .stl with tetrahedra of the request's "size". Throws InputError when the file is truncated or not a
-/// mesh file.
+/// Reads the mesh file of a request (.msh, .inp, .vtu, legacy .vtk) into gmsh's current model, or fills the
+/// surface of an .stl with tetrahedra of the request's "size". Throws InputError when the file is truncated
+/// or not a mesh file.
 void import_file(nlohmann::json const& request, std::string const& output);
 
 /// The plane or solid mesh of gmsh's current model, lengths times `scale`, with its physical groups as sets.

@@ -27,6 +27,7 @@ struct Facet {
 struct Set {
   Indices nodes;
   std::vector<Facet> facets;
+  Indices cells{}; ///< numbered block after block, ascending; only of sets that a file makes of cells
 };
 
 struct Mesh {

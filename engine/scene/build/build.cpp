@@ -8,6 +8,7 @@
 #include "dynamics/step/stepper.hpp"
 #include "mesh/topology/quality.hpp"
 #include "scene/build/builder.hpp"
+#include "scene/build/laws.hpp"
 
 namespace stiction::scene {
 
@@ -148,6 +149,7 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
                                        body->mesh.dim, model.dim(),
                                        body->mesh.dim == 3 ? "three_dimensional" : "plane_strain"));
   mesh::check(body->mesh, name);
+  give_laws(*body, part.laws_by_set);
   check_radius(name, body->mesh);
   solid::check_interpolation(*body);
   model.first_node.push_back(model.first_node.back() + body->mesh.node_count());
@@ -172,7 +174,8 @@ void Builder::add_bodies() {
       make_body(name, part);
     } catch (core::InputError const& error) {
       for (auto const& complaint : error.complaints())
-        complain({"bodies", name, "mesh"}, complaint.message());
+        complain({"bodies", name, complaint.path == "material" ? "material" : "mesh"},
+                 complaint.path == "material" ? complaint.text : complaint.message());
     }
   }
   if (scene_.part.bodies.empty())

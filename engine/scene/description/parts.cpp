@@ -62,11 +62,28 @@ template<class Choice> Choice nested_choice(Reader& reader, char const* key, Nee
 
 } // namespace
 
+namespace {
+
+/// Is `material` a plain table of tables, laws by the names of sets?
+bool names_sets(Reader const& reader) {
+  auto const* table = reader.input().table();
+  auto const found = table == nullptr ? core::Table::const_iterator{} : table->find("material");
+  if (table == nullptr || found == table->end() || !found->second.tag.empty())
+    return false;
+  auto const* laws = found->second.table();
+  return laws != nullptr && !laws->empty() &&
+         std::ranges::all_of(*laws, [](auto const& law) { return law.second.table() != nullptr; });
+}
+
+} // namespace
+
 core::Schema const& BodyPart::schema() {
   static auto const made =
       Describe<BodyPart>{"body", "a deformable body", "physics.md 4"}
           .nested("mesh", "mesh", Need::required, "its mesh")
-          .nested("material", "material", Need::required, "its bulk law")
+          .nested("material", "material", Need::required,
+                  "its bulk law, or { SET = law, ... } where sets of cells of its mesh file have laws of "
+                  "their own")
           .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
                   "mass density of the reference body")
           .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y [, z]}")
@@ -81,7 +98,11 @@ core::Schema const& BodyPart::schema() {
 
 void BodyPart::read_nested(Reader& reader) {
   mesh = nested_choice<mesh::Generator>(reader, "mesh", Need::required);
-  material = nested_choice<material::Material>(reader, "material", Need::required);
+  if (names_sets(reader))
+    laws_by_set = named<material::Material>(reader, "material", Need::required,
+                                            [](Reader r) { return r.alternative<material::Material>(); });
+  else
+    material = nested_choice<material::Material>(reader, "material", Need::required);
   if (reader.has("damping"))
     damping = std::get<material::KelvinVoigt>(
         nested_choice<std::variant<material::KelvinVoigt>>(reader, "damping", Need::optional));

@@ -29,9 +29,10 @@ struct RemeshPart {
 
 struct BodyPart {
   mesh::Generator mesh;
-  material::Material material;
-  double density = 0; ///< kg/m^3
-  Numbers velocity;   ///< m/s; empty: at rest
+  material::Material material;                           ///< where there is one for all cells
+  std::map<std::string, material::Material> laws_by_set; ///< by set of cells; empty: `material` everywhere
+  double density = 0;                                    ///< kg/m^3
+  Numbers velocity;                                      ///< m/s; empty: at rest
   solid::Interpolation interpolation = solid::Interpolation::plain;
   std::optional<material::KelvinVoigt> damping;
   std::optional<RemeshPart> remesh; ///< only with mesh.gmsh

@@ -86,7 +86,13 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
       body.mesh.cell_count());
   add(section, "nodes", counted(body.mesh.node_count()), body.mesh.node_count());
   add(section, "unknowns", fmt::format("{} free, {} driven or held", facts.free, facts.driven), facts.free);
-  add(section, "material", chosen("material", body.material));
+  auto const& laws = all.scene->part.bodies.at(body.name).laws_by_set;
+  if (laws.empty())
+    add(section, "material", chosen("material", body.material));
+  for (auto const& [set, law] : laws)
+    add(section, "material of " + set, chosen("material", law));
+  if (!laws.empty())
+    add(section, "numbers", "by the most compliant of these laws");
   add(section, "at rest",
       fmt::format("E = {}, nu = {:.3g}, G = {}, K = {}", human(facts.moduli.young, "Pa"),
                   facts.moduli.poisson, human(facts.moduli.shear(), "Pa"), human(facts.moduli.bulk(), "Pa")));

@@ -163,18 +163,22 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
 
 void locking_cells(BodyFacts const& facts, Warnings& warnings) {
   auto const& body = *facts.body;
-  if (facts.moduli.poisson < locking || body.interpolation != solid::Interpolation::plain)
+  if (body.interpolation != solid::Interpolation::plain)
     return;
   static std::map<mesh::CellKind, char const*> const remedies{
       {mesh::CellKind::quad4, "interpolation = \"mean_dilatation\", or quad8 cells"},
       {mesh::CellKind::hex8, "interpolation = \"mean_dilatation\", or hex20 cells"},
       {mesh::CellKind::tri3, "tri6 or quad4 cells with interpolation = \"mean_dilatation\""},
       {mesh::CellKind::tet4, "tet10 cells with interpolation = \"mean_dilatation\", or hex8 cells with it"}};
-  for (auto const& block : body.mesh.blocks)
-    if (auto const remedy = remedies.find(block.kind); remedy != remedies.end() && !block.nodes.empty()) {
+  for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i)
+    if (auto const remedy = remedies.find(body.mesh.blocks[i].kind);
+        remedy != remedies.end() && !body.mesh.blocks[i].nodes.empty()) {
+      auto const moduli = material::moduli(body.law_of(i));
+      if (moduli.poisson < locking)
+        continue;
       warnings.push_back({fmt::format("body {}: plain {} cells lock at nu = {:.3g} (K/G = {:.3g}): too stiff",
-                                      body.name, mesh::info(block.kind).name, facts.moduli.poisson,
-                                      facts.moduli.bulk() / facts.moduli.shear()),
+                                      body.name, mesh::info(body.mesh.blocks[i].kind).name, moduli.poisson,
+                                      moduli.bulk() / moduli.shear()),
                           fmt::format("in stiction.body of {}: {}", body.name, remedy->second)});
       return;
     }
@@ -350,6 +354,7 @@ void ringing(Facts const& all, Warnings& warnings) {
 
 void add_warnings(Facts const& all, Explanation& explanation) {
   auto& warnings = explanation.warnings;
+  unit_of_meshes(all, warnings);
   for (std::size_t b = 0; b < all.bodies.size(); ++b) {
     locking_cells(all.bodies[b], warnings);
     symmetry(all, b, warnings);

@@ -40,8 +40,7 @@ bool plain(Facts const& facts) {
 }
 
 bool linear(Facts const& facts) {
-  return std::ranges::all_of(facts.bodies,
-                             [](auto const& body) { return material::linear(body.body->material); });
+  return std::ranges::all_of(facts.bodies, [](auto const& body) { return solid::linear(*body.body); });
 }
 
 /// Does the normal at a point turn as it slides?

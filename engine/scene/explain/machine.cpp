@@ -37,8 +37,9 @@ mesh::Mesh sample_of(mesh::Mesh const& mesh, mesh::Block const& block) {
   return part;
 }
 
-PassSeconds measure_block(dynamics::Model const& model, solid::Body const& body, mesh::Block const& block) {
-  solid::Body const part{body.name,    sample_of(body.mesh, block), body.material,
+PassSeconds measure_block(dynamics::Model const& model, solid::Body const& body, std::size_t number) {
+  auto const& block = body.mesh.blocks[number];
+  solid::Body const part{body.name,    sample_of(body.mesh, block), body.law_of(number),
                          body.density, body.interpolation,          {}};
   solid::Cells const cells(part, model.kinematics);
   auto const unknowns = ix(model.dim()) * ix(mesh::info(block.kind).nodes);
@@ -74,10 +75,10 @@ Machine measure_machine() {
 PassSeconds measure_passes(dynamics::Model const& model) {
   PassSeconds all;
   for (auto const& body : model.bodies)
-    for (auto const& block : body->mesh.blocks) {
-      if (block.nodes.empty())
+    for (std::size_t i = 0; i < body->mesh.blocks.size(); ++i) {
+      if (body->mesh.blocks[i].nodes.empty())
         continue;
-      auto const own = measure_block(model, *body, block);
+      auto const own = measure_block(model, *body, i);
       all.force += own.force;
       all.stiffness += own.stiffness;
     }

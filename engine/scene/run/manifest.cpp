@@ -133,7 +133,10 @@ json settings_of(Scene const& scene) {
   if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
     settings["accuracy"] = record::describe(&*accuracy, accuracy->schema());
   for (auto const& [name, body] : scene.part.bodies) {
-    settings["bodies"][name] = describe(body.material);
+    if (body.laws_by_set.empty())
+      settings["bodies"][name] = describe(body.material);
+    for (auto const& [set, law] : body.laws_by_set)
+      settings["bodies"][name][set] = describe(law);
     if (body.remesh)
       settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
   }

@@ -75,6 +75,9 @@ TEST_SUITE("mesh") {
     CHECK(area(mesh) == doctest::Approx(2e-6));
     CHECK(mesh.sets.at("Nall").nodes.size() == 6);
     CHECK(mesh.sets.at("Plate").nodes.size() == 6);
+    CHECK(mesh.sets.at("Plate").cells == Indices{0, 1});
+    CHECK(mesh.sets.at("all").cells == Indices{0, 1});
+    CHECK(mesh.sets.at("Odd").cells.empty());
     CHECK(mesh.sets.at("Odd").nodes == Indices{0, 2, 4});
     CHECK(mesh.sets.at("More").nodes == Indices{0, 2, 4, 5});
     CHECK(mesh.sets.at("Points").nodes == Indices{0, 2, 4});
@@ -171,7 +174,7 @@ TEST_SUITE("mesh") {
     CHECK(mentions(words(cache, "grid.vtk", grid, 0.1), "size is for .stl"));
     auto const open = cube.substr(0, cube.find("facet normal", 30)) + "endsolid cube\n";
     CHECK_FALSE(words(cache, "open.stl", open, 0.5).empty());
-    CHECK(mentions(words(cache, "a.vtu", "x"), "save it as legacy .vtk"));
+    CHECK(mentions(words(cache, "a.vtu", "x"), "not an unstructured grid of VTK (.vtu)"));
   }
 
   TEST_CASE("cells with nodes in the middle of faces are refused with how to write them") {
