@@ -58,9 +58,11 @@ private:
     return value<std::string>(sub, "--case", "ID", "Only the case of this name");
   }
   void add_run();
+  void add_sharing(CLI::App& run);
   void add_trade();
   void add_extremes();
   void add_peers();
+  void add_status();
   void add_looking();
   void add_keeping();
   void add_again();
@@ -71,6 +73,23 @@ private:
   CommandLine& line_;
 };
 
+void Commands::add_sharing(CLI::App& run) {
+  flag(run, "join", "Share the sweep with other runs that join: each case is run once");
+  flag(run, "worker",
+       "Do cases that no other run has, one at a time, until none is left: start any number, anywhere that "
+       "sees "
+       "the folder");
+  value<std::string>(run, "--on", "SYSTEM", "Submit workers to a batch system: slurm");
+  value<double>(run, "--workers", "N", "--on: how many (default: 16, or one a case)")
+      ->check(CLI::Range(1, 100000).description(""));
+  value<std::string>(run, "--time", "TIME", "--on: time limit of each, as sbatch takes it, e.g. 12:00:00");
+  value<std::string>(run, "--partition", "NAME", "--on: partition (queue)");
+  value<std::vector<std::string>>(run, "--sbatch", "OPTION",
+                                  "--on: a further option of sbatch, e.g. --sbatch=--mem=2G")
+      ->expected(1)
+      ->take_all();
+}
+
 void Commands::add_run() {
   auto& run = command("run", "Run the cases of a study, check them, draw its figures");
   study(run)->required();
@@ -79,7 +98,7 @@ void Commands::add_run() {
   value<std::string>(run, "--where", "EXPR",
                      "Only cases for which this holds, in SI, e.g. 'mu > 0.3 and speed < 0.01'");
   flag(run, "list", "List the cases and whether they are done; run nothing");
-  flag(run, "join", "Share the sweep with other runs that join: each case is run once");
+  add_sharing(run);
   value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
       ->check(CLI::Range(1, 4096).description(""));
   out(run);
@@ -131,6 +150,14 @@ void Commands::add_peers() {
   value<double>(peers, "--turns", "N", "Runs of each side, in turns; times are medians (default: 1)")
       ->check(CLI::Range(1, 99).description(""));
   out(peers);
+}
+
+void Commands::add_status() {
+  auto& status =
+      command("status", "Say what is done, running, waiting and failed, and which workers live; run nothing");
+  value<std::string>(status, "study", "STUDY", "Study or output folder")->required();
+  study_options(status);
+  out(status);
 }
 
 void Commands::add_looking() {
@@ -245,6 +272,7 @@ void Commands::add_internal() {
   flag(one, "trade", "");
   flag(one, "alone", "");
   value<std::string>(one, "--fingerprint", "HEX", "");
+  value<std::string>(one, "--for", "WORKER", "");
   value<double>(one, "--rehearse", "N", "");
   value<double>(one, "--problems", "N", "");
   auto& test = command("luatest", "");
@@ -257,6 +285,7 @@ void Commands::add_all() {
   add_trade();
   add_extremes();
   add_peers();
+  add_status();
   add_looking();
   add_keeping();
   add_again();

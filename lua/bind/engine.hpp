@@ -12,6 +12,7 @@ void add_unit_functions(lua_State* lua);
 void add_json_functions(lua_State* lua);
 void add_file_functions(lua_State* lua);
 void add_lock_functions(lua_State* lua);
+void add_heart_functions(lua_State* lua);
 void add_process_functions(lua_State* lua);
 void add_terminal_functions(lua_State* lua);
 void add_script_functions(lua_State* lua);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <link.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "bind/push.hpp"
@@ -92,6 +93,26 @@ int file_size(lua_State* lua) {
   if (failed)
     return 0;
   push(lua, static_cast<long>(size));
+  return 1;
+}
+
+/// modified(path) -> seconds, by the clock of its file system, when the file was last written; nil if there
+/// is none
+int modified(lua_State* lua) {
+  struct stat status {};
+  if (stat(text_at(lua, 1).c_str(), &status) != 0)
+    return 0;
+  push(lua, static_cast<double>(status.st_mtim.tv_sec) + 1e-9 * static_cast<double>(status.st_mtim.tv_nsec));
+  return 1;
+}
+
+/// link_target(path) -> what a symbolic link says, nil if it is none
+int link_target(lua_State* lua) {
+  std::error_code failed;
+  auto const target = fs::read_symlink(text_at(lua, 1), failed);
+  if (failed)
+    return 0;
+  push(lua, target.string());
   return 1;
 }
 
@@ -230,6 +251,8 @@ void add_file_functions(lua_State* lua) {
   add<make_folder>(lua, "make_folder");
   add<kind_of_path>(lua, "kind_of_path");
   add<file_size>(lua, "file_size");
+  add<modified>(lua, "modified");
+  add<link_target>(lua, "link_target");
   add<absolute>(lua, "absolute");
   add<relative>(lua, "relative");
   add<rename>(lua, "rename");

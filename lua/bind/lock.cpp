@@ -1,6 +1,8 @@
 // Taking, telling and giving up locks (flock: the system ends them with their last process).
 #include "bind/lock.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -12,6 +14,7 @@
 #include <new>
 #include <sstream>
 #include <sys/file.h>
+#include <sys/vfs.h>
 #include <thread>
 #include <unistd.h>
 
@@ -106,6 +109,16 @@ int open_high(std::string const& path) {
   return high;
 }
 
+/// Whether other machines may write to this file's system: NFS, SMB, Lustre, Ceph, GPFS, BeeGFS, AFS, FUSE.
+/// Locks there may hold on this machine alone, or hang.
+bool is_remote(int descriptor) {
+  struct statfs system {};
+  constexpr std::array<unsigned long, 9> remote{0x6969,     0xFF534D42, 0xFE534D42, 0x0BD00BD0, 0x00C36400,
+                                                0x47504653, 0x19830326, 0x5346414F, 0x65735546};
+  return fstatfs(descriptor, &system) == 0 &&
+         std::ranges::find(remote, static_cast<unsigned long>(system.f_type) & 0xFFFFFFFFUL) != remote.end();
+}
+
 /// Takes the lock: 0, or errno, and who holds it. One that took it this moment has not said yet who it is,
 /// one that gives it up says so no more: both get a second.
 int wait_for_words(int descriptor, int kind, std::string const& path, Holder& holder) {
@@ -134,7 +147,7 @@ int lock(lua_State* lua) {
     throw core::RunError(fmt::format("cannot open {}: {}", path, std::strerror(errno)));
   Holder holder;
   int const kind = lua_toboolean(lua, 3) != 0 ? LOCK_SH : LOCK_EX;
-  int const failed = wait_for_words(descriptor, kind, path, holder);
+  int const failed = is_remote(descriptor) ? ENOLCK : wait_for_words(descriptor, kind, path, holder);
   if (failed == 0) {
     held().push_back(descriptor);
     write_holder(descriptor, text_at(lua, 2));

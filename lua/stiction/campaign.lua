@@ -1,5 +1,6 @@
 -- Cases to run, those already finished left out: what `stiction run` and `stiction trade` share.
 local adoption = require "stiction.adoption"
+local claims = require "stiction.claims"
 local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
@@ -18,6 +19,8 @@ local warnings = require "stiction.warnings"
 local campaign = {}
 
 local patience = 20 -- times what writing the summary took, between two writings
+local least = 60 -- s between two of any workers
+local between_words = 1 -- s, between what a run tells other processes of itself
 local many = 200 -- cases whose scenes are not all kept in memory
 
 --- Says once what is swept and no scene asks for, which is often a slip of the pen.
@@ -164,6 +167,16 @@ local function write_now(plan, rows)
   plan.written, plan.writing = engine.clock(), engine.clock() - began
 end
 
+--- Whether summary.csv is old enough to be written anew: of workers some one writes it, by the times of their files.
+local function is_due(plan)
+  local enough = patience * plan.writing
+  if not plan.options.worker then
+    return engine.clock() - plan.written > enough
+  end
+  local written = engine.modified(plan.folder .. "/summary.csv")
+  return not written or (plan.office:time() or 0) - written > math.max(least, enough)
+end
+
 --- summary.csv of what there is so far.
 function campaign.write_summary(plan, rows)
   if plan.office then
@@ -175,9 +188,34 @@ end
 
 --- The same now and then: in a long sweep writing takes a small part of the time.
 local function note_summary(plan, rows)
-  if engine.clock() - plan.written > patience * plan.writing then
-    campaign.write_summary(plan, rows)
+  if not is_due(plan) then
+    return
+  elseif plan.office then
+    plan.office:try("=summary", write_now, plan, rows)
+  else
+    write_now(plan, rows)
   end
+end
+
+--- A function of the running jobs that tells other processes what this run does, now and then; and its tally, to be kept.
+local function teller(plan, total)
+  local office, job, task = claims.of(plan.folder), claims.batch_job()
+  local tally, began, last = { done = 0, failed = 0 }, engine.clock(), -math.huge
+  return function(running)
+    local now = engine.clock()
+    if not office or now - last < between_words then
+      return
+    end
+    last = now
+    local cases = {}
+    for i, own in ipairs(running) do
+      local p = own.progress or {}
+      cases[i] = { case = own.case.id, seconds = now - own.began, time = p.time, end_time = p.end_time, step = p.step,
+        left = p.seconds_left }
+    end
+    office:tell { total = total, done = tally.done, failed = tally.failed, seconds = now - began, cases = cases,
+      job = job, task = task }
+  end, tally
 end
 
 --- What a case ended with that could not say so itself is noted for it.
@@ -195,35 +233,57 @@ local function revive(plan, rows, pending, all)
   hold.note(plan.folder, plan.study)
   settle(plan, rows, pending)
   evaluate(plan, rows, all)
-  campaign.write_summary(plan, rows)
+  if plan.options.worker then
+    plan.written, plan.writing = engine.clock(), 0
+    note_summary(plan, rows)
+  else
+    campaign.write_summary(plan, rows)
+  end
 end
 
---- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop.
+--- Tells what is wrong with the cases that are to run, as `run` does before it begins; how many they are.
+function campaign.check(plan, rows)
+  local pending = pending_cases(plan, rows)
+  warn(validate_all(plan.study, pending, plan.curves), rows, plan.options)
+  return #pending
+end
+
+--- Runs what is to run, keeping summary.csv up to date; "stopped" if the user asked to stop, "left" if this worker leaves
+--- the rest to another.
 function campaign.run(plan, rows)
   local row_of, pending, fingerprints = {}, pending_cases(plan, rows)
   for _, row in ipairs(rows) do
     row_of[row.case.id] = row
   end
-  warn(validate_all(plan.study, pending, plan.curves), rows, plan.options)
-  revive(plan, rows, pending)
   local options = plan.options
+  if not options.worker or options.strict then -- cases of workers tell what is wrong with them
+    warn(validate_all(plan.study, pending, plan.curves), rows, options)
+  end
+  revive(plan, rows, pending)
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,
-    jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints }
+    jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints,
+    worker = (claims.of(plan.folder) or {}).worker }
+  local tally
+  settings.tick, tally = teller(plan, #rows)
   local function on_end(case, result)
     local row = row_of[case.id]
     row.result, row.fresh, row.done = result, true, result.verdict == "finished"
     row.computed = row.done or result.verdict == "result failed"
+    tally.done, tally.failed = tally.done + 1, tally.failed + (row.done and 0 or 1)
     note_crash(plan, row)
     note_summary(plan, rows)
   end
   local stopped
   if plan.office then
+    pending = options.worker and sharing.spread(pending, plan.office.worker) or pending
     stopped = sharing.run(plan, row_of, pending, settings, on_end)
   else
     stopped = jobs.run(pending, settings, on_end)
   end
-  campaign.write_summary(plan, rows)
+  if stopped ~= "left" then
+    campaign.write_summary(plan, rows)
+  end
   return stopped
 end
 

@@ -47,7 +47,7 @@ function collection.find(path)
 end
 
 local function refuse_single(options)
-  for _, name in ipairs { "accuracy", "check-accuracy", "of", "case", "where", "set" } do
+  for _, name in ipairs { "accuracy", "check-accuracy", "of", "case", "where", "set", "worker", "on" } do
     if options[name] then
       fault.input("--%s is for one study; %s holds several", name, options.study)
     end

@@ -1,6 +1,6 @@
 -- Hands a study's figures to the figure program.
+local claims = require "stiction.claims"
 local engine = require "stiction.engine"
-local fault = require "stiction.fault"
 local figure = require "stiction.figure"
 local jobs = require "stiction.jobs"
 local report = require "stiction.report"
@@ -19,20 +19,12 @@ end
 
 --- f(...) once nobody else draws into this folder.
 function drawing.alone(folder, f, ...)
-  local lock, words, told
-  repeat
-    lock, words = engine.lock(folder .. "/.drawing", "stiction figures, " .. folder)
-    if not lock and not told then
-      report.line("waiting for %s to draw", words)
-      told = true
-    end
-    engine.await({}, lock and 0 or 0.2)
-    if engine.stopped() then
-      fault.run("stopped by the user")
-    end
-  until lock
-  local answers = table.pack(engine.call(f, ...))
-  engine.unlock(lock)
+  local own = claims.of(folder)
+  local office = own or claims.open(folder, "draws")
+  local answers = table.pack(engine.call(office.alone, office, "=figures", f, ...))
+  if not own then
+    office:close(true)
+  end
   if not answers[1] then
     error(answers[2], 0)
   end

@@ -1,9 +1,15 @@
--- An output folder is written by one process at a time, and belongs to one study.
+-- An output folder is written by one process at a time, or by runs that share it, and belongs to one study. Who is in it
+-- shows by files there (claims); a lock of the system, where the file system is this machine's own, goes with the last
+-- process that a run started.
+local claims = require "stiction.claims"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local output = require "stiction.output"
+local report = require "stiction.report"
 
 local hold = { layout = 1 } -- of output folders; higher where older versions would misread them
+
+local alone = "=alone" -- the claim of a run that shares the folder with nobody
 
 local function study_file(folder)
   return folder .. "/study.json"
@@ -37,20 +43,60 @@ function hold.check_owner(folder, study)
   end
 end
 
+local function refuse(folder, words, command)
+  fault.input("%s is in use by %s; wait until that ends, stop it, or choose another folder with --out%s", folder, words,
+    command == "run" and " (runs that all have --join share one)" or "")
+end
+
+--- Bad input if this worker lives; waits where only time can tell.
+local function yield_to(office, worker, command)
+  local verdict = office:verdict(worker)
+  if verdict == "unknown" then
+    report.line("%s: %s had it; waiting up to %d s for a sign of life", office.folder, claims.words(worker),
+      claims.patience)
+  end
+  while verdict == "unknown" do
+    engine.await({}, 0.5)
+    if engine.stopped() then
+      fault.run("stopped by the user")
+    end
+    verdict = office:verdict(worker)
+  end
+  if verdict == "lives" then
+    refuse(office.folder, claims.words(worker), command)
+  end
+end
+
+--- Bad input if others are in the folder who do not share it with this run.
+local function keep_apart(office, shared, command)
+  local holder = office:holder(alone)
+  if shared then
+    return holder and yield_to(office, holder, command)
+  end
+  while not office:take(alone) do
+    holder = office:holder(alone)
+    if holder then
+      yield_to(office, holder, command)
+    end
+  end
+  for _, worker in ipairs(office:others "worker") do
+    yield_to(office, worker, command)
+  end
+end
+
 local function with_lock(shared, folder, study, command, f, ...)
   output.prepare(folder)
   local lock, words = engine.lock(folder .. "/.lock", ("stiction %s %s"):format(command, study.source.file), shared)
   if not lock then
-    fault.input("%s is in use by %s; wait until that ends, stop it, or choose another folder with --out%s", folder, words,
-      command == "run" and " (runs that all have --join share one)" or "")
-  elseif words then
-    engine.complain(("stiction: %s: its file system knows no locks (%s); let nothing else write there\n"):format(folder,
-      words))
+    refuse(folder, words, command)
   end
+  local office = claims.open(folder, shared and "worker" or "alone")
   local answers = table.pack(engine.call(function(...)
+    keep_apart(office, shared, command)
     hold.check_owner(folder, study)
     return f(...)
   end, ...))
+  office:close(not office.hasty)
   engine.unlock(lock)
   if not answers[1] then
     error(answers[2], 0)

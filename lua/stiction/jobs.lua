@@ -13,6 +13,9 @@ local function words_for(case, options)
   if options.fingerprints then
     words[#words + 1], words[#words + 2] = "--fingerprint", options.fingerprints[case.id]
   end
+  if options.worker then
+    words[#words + 1], words[#words + 2] = "--for", options.worker
+  end
   if options.problems then
     words[#words + 1], words[#words + 2] = "--problems", ("%d"):format(options.problems)
   end
@@ -133,6 +136,19 @@ local function stop_all(pool, on_end)
   pool.running = {}
 end
 
+--- Ends all at once, without a word.
+local function kill_all(pool)
+  for _, job in ipairs(pool.running) do
+    engine.kill(job.process)
+  end
+  for _, job in ipairs(pool.running) do
+    while not select(3, engine.collect(job.process)) do
+      engine.await({ job.process }, 0.01)
+    end
+  end
+  pool.running = {}
+end
+
 --- Starts a case unless it is not this run's.
 local function begin(pool, cases, place)
   local case, take = cases[place], pool.options.take
@@ -159,13 +175,9 @@ local function note_end(display, case, result)
   display.tally.done, display.tally.failed = display.tally.done + 1, display.tally.failed + (good and 0 or 1)
 end
 
---- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
---- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
---- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
---- must find too; nil: any), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and then;
---- a job that it marks `lost` is ended without a word).
-function jobs.run(cases, options, on_end)
-  local pool = { options = options, running = {}, display = progress.display(options.quiet, #cases) }
+--- Runs the pool's cases; "stopped" if the user asked to stop.
+local function work(pool, cases, on_end)
+  local options = pool.options
   local next_case, bad, some_good = 1, false, false
   local function ended(case, result)
     some_good = some_good or result.verdict == "finished"
@@ -187,13 +199,27 @@ function jobs.run(cases, options, on_end)
     await(pool)
     if engine.stopped() then
       stop_all(pool, ended)
-      pool.display:finish()
       return "stopped"
     end
     gather(pool, ended)
     pool.display:update(pool.running)
   end
+end
+
+--- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
+--- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
+--- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
+--- must find too; nil: any), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and
+--- then; a job that it marks `lost` is ended without a word), worker (name of what this process has in the folder).
+function jobs.run(cases, options, on_end)
+  local pool = { options = options, running = {}, display = progress.display(options.quiet, #cases) }
+  local held, value = engine.call(work, pool, cases, on_end)
   pool.display:finish()
+  if not held then
+    kill_all(pool)
+    error(value, 0)
+  end
+  return value
 end
 
 --- Runs a program to its end and returns its exit code, what it printed, its processor time in s and its peak memory in

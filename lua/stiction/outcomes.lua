@@ -5,6 +5,7 @@ local fault = require "stiction.fault"
 local hold = require "stiction.hold"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
+local standing = require "stiction.standing"
 local study_module = require "stiction.study"
 
 local outcomes = {}
@@ -55,7 +56,7 @@ local function table_or(value, default)
 end
 
 --- The case in folder/name: what its files say, and its row of summary.csv where there is one; nil if it is no case.
-local function read_case(folder, name, row)
+local function read_case(folder, name, row, known)
   local path = folder .. "/" .. name
   local ended = decoded(path .. "/result.json")
   local begun = not ended and decoded(path .. "/case.json")
@@ -65,7 +66,10 @@ local function read_case(folder, name, row)
   if not (ended or begun or row) then
     return nil
   end
-  ended = ended or row or { verdict = "not finished", reason = "it runs, or its process was ended" }
+  local entry = known.cases[name]
+  local runs = entry and entry.life ~= "dead" and not ended
+  ended = ended or not runs and row or { verdict = runs and "running" or "not finished",
+    reason = standing.words(entry) or "its process was ended before it was" }
   return { name = name, folder = path, row = row or {}, ended = ended, verdict = tostring(ended.verdict),
     reason = tostring(ended.reason or ""), results = table_or(ended.results, {}), values = {},
     parameters = table_or((begun or ended).parameters, {}) }
@@ -73,9 +77,9 @@ end
 
 --- The cases of summary.csv in their order, then all others.
 local function read_cases(folder, rows)
-  local cases, seen = {}, {}
+  local cases, seen, known = {}, {}, standing.read(folder)
   local function add(name, row)
-    cases[#cases + 1], seen[name] = not seen[name] and read_case(folder, name, row) or nil, true
+    cases[#cases + 1], seen[name] = not seen[name] and read_case(folder, name, row, known) or nil, true
   end
   for _, row in ipairs(rows) do
     add(row.case, row)

@@ -1,5 +1,6 @@
 -- One study from its script to its checks: its cases, its summary, its figures.
 local accuracy = require "stiction.trade.accuracy"
+local batch = require "stiction.batch"
 local campaign = require "stiction.campaign"
 local case_module = require "stiction.case"
 local check = require "stiction.check"
@@ -143,11 +144,26 @@ local function make_plan(options)
     options = options, wanted = chosen(study, cases, options), accuracy = own, claims = own and accuracy.known(own, cases, options) }
 end
 
+--- Submits workers to a batch system once nothing is wrong with the cases to come; the exit code.
+local function submit(plan)
+  return batch.submit(plan, campaign.check(plan, campaign.survey(plan)))
+end
+
 --- What --check-accuracy asks for, and the summary with it; what ended it early, if anything.
 local function recheck(plan, rows)
   local stopped = accuracy.recheck(plan, rows)
   campaign.write_summary(plan, rows)
   return stopped
+end
+
+--- What a worker did that leaves the rest to others; the exit code.
+local function left(rows)
+  local done, failed = 0, 0
+  for _, row in ipairs(rows) do
+    done, failed = done + (row.fresh and 1 or 0), failed + (row.fresh and not row.done and 1 or 0)
+  end
+  report.line("this worker did %d case%s, %d failed", done, done == 1 and "" or "s", failed)
+  return failed == 0 and 0 or 1
 end
 
 --- Runs what is to run, judges and shows it; the exit code.
@@ -157,6 +173,9 @@ local function run(plan)
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
     return 2
+  elseif stopped == "left" then
+    plan.office.hasty = true
+    return left(rows)
   end
   report.cases(plan.study, campaign.rows_with_result(rows))
   stopped = stopped or plan.options.check_accuracy and recheck(plan, rows)
@@ -188,7 +207,8 @@ end
 local function is_shared(options)
   for _, name in ipairs(options.join and { "force", "check-accuracy" } or {}) do
     if options[name] then
-      fault.input("--join: a sweep that is shared takes no --%s; give that to a run of its own", name)
+      fault.input("--%s: a sweep that is shared takes no --%s; give that to a run of its own",
+        options.on and "on" or options.worker and "worker" or "join", name)
     end
   end
   return options.join or options.case and not options.anew and not options.check_accuracy
@@ -196,12 +216,17 @@ end
 
 --- Runs a study; its exit code, its output folder and its study table.
 return function(options)
+  batch.check(options)
+  options.join = options.join or options.worker or options.on ~= nil
+  options.jobs = options.jobs or options.worker and 1 or nil
   local plan = make_plan(options)
   sweep.tell_quick(plan.study, options)
   local code
   if options.list then
     hold.check_owner(plan.folder, plan.study)
     code = list_cases(plan)
+  elseif is_shared(options) and options.on then
+    code = hold.shared(plan.folder, plan.study, "run", sharing.with, plan, submit)
   elseif is_shared(options) then
     code = hold.shared(plan.folder, plan.study, "run", sharing.with, plan, run)
   elseif options.anew then

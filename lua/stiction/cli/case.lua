@@ -1,5 +1,6 @@
 -- One case of a sweep, run in a process of its own for `stiction run`.
 local case_module = require "stiction.case"
+local claims = require "stiction.claims"
 local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
@@ -85,6 +86,9 @@ local function run(options, study)
     evaluation.fill(study, case, result, answers or case_module.new(case.id, case.p, folder))
   end
   result.run = provenance.ended(made)
+  if options["for"] and not claims.may_write(options.out, case.id, options["for"]) then
+    return 1 -- another run does it by now: this one was taken for dead
+  end
   output.write_result(options.out, case, result)
   tell { ended = result }
   return result.verdict == "finished" and 0 or 1

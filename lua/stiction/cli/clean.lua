@@ -1,5 +1,6 @@
 -- stiction clean: what no case of the study refers to leaves its output folder.
 local campaign = require "stiction.campaign"
+local claims = require "stiction.claims"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local hold = require "stiction.hold"
@@ -71,7 +72,9 @@ local function find(plan)
     end
   end
   for _, path in ipairs(engine.list(plan.folder .. "/.claims", false)) do
-    list[#list + 1] = { path = path, reason = "a claim of a run that was killed" }
+    if not claims.of(plan.folder):owns(name_of(path)) then
+      list[#list + 1] = { path = path, reason = "a claim of a run that was killed" }
+    end
   end
   return list
 end
