@@ -281,7 +281,7 @@ function campaign.run(plan, rows)
   else
     stopped = jobs.run(pending, settings, on_end)
   end
-  if stopped ~= "left" then
+  if not (stopped and options.worker) then -- what others do they tell
     campaign.write_summary(plan, rows)
   end
   return stopped

@@ -28,7 +28,8 @@ end
 function standing.sign_of_life(worker)
   local age = worker.age and progress.duration(math.max(worker.age, 0))
   if worker.life == "lives" then
-    return worker.here and "its process lives" or (age or "just now") .. (age and " ago" or "")
+    local late = worker.here and worker.age and worker.age > 3 * claims.between_beats
+    return late and ("none for %s, but its process lives"):format(age) or age and age .. " ago" or "its process lives"
   elseif worker.life == "dead" and worker.here then
     return "dead: its process has ended"
   end
