@@ -52,7 +52,7 @@ end
 local function yield_to(office, worker, command)
   local verdict = office:verdict(worker)
   if verdict == "unknown" then
-    report.line("%s: %s had it; waiting up to %d s for a sign of life", office.folder, claims.words(worker),
+    report.line("%s: %s had it; waiting up to %g s for a sign of life", office.folder, claims.words(worker),
       claims.patience)
   end
   while verdict == "unknown" do

@@ -110,7 +110,9 @@ end
 function sharing.run(plan, row_of, cases, settings, on_end)
   local bad, pause, tell = false, looks.first, settings.tick
   local function ended(case, result)
-    check_disk(plan, case, result)
+    if plan.options.join then
+      check_disk(plan, case, result)
+    end
     bad = bad or result.bad_input
     on_end(case, result)
     plan.office:release(case.id)

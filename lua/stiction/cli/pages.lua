@@ -4,14 +4,16 @@ local pages = {}
 pages.overview = [[
 stiction new NAME         write a study to start from into a folder of your own
 stiction run STUDY        run a study's cases, checks and figures
-stiction help TOPIC       topics: commands, new, study, results, figure, columns (of probes), units, solve, trade, peers,
-                          any part below or any of its kinds
+stiction help TOPIC       topics: commands, workers, new, study, results, figure, columns (of probes), units, solve, trade,
+                          peers, any part below or any of its kinds
 ]]
 
 pages.commands = [[
 new NAME       write a study to start from into a folder of your own; --list: the examples; 'stiction help new'
 run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report;
-               --join: several runs, also on several machines, share the sweep
+               --join: several runs, also on several machines, share the sweep; --worker, --on slurm: 'stiction help workers'
+status STUDY   how far its sweep is: done, running (by which worker, since when, how far), waiting, failed; rate and time left;
+               whether workers live; from any machine that sees the output; STUDY may be an output folder
 results STUDY  results and checks of what has run, made anew from the histories; no case runs
 why STUDY      of each case: reused by the next run, or which value changed from what to what
 clean STUDY    remove what no case of the study refers to from its output (--list: only say what)
@@ -54,6 +56,30 @@ with the number of steps, and with the answers to that step that were found from
 in the plane all statuses are tried, so that it is sure that there are no others. W: the displacements of a contact
 point for unit forces on it. In dynamics a remark also tells when the time steps made more than 1 % of the largest
 energy of the run, or lost more than 10 %.]]
+
+pages.workers = [[
+stiction run STUDY --worker                  # a worker: cases that no other run has, one at a time (--jobs N), until none is left
+stiction run STUDY --on slurm --workers 64 --time 12:00:00 --partition long      # one job array of 64 such workers
+stiction status STUDY                        # how far all that is, from anywhere
+
+Workers need nothing but an output folder (--out DIR, the same for all) that they all see, and this program. Start any
+number, at any time, with whatever starts processes; all take the same --set, --quick, --where:
+
+  for host in a b c; do ssh $host "cd $PWD && stiction run STUDY --worker --jobs 16" & done; wait
+  parallel --jobs 16 --sshlogin a,b,c --workdir . -N0 'stiction run STUDY --worker' ::: $(seq 48)
+  hq submit --array 1-48 stiction run STUDY --worker
+
+Each case is done once. A worker that finds none to begin leaves; one of them stays for the last ones that others run,
+takes them over if those die, and judges and draws the whole sweep. Who is killed loses nothing but the case that it ran:
+another worker does it, at once on the same machine, after a minute without a sign of life elsewhere. Clocks of machines
+are not compared. On SIGTERM a worker stops its case and gives it back. Where nothing can be written (a full disk, a
+quota) a worker ends without failing the case.
+
+--on slurm validates the cases, writes <out>/slurm/worker.sh, submits it once with sbatch (--requeue, --signal=B:TERM@60: SIGTERM
+a minute before the time limit), prints the job's id and returns. --workers: default 16, never more than cases; sites
+limit arrays to about a thousand tasks. --sbatch OPTION passes a further option on (--sbatch=--mem=4G
+--sbatch=--account=x). The same command submits further workers, if time limits ended them before the sweep.
+Exit codes: 0 submitted, or nothing to do; 2 bad input, no sbatch, or its refusal, in its own words.]]
 
 pages.new = [[
 Usage: stiction new NAME [--from EXAMPLE] [--list]
