@@ -22,6 +22,13 @@ struct Spent {
   double operations = 0; ///< of floating point
 };
 
+/// What a factor has beside its matrix when a step ends: it saves work in the next, whose answers may depend
+/// on it in their last digits.
+struct Carried {
+  Indices columns;     ///< of the compliance that are known: the first of each group
+  Vector load, motion; ///< a load on the surface and the motion of all that it causes; or empty
+};
+
 /// A number beside the symmetric matrix: in the column of a surface unknown, counted from the first of them.
 struct ColumnEntry {
   Index row, column;
@@ -103,6 +110,11 @@ public:
   virtual void compliance(Indices const& used, Dense& C) = 0;
   /// A x = b in place.
   void solve(Vector& b);
+  /// What a step that ends now leaves to the next; null: nothing.
+  [[nodiscard]] virtual std::shared_ptr<Carried const> carried() const { return nullptr; }
+  /// From here on all is as if the present matrix had just been factored and `what` were left by the step
+  /// before; null: nothing. Columns that are known stay known.
+  virtual void carry_on(Carried const* what) { static_cast<void>(what); }
   /// This, if columns of the compliance cost it a solution each; else none.
   [[nodiscard]] virtual CoupledBulk* coupled() { return nullptr; }
 

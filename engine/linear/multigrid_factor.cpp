@@ -64,6 +64,17 @@ public:
     spend(n, 0); // the operations are those of the loads
   }
 
+  [[nodiscard]] std::shared_ptr<Carried const> carried() const override {
+    return std::make_shared<Carried const>(Carried{{}, load_, motion_});
+  }
+  void carry_on(Carried const* what) override {
+    alone_.resize(0);
+    load_ = what != nullptr ? what->load : Vector();
+    motion_ = what != nullptr ? what->motion : Vector();
+    if (std::exchange(holds_, false)) // changes of what is held add up roundings
+      held_ = plain_;
+  }
+
   void couple(SurfaceRows rows) override { rows_ = std::move(rows); }
   void add_motion(Vector const& p, Eigen::Ref<Vector> x) override {
     auto const& u = motion_of(surface_load(p));
@@ -128,6 +139,7 @@ private:
   std::shared_ptr<NodesOfUnknowns const> nodes_;
   BlockMatrix<3, 3> A_;
   Multigrid plain_, held_;
+  bool holds_ = false; ///< has held_ been changed since it was plain_?
   SurfaceRows rows_;
   Vector alone_;         ///< motion of the loads last condensed, of all
   Vector load_, motion_; ///< on the surface, empty where the motion is not quite its; of all
@@ -180,6 +192,7 @@ bool MultigridFactor::take(std::span<double const> values) {
       return false;
   plain_.set_up(A_, nodes_->modes);
   held_ = plain_;
+  holds_ = false;
   load_.resize(0);
   return true;
 }
@@ -292,6 +305,7 @@ void MultigridFactor::hold_points(PointLaws const& laws, Dense const& inverse) {
     if (!stiffness[ix(node)].isZero(0))
       held.push_back({node, stiffness[ix(node)]});
   held_.hold(std::move(held));
+  holds_ = true;
 }
 
 bool MultigridFactor::solve(PointLaws const& laws, Vector const& p, double tolerance, Vector& dp,

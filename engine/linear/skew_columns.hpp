@@ -18,6 +18,8 @@ public:
   /// C(i, j): motion of surface unknown used[i] per load on used[j]; returns how many columns that took.
   Index compliance(Indices const& used, Dense& C);
   [[nodiscard]] double numbers() const { return columns_->numbers(); }
+  /// As of SurfaceColumns.
+  [[nodiscard]] Indices known() const { return columns_->known(); }
   /// From z = L^-1 b the surface unknowns of (S + B)^-1 b.
   [[nodiscard]] Vector condense(Cholesky& factor, Vector const& z) const;
   /// From z = L^-1 b what L^-T makes the solution for b + surface_load; surface_load: on the surface.

@@ -34,6 +34,9 @@ public:
   [[nodiscard]] Pattern const& pattern() const override { return factor_->pattern(); }
   [[nodiscard]] Effort effort() const override { return factor_->effort(); }
   [[nodiscard]] double surface_numbers() const override { return columns_.numbers(); }
+  [[nodiscard]] std::shared_ptr<Carried const> carried() const override {
+    return std::make_shared<Carried const>(Carried{known(), {}, {}});
+  }
   void compliance(Indices const& used, Dense& C) override {
     auto const solve = [this](Index first, Dense& X) { solve_columns(first, X); };
     spend(columns_.gather(used, solve, C), 0);
@@ -45,6 +48,7 @@ protected:
     return factor_->factorize(values);
   }
   virtual void solve_columns(Index first, Dense& X) = 0;
+  [[nodiscard]] virtual Indices known() const { return columns_.known(); }
   [[nodiscard]] Cholesky& factor() { return *factor_; }
   [[nodiscard]] std::unique_ptr<Cholesky> fresh() const {
     return std::make_unique<Cholesky>(pattern(), surface(), factor_->order());
@@ -108,6 +112,7 @@ protected:
     spend(surface(), (2 * effort().entries + 5.0 / 3 * n * n) * n); // B, product, LU
     return skew_.emplace().add(factor(), std::move(columns), surface());
   }
+  [[nodiscard]] Indices known() const override { return skew_ ? skew_->known() : SparseFactor::known(); }
   /// Rows above `first` want neither half of the solution.
   void solve_columns(Index first, Dense& X) override {
     auto const rows = surface() - first;

@@ -16,6 +16,14 @@ void SurfaceColumns::clear() {
   numbers_ = 0;
 }
 
+Indices SurfaceColumns::known() const {
+  Indices first;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    if (groups_[g].size() > 0)
+      first.push_back(static_cast<Index>(g) * width_);
+  return first;
+}
+
 /// A contact that wanders leaves columns behind that nobody asks for any more.
 void SurfaceColumns::drop(std::vector<bool> const& wanted) {
   double needed = 0;

@@ -22,6 +22,8 @@ public:
   /// C(i, j): compliance between used[i] and used[j]; returns how many columns that took.
   Index gather(Indices const& used, Solve const& solve, Dense& C);
   void clear();
+  /// The first column of each group that is known.
+  [[nodiscard]] Indices known() const;
   [[nodiscard]] double numbers() const { return numbers_; }
 
 private:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "record/checkpoint_file.hpp"
 #include "record/file.hpp"
 
 namespace stiction::record {
@@ -17,11 +18,16 @@ bool is_frame(std::filesystem::path const& path) {
          stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
-void remove_frames(std::filesystem::path const& folder) {
+std::string name_of_frame(std::size_t number) {
+  return fmt::format("fields/{:06}.vtu", number);
+}
+
+/// Those from `first` on.
+void remove_frames(std::filesystem::path const& folder, std::size_t first) {
   std::error_code error; // a frame that cannot be removed is overwritten or reported when written
   std::vector<std::filesystem::path> frames;
   for (auto const& entry : std::filesystem::directory_iterator(folder, error))
-    if (is_frame(entry.path()))
+    if (is_frame(entry.path()) && std::stoul(entry.path().stem().string()) >= first)
       frames.push_back(entry.path());
   for (auto const& frame : frames)
     std::filesystem::remove(frame, error);
@@ -50,22 +56,33 @@ void add_body(FieldFrame& frame, mesh::Mesh const& mesh) {
   frame.cell_body.resize(frame.cell_count(), body);
 }
 
-FieldSeries::FieldSeries(std::filesystem::path case_folder) : folder_(std::move(case_folder)) {
+FieldSeries::FieldSeries(std::filesystem::path case_folder, FieldMark from)
+    : folder_(std::move(case_folder)), done_(std::move(from)) {
   prepare_output(folder_ / "fields");
+  for (std::size_t k = 0; k < done_.count; ++k)
+    if (!std::filesystem::exists(folder_ / name_of_frame(k)))
+      throw Unfit(fmt::format("wants {}, which is gone", name_of_frame(k)));
   std::error_code ignored;
-  std::filesystem::remove(folder_ / "fields.pvd", ignored); // first: it must not list what is gone
-  remove_frames(folder_ / "fields");
+  if (done_.count > 0)
+    write_list();
+  else
+    std::filesystem::remove(folder_ / "fields.pvd", ignored); // first: it must not list what is gone
+  remove_frames(folder_ / "fields", done_.count);
 }
 
-void FieldSeries::write(FieldFrame const& frame) {
-  std::string const name = fmt::format("fields/{:06}.vtu", count_);
-  write_vtu(folder_ / name, frame);
-  entries_ += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, name);
+void FieldSeries::write_list() const {
   replace_file(folder_ / "fields.pvd",
                fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
                            "byte_order=\"LittleEndian\">\n<Collection>\n{}</Collection>\n</VTKFile>\n",
-                           entries_));
-  ++count_;
+                           done_.entries));
+}
+
+void FieldSeries::write(FieldFrame const& frame) {
+  auto const name = name_of_frame(done_.count);
+  write_vtu(folder_ / name, frame);
+  done_.entries += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, name);
+  ++done_.count;
+  write_list();
 }
 
 } // namespace stiction::record

@@ -37,18 +37,28 @@ void add_body(FieldFrame& frame, mesh::Mesh const& mesh);
 /// not fit the frame are a core::Bug; a file that cannot be written is a core::RunError.
 void write_vtu(std::filesystem::path const& path, FieldFrame const& frame);
 
+/// How many frames there are, and what the .pvd says of them.
+struct FieldMark {
+  std::size_t count = 0;
+  std::string entries;
+  template<class Archive> void visit(Archive& archive) { archive(count, entries); }
+};
+
 /// The frames of one case: fields/000000.vtu, ... and fields.pvd, complete after every write. Frames of an
-/// earlier run in the same folder are removed first.
+/// earlier run in the same folder but those of `from`, to be gone on from, are removed first. Throws
+/// Unfit if one of these is missing.
 class FieldSeries {
 public:
-  explicit FieldSeries(std::filesystem::path case_folder);
+  explicit FieldSeries(std::filesystem::path case_folder, FieldMark from = {});
   void write(FieldFrame const& frame);
-  [[nodiscard]] std::size_t frames() const { return count_; }
+  [[nodiscard]] std::size_t frames() const { return done_.count; }
+  [[nodiscard]] FieldMark const& mark() const { return done_; }
 
 private:
+  void write_list() const;
+
   std::filesystem::path folder_;
-  std::string entries_; ///< of the .pvd
-  std::size_t count_ = 0;
+  FieldMark done_;
 };
 
 } // namespace stiction::record

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <limits>
@@ -135,6 +136,11 @@ void HistoryFile::commit(std::size_t rows) {
   committed_ += rows;
   if (!published_)
     publish();
+}
+
+void HistoryFile::sync() {
+  if (fdatasync(descriptor()) != 0 && errno != EINVAL) // EINVAL: a file that knows no such thing
+    give_up(std::strerror(errno));
 }
 
 void HistoryFile::publish() {

@@ -28,6 +28,8 @@ public:
   void write(std::size_t column, std::span<double const> values);
   /// Makes the `rows` rows just written part of the file.
   void commit(std::size_t rows);
+  /// Waits until what is committed survives a power cut.
+  void sync();
 
 private:
   struct Dataset {

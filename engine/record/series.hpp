@@ -1,6 +1,7 @@
 // Histories of a run: rows over time in named, unit-carrying columns, in one HDF5 file.
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -16,6 +17,15 @@ class HistoryFile;
 struct Column {
   std::size_t offset = 0;
   std::size_t width = 1;
+};
+
+struct SeriesData;
+
+/// Rows that are on the disk, and their checksum.
+struct SeriesMark {
+  std::size_t rows = 0;
+  std::uint32_t checksum = 0;
+  template<class Archive> void visit(Archive& archive) { archive(rows, checksum); }
 };
 
 /// Writes "/time" and the columns added. Rows reach the disk every 32 rows or every second, and are readable
@@ -39,6 +49,11 @@ public:
   /// One row: all columns behind each other in the order of `add`, `row_width()` values.
   void append(double time, std::span<double const> row);
   void flush();
+  /// What stands now, once it is on the disk to stay.
+  [[nodiscard]] SeriesMark mark();
+  /// Begins with those rows of another series with these columns, instead of the first row. Throws
+  /// Unfit if it has not these rows.
+  void take_up(SeriesData const& other, SeriesMark const& mark);
 
   [[nodiscard]] std::vector<std::pair<std::string, int>> const& names() const {
     return names_;
@@ -55,6 +70,7 @@ private:
   std::size_t width_ = 0;
   std::vector<double> times_, rows_; ///< not yet on disk: [buffered], [buffered, width_]
   std::size_t flushed_ = 0;
+  std::uint32_t checksum_ = 0; ///< of all rows
   bool failed_ = false;
   std::chrono::steady_clock::time_point last_flush_{};
 };

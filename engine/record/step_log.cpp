@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <system_error>
 
+#include "record/checkpoint_file.hpp"
 #include "record/file.hpp"
 
 namespace stiction::record {
@@ -13,10 +14,19 @@ namespace {
 constexpr std::size_t at_once = 1 << 16; // characters
 }
 
-StepLog::StepLog(std::filesystem::path const& folder)
-    : path_(folder / "steps.csv"), lines_("time_s,dt_s,next_dt_s,what,cause,reason,contact\n") {
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+StepLog::StepLog(std::filesystem::path const& folder, std::uintmax_t bytes)
+    : path_(folder / "steps.csv"), any_(bytes > 0), bytes_(bytes) {
+  std::error_code failed;
+  if (!any_) {
+    lines_ = "time_s,dt_s,next_dt_s,what,cause,reason,contact\n";
+    std::filesystem::remove(path_, failed);
+    return;
+  }
+  auto const there = std::filesystem::file_size(path_, failed);
+  if (!failed && there >= bytes)
+    std::filesystem::resize_file(path_, bytes, failed);
+  if (failed || there < bytes)
+    throw Unfit("has more lines than steps.csv");
 }
 
 void StepLog::add(StepChange const& change) {
@@ -33,7 +43,13 @@ void StepLog::write() {
   if (!any_ || lines_.empty())
     return;
   append_file(path_, lines_);
+  bytes_ += lines_.size();
   lines_.clear();
+}
+
+std::uintmax_t StepLog::mark() {
+  write();
+  return bytes_;
 }
 
 } // namespace stiction::record

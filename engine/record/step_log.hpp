@@ -1,5 +1,6 @@
 // Every step of a run and every change of its size, with its reason, as a table of text.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -20,17 +21,21 @@ struct StepChange {
 /// Writes them as steps.csv: time_s,dt_s,next_dt_s,what,cause,reason,contact.
 class StepLog {
 public:
-  /// Removes the table of an earlier run.
-  explicit StepLog(std::filesystem::path const& folder);
+  /// Removes the table of an earlier run but for its first bytes, to be gone on from. Throws Unfit if it is
+  /// shorter.
+  explicit StepLog(std::filesystem::path const& folder, std::uintmax_t bytes = 0);
   /// Throws core::RunError, as many lines go to the file at a time.
   void add(StepChange const& change);
   /// Writes what is left; no file without a line. Throws core::RunError.
   void write();
+  /// Writes what is left; bytes of the file. Throws core::RunError.
+  [[nodiscard]] std::uintmax_t mark();
 
 private:
   std::filesystem::path path_;
-  std::string lines_; ///< not yet on disk
-  bool any_ = false;  ///< beside the head
+  std::string lines_;        ///< not yet on disk
+  bool any_ = false;         ///< beside the head
+  std::uintmax_t bytes_ = 0; ///< on disk
 };
 
 } // namespace stiction::record

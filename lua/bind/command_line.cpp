@@ -110,7 +110,10 @@ void Commands::add_run() {
        "Run the cases again with each setting a level finer, and say what they may be off by");
   value<double>(run, "--problems", "N", "Save the contact problem of every N-th step as well, for solve")
       ->check(CLI::Range(1, 1000000).description(""));
-  flag(run, "force", "Run finished cases again");
+  value<double>(run, "--checkpoint", "SECONDS",
+                "Keep where a case stands so often, to go on from there (default: 600; 0: after every step)")
+      ->check(CLI::NonNegativeNumber.description(""));
+  flag(run, "force", "Run finished cases again, and those that were stopped from their beginning");
   flag(run, "strict", "Run nothing that explain would warn of");
   flag(run, "no-figures", "Draw no figures");
 }
@@ -274,6 +277,9 @@ void Commands::add_internal() {
   value<std::string>(one, "--fingerprint", "HEX", "");
   value<std::string>(one, "--for", "WORKER", "");
   value<double>(one, "--rehearse", "N", "");
+  value<double>(one, "--checkpoint", "SECONDS", "");
+  value<double>(one, "--stop-after", "N", "");
+  flag(one, "force", "");
   value<double>(one, "--problems", "N", "");
   auto& test = command("luatest", "");
   test.group("");

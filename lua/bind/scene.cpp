@@ -148,6 +148,8 @@ void push(lua_State* lua, scene::RunResult const& result) {
   lua_newtable(lua);
   set(lua, "verdict", result.verdict);
   set(lua, "reason", result.reason);
+  set(lua, "goes_on", result.goes_on);
+  set(lua, "continued", result.continued);
   set_list(lua, "warnings", result.warnings);
   set(lua, "remarks", result.remarks);
   set(lua, "steps", result.steps);
@@ -167,8 +169,41 @@ std::string option(lua_State* lua, char const* name) {
   return text;
 }
 
-/// run(scene, {out =, case_id =, manifest =, rehearse =, alone =}, progress) -> result; progress(snapshot) is
-/// called once a step
+double number(lua_State* lua, char const* name) {
+  lua_getfield(lua, 2, name);
+  double const value = lua_tonumber(lua, -1);
+  lua_pop(lua, 1);
+  return value;
+}
+
+bool is_set(lua_State* lua, char const* name) {
+  lua_getfield(lua, 2, name);
+  bool const value = lua_toboolean(lua, -1) != 0;
+  lua_pop(lua, 1);
+  return value;
+}
+
+/// Of the case's own options, where `checkpoint` names a file.
+scene::Keeping keeping(lua_State* lua) {
+  scene::Keeping keeping;
+  if (!is_set(lua, "checkpoint"))
+    return keeping;
+  keeping.file = option(lua, "checkpoint");
+  keeping.owner = {option(lua, "program"), option(lua, "fingerprint")};
+  keeping.every = number(lua, "every");
+  keeping.anew = is_set(lua, "anew");
+  keeping.tell = [lua](std::string const& words) {
+    lua_pushvalue(lua, 4);
+    bind::push(lua, words);
+    lua_call(lua, 1, 0);
+  };
+  return keeping;
+}
+
+/// run(scene, {out =, case_id =, manifest =, rehearse =, alone =, stop_after =, checkpoint = file to keep
+/// where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
+/// progress, tell) -> result; progress(snapshot) is called once a step, tell(text) with a line on the
+/// checkpoint
 int run(lua_State* lua) {
   luaL_checktype(lua, 2, LUA_TTABLE);
   luaL_checktype(lua, 3, LUA_TFUNCTION);
@@ -177,11 +212,10 @@ int run(lua_State* lua) {
   options.out = option(lua, "out");
   options.case_id = option(lua, "case_id");
   options.manifest_json = option(lua, "manifest");
-  lua_getfield(lua, 2, "rehearse");
-  options.rehearse = static_cast<int>(lua_tonumber(lua, -1));
-  lua_getfield(lua, 2, "alone");
-  options.alone = lua_toboolean(lua, -1) != 0;
-  lua_pop(lua, 2);
+  options.rehearse = static_cast<int>(number(lua, "rehearse"));
+  options.stop_after = static_cast<long>(number(lua, "stop_after"));
+  options.alone = is_set(lua, "alone");
+  options.keeping = keeping(lua);
   options.stop = &stop_flag();
   std::optional<EndsAtOnce> now(std::in_place); // until the first step is done
   options.progress = [lua, &now](scene::Progress const& progress) {

@@ -262,6 +262,7 @@ function campaign.run(plan, rows)
   revive(plan, rows, pending)
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,
+    checkpoint = options.checkpoint, force = options.force,
     jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints,
     worker = (claims.of(plan.folder) or {}).worker }
   local tally

@@ -19,6 +19,12 @@ local function words_for(case, options)
   if options.problems then
     words[#words + 1], words[#words + 2] = "--problems", ("%d"):format(options.problems)
   end
+  if options.checkpoint then
+    words[#words + 1], words[#words + 2] = "--checkpoint", ("%.17g"):format(options.checkpoint)
+  end
+  if options.force then
+    words[#words + 1] = "--force"
+  end
   if options.quick then
     words[#words + 1] = "--quick"
   end
@@ -44,8 +50,11 @@ local function start(pool, case)
     began = engine.clock() }
 end
 
-local function read_message(job, line)
+local function read_message(pool, job, line)
   local message = engine.decode_json(line) or {}
+  if message.note then
+    pool.display:note(job.case.id .. "  " .. message.note)
+  end
   job.progress = message.progress or job.progress
   job.ended = message.ended or job.ended
   job.fault, job.kind = message.fault or job.fault, message.kind or job.kind
@@ -96,7 +105,7 @@ local function gather(pool, on_end)
   for _, job in ipairs(pool.running) do
     local lines, text, code = engine.collect(job.process)
     for _, line in ipairs(lines) do
-      read_message(job, line)
+      read_message(pool, job, line)
     end
     show_text(pool, job, text)
     if job.lost then

@@ -44,6 +44,12 @@ public:
   /// Has anything an error, or an event to be located?
   [[nodiscard]] bool decides() const { return decides_; }
   [[nodiscard]] double wanted() const { return wanted_; } ///< size without aim at moments or events, s
+  /// Hands over all that stages and steps change, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    auto& [accuracy, history, decides, rungs, wanted, smallest, largest, base, once, retry, patience, aim] =
+        *this;
+    archive(history, wanted, smallest, largest, base, once, retry, patience, aim);
+  }
 
 private:
   void look_for_cut(State const& old, State const& next, Decision& decision);

@@ -54,6 +54,11 @@ public:
   [[nodiscard]] std::optional<Event> next_event(State const& old) const;
   /// `next` follows; steps no longer than `within` may hold events.
   void accept(State const& old, State const& next, double within);
+  /// Hands over all that steps change, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    auto& [bulk, model, dt, v, contacts, rates, fresh, scale] = *this;
+    archive(dt, v, contacts, rates, fresh, scale);
+  }
 
 private:
   [[nodiscard]] double displacement_error(State const& old, State const& next) const;

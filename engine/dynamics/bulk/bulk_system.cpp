@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/error.hpp"
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/bulk/timer.hpp"
 #include "linear/multigrid_factor.hpp"
@@ -321,8 +322,14 @@ bool BulkSystem::take_factor(StepWeights const& weights, double dt, Cost& cost) 
 }
 
 void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
-  if (linear_)
+  if (linear_) {
+    for (auto& one : kept_) {
+      auto const found =
+          std::ranges::find_if(wanted, [&](auto const& source) { return one.comes_from(source); });
+      one.factor->carry_on(found != wanted.end() ? found->carried.get() : nullptr);
+    }
     return;
+  }
   std::vector<Kept> had = std::exchange(kept_, {});
   std::ranges::move(std::exchange(parked_, {}), std::back_inserter(had));
   for (auto const& source : wanted) {
@@ -334,14 +341,35 @@ void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights con
       had.erase(found);
     }
     kept_.back().wanted = true;
+    kept_.back().source.carried = source.carried;
   }
   for (auto& one : had)
     spare_.push_back(std::move(one.factor));
   if (kept_.empty())
     kept_.emplace_back();
-  for (auto& one : kept_)
+  for (auto& one : kept_) {
     if (one.factor == nullptr)
       one.factor = spare();
+    one.factor->carry_on(one.source.carried.get());
+  }
+}
+
+void BulkSystem::make_again(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
+  if (wanted.empty())
+    return;
+  for (auto& one : std::exchange(kept_, {}))
+    spare_.push_back(std::move(one.factor));
+  for (auto source = wanted.rbegin(); source != wanted.rend(); ++source) {
+    Kept one;
+    one.factor = spare();
+    one.is_of(*source, weights);
+    kept_.insert(kept_.begin(), std::move(one));
+    Cost not_counted;
+    core::expect(make(weights, not_counted), "a factor that has been to be made again");
+    if (Dense known; source->carried && !source->carried->columns.empty())
+      factor().compliance(source->carried->columns, known);
+    static_cast<void>(factor().spent());
+  }
 }
 
 /// Memory for a factor, what it holds is of no use.
@@ -358,8 +386,11 @@ std::unique_ptr<linear::BulkFactor> BulkSystem::spare() {
 std::vector<FactorSource> BulkSystem::sources() const {
   std::vector<FactorSource> all;
   for (auto const& one : kept_)
-    if (!linear_ && one.source.u != nullptr)
+    if (!diagonal_ && one.source.u != nullptr) {
       all.push_back(one.source);
+      if (one.made)
+        all.back().carried = one.factor->carried();
+    }
   return all;
 }
 
@@ -434,14 +465,14 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
 }
 
 bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
-  choose_factor({std::make_shared<Vector const>(u), dt}, weights);
+  choose_factor({std::make_shared<Vector const>(u), dt, nullptr}, weights);
   return make(weights, cost);
 }
 
 /// The present factor from its source.
 bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   auto& now = kept_.front();
-  auto const [u, dt] = now.source;
+  auto const& [u, dt, carried] = now.source;
   {
     Timer const timer(cost.assembly);
     if (weights.inertia)
@@ -466,6 +497,7 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   auto own = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
   now.made = now.factor->factorize(values_, std::move(own),
                                    model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
+  now.factor->carry_on(carried.get());
   bool const held = now.factor->hold() > 0;
   cost.factorizations += held ? 2 : 1;
   cost.shifted_factorizations += held ? 1 : 0;

@@ -6,6 +6,7 @@
 #include "contact/node_to_segment/kinematics.hpp"
 #include "dynamics/model/momentum.hpp"
 #include "interface/bond.hpp"
+#include "linear/bulk_factor.hpp"
 
 namespace stiction::dynamics {
 
@@ -65,8 +66,9 @@ struct Ledger {
 
 /// What a factor was made from that serves steps to come: to tell it from others, and to make it again.
 struct FactorSource {
-  std::shared_ptr<Vector const> u; ///< m
-  double dt = 0;                   ///< s
+  std::shared_ptr<Vector const> u;                ///< m
+  double dt = 0;                                  ///< s
+  std::shared_ptr<linear::Carried const> carried; ///< beside it; null: nothing
 };
 
 struct State {
@@ -89,7 +91,7 @@ struct State {
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
   Ledger ledger;
-  /// The factors that the step which led here left for the next, the last used first; where they depend on u.
+  /// The factors that the step which led here left for the next, the last used first; none of a lumped mass.
   std::vector<FactorSource> factors;
   double critical_step = 0; ///< of explicit schemes, s, found `critical_age` steps ago; age 0: not known
   int critical_age = 0;

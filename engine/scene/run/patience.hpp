@@ -24,6 +24,11 @@ public:
   void reached(double t);
   /// Why a run of so many seconds must end, or nothing.
   [[nodiscard]] std::string late(double seconds) const;
+  /// Hands over all that attempts change, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    auto& [limits, model, stepper, nominal, since, before, lost, cuts] = *this;
+    archive(nominal, since, lost, cuts);
+  }
 
 private:
   [[nodiscard]] double operations() const;

@@ -1,16 +1,42 @@
 // Files of a case by way of record/.
 #include "scene/run/recorder.hpp"
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "record/file.hpp"
 #include "record/problem_file.hpp"
 #include "scene/run/frame.hpp"
 
 namespace stiction::scene {
 
-Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder)
-    : scene_(&scene), folder_(folder), series_(folder / "series.h5"), fields_(folder), log_(folder) {
+namespace {
+
+/// What cannot be read is no series to go on from.
+record::SeriesData series_in(std::filesystem::path const& folder) {
+  try {
+    return record::read_series(folder / "series.h5");
+  } catch (core::InputError const& error) {
+    throw record::Unfit(fmt::format("goes with a series.h5 that cannot be read ({})", error.what()));
+  }
+}
+
+} // namespace
+
+Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from)
+    : scene_(&scene), folder_(folder), series_(folder / "series.h5"),
+      fields_(folder, from != nullptr ? from->fields : record::FieldMark{}),
+      log_(folder, from != nullptr ? from->steps : 0) {
   add_step_columns(scene, series_);
   samplers_ = add_probes(scene, series_);
+  if (from == nullptr)
+    return;
+  series_.take_up(series_in(folder), from->series);
+  changes_ = from->changes;
+}
+
+RecordMark Recorder::mark() {
+  return {series_.mark(), fields_.mark(), log_.mark(), changes_};
 }
 
 void Recorder::step(dynamics::State const& state, double dt, int iterations,

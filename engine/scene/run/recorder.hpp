@@ -11,10 +11,25 @@
 
 namespace stiction::scene {
 
+/// What stands in the files of a case.
+struct RecordMark {
+  record::SeriesMark series;
+  record::FieldMark fields;
+  std::uintmax_t steps = 0; ///< bytes of the log
+  std::map<std::string, double> changes;
+  template<class Archive> void visit(Archive& archive) {
+    auto& [of_series, of_fields, bytes, counts] = *this;
+    archive(of_series, of_fields, bytes, counts);
+  }
+};
+
 class Recorder {
 public:
-  /// Into this folder, which exists. The scene must outlive it.
-  Recorder(Scene const& scene, std::filesystem::path const& folder);
+  /// Into this folder, which exists. The scene must outlive it. from: what there is to go on from, or null.
+  /// Throws Unfit where that is not there.
+  Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from = nullptr);
+  /// What stands now, once the histories are on the disk to stay.
+  [[nodiscard]] RecordMark mark();
   /// A row of histories; dt in s.
   void step(dynamics::State const& state, double dt, int iterations, dynamics::StepError const& error = {});
   void frame(dynamics::State const& state);

@@ -23,12 +23,19 @@ public:
   void rounded(double residual) { contact_ = residual; }
   /// In the order in which they are made; empty where nothing is in doubt.
   [[nodiscard]] std::vector<std::string> texts() const;
+  /// Hands over all that steps change, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    auto& [scene, friction, softening, beneath, steps, force, unmet, contact, turned_over, stabilised, made,
+           lost] = *this;
+    archive(friction, softening, beneath, steps, force, unmet, contact, turned_over, stabilised, made, lost);
+  }
 
 private:
   void add_rounded(std::vector<std::string>& all) const;
   struct Remark {
     std::string text;
     long steps = 0;
+    template<class Archive> void visit(Archive& archive) { archive(text, steps); }
   };
   Scene const* scene_;
   Remark friction_, softening_, beneath_;

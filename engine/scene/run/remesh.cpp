@@ -160,19 +160,28 @@ double MeshControl::error() const {
   return largest;
 }
 
-core::Input MeshControl::finer(core::Input input) const {
+CellSizes MeshControl::sizes() const {
+  CellSizes all;
+  for (auto const& seen : bodies_) {
+    auto& own = all[scene_->bodies[seen.body]];
+    for (std::size_t c = 0; c < seen.size.size(); ++c) {
+      auto const centre = seen.centres.row(static_cast<Eigen::Index>(c));
+      own.insert(own.end(), {centre[0], centre[1], std::max(seen.size[c], seen.part.smallest)});
+    }
+  }
+  return all;
+}
+
+core::Input with_sizes(core::Input input, CellSizes const& sizes) {
   auto entry = [](core::Input& owner, std::string const& key) -> core::Input& {
     return std::get<core::Table>(owner.value)[key];
   };
-  for (auto const& seen : bodies_) {
-    core::List sizes;
-    for (std::size_t c = 0; c < seen.size.size(); ++c) {
-      auto const centre = seen.centres.row(static_cast<Eigen::Index>(c));
-      for (double const value : {centre[0], centre[1], std::max(seen.size[c], seen.part.smallest)})
-        sizes.push_back(metres(value));
-    }
-    auto& body = entry(entry(input, "bodies"), scene_->bodies[seen.body]);
-    entry(entry(body, "mesh"), "sizes") = {std::move(sizes), "", ""};
+  for (auto const& [name, numbers] : sizes) {
+    core::List list;
+    for (double const number : numbers)
+      list.push_back(metres(number));
+    auto& body = entry(entry(input, "bodies"), name);
+    entry(entry(body, "mesh"), "sizes") = {std::move(list), "", ""};
   }
   return input;
 }

@@ -1,9 +1,17 @@
 // Whether the meshes of a run were fine enough, and which sizes would have been.
 #pragma once
+#include <map>
+
 #include "dynamics/step/stepper.hpp"
 #include "scene/build/build.hpp"
 
 namespace stiction::scene {
+
+/// By the name of a body where its cells lie and how large they are to be: x, y, size of each, m.
+using CellSizes = std::map<std::string, std::vector<double>>;
+
+/// The same scene with meshes of these sizes.
+[[nodiscard]] core::Input with_sizes(core::Input input, CellSizes const& sizes);
 
 /// Looks at the bodies that ask for a remesh, at every end of a stage.
 class MeshControl {
@@ -21,8 +29,13 @@ public:
   [[nodiscard]] double error() const;
   /// What the last mesh leaves undone, and the remedy, a text for each body; empty if it is fine enough.
   [[nodiscard]] std::vector<std::string> doubts() const;
-  /// The same scene with meshes of the sizes noted.
-  [[nodiscard]] core::Input finer(core::Input input) const;
+  /// The sizes noted, of each body that asks for a remesh.
+  [[nodiscard]] CellSizes sizes() const;
+  /// Hands over all that is noted on the way, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    for (auto& [body, part, error, coarsest, size, now, centres] : bodies_)
+      archive(error, coarsest, size);
+  }
 
 private:
   struct Seen {

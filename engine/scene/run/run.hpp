@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/input.hpp"
+#include "record/checkpoint_file.hpp"
 #include "scene/explain/explain.hpp"
 
 namespace stiction::scene {
@@ -20,12 +21,25 @@ struct Progress {
   double seconds = 0, seconds_left = 0;  ///< of the machine
 };
 
+/// Where a case stands, kept on the way and when it is stopped: the next run of it goes on from there, to the
+/// last bit as if it had not been stopped.
+struct Keeping {
+  std::filesystem::path file; ///< the checkpoint; empty: none is kept, and none taken up
+  record::CheckpointOwner owner;
+  double every = 600;                           ///< s of the clock; 0: after every step
+  bool anew = false;                            ///< what is kept is not taken up
+  std::function<void(std::string const&)> tell; ///< one line on what was taken up, or why it was not
+};
+
 struct RunOptions {
   std::filesystem::path out; ///< the case's folder, made if missing
   std::string case_id;
   std::string manifest_json; ///< study part of the manifest (parameters given/chosen, ...), a JSON object
   std::function<void(Progress const&)> progress;
   std::atomic<bool> const* stop = nullptr; ///< set by a signal: the run ends with verdict "stopped"
+  Keeping keeping;
+  /// For tests: stopped when the run has asked so often whether it is to stop, within steps too; 0: never.
+  long stop_after = 0;
   /// For tests: every so many steps is first made and thrown away, then made again; 0: none.
   int rehearse = 0;
   /// Measure at the end what passes, factorizations and solutions take alone: counters alone_force_pass, ...
@@ -34,9 +48,11 @@ struct RunOptions {
 };
 
 struct RunResult {
-  std::string verdict; ///< "finished", "stopped" (by the user or by schedule.seconds), "not converged",
-                       ///< "unstable" (not even begun), "output failed"
-  std::string reason;  ///< one sentence, empty when finished
+  std::string verdict;  ///< "finished", "stopped" (by the user or by schedule.seconds), "not converged",
+                        ///< "unstable" (not even begun), "output failed"
+  std::string reason;   ///< one sentence, empty when finished
+  bool goes_on = false; ///< not ended: what its checkpoint holds is to be kept
+  long continued = 0;   ///< times that it was taken up
   std::vector<Warning> warnings; ///< known before the first step
   std::vector<std::string>
       remarks; ///< no single answer by theory, energy made or lost: one sentence per kind

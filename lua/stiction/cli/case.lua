@@ -5,6 +5,7 @@ local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
 local hold = require "stiction.hold"
+local identity = require "stiction.identity"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local problem = require "stiction.problem"
@@ -12,7 +13,7 @@ local provenance = require "stiction.provenance"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
-local between_messages = 0.1 -- s
+local between_messages, between_checkpoints = 0.1, 600 -- s
 
 local function tell(message)
   return engine.tell_parent(engine.encode_json(message))
@@ -54,6 +55,13 @@ local function progress_teller()
   end
 end
 
+--- A line on the case's checkpoint, to whoever listens.
+local function note(text)
+  if not tell { note = text } then
+    engine.complain("stiction: " .. text .. "\n")
+  end
+end
+
 --- Fingerprint of the case; a fault if what it is made of is not what its sweep began with.
 local function fingerprint_of(study, case, options)
   local own, wanted = output.fingerprint(study, case), options.fingerprint
@@ -77,8 +85,10 @@ local function run(options, study)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options),
-      rehearse = options.rehearse or 0, alone = options.alone }
-    result = engine.run(study:scene_of(case), settings, progress_teller())
+      rehearse = options.rehearse or 0, alone = options.alone, stop_after = options["stop-after"] or 0,
+      checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
+      program = identity.program(), fingerprint = fingerprint, anew = options.force }
+    result = engine.run(study:scene_of(case), settings, progress_teller(), note)
   end
   evaluation.note(study, case, result)
   result.fingerprint = fingerprint
@@ -90,6 +100,9 @@ local function run(options, study)
     return 1 -- another run does it by now: this one was taken for dead
   end
   output.write_result(options.out, case, result)
+  if not result.goes_on then
+    engine.remove(folder .. "/checkpoint")
+  end
   tell { ended = result }
   return result.verdict == "finished" and 0 or 1
 end

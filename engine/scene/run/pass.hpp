@@ -1,0 +1,437 @@
+// One pass of a scene over its schedule: steps, their halving and growth, and what is recorded and kept on
+// the way.
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "dynamics/adaptivity/pace.hpp"
+#include "dynamics/bulk/critical_step.hpp"
+#include "dynamics/bulk/timer.hpp"
+#include "dynamics/step/visit.hpp"
+#include "linear/recycling.hpp"
+#include "scene/explain/preview.hpp"
+#include "scene/run/alone.hpp"
+#include "scene/run/checkpoint.hpp"
+#include "scene/run/patience.hpp"
+#include "scene/run/recorder.hpp"
+#include "scene/run/remarks.hpp"
+#include "scene/run/remesh.hpp"
+#include "scene/run/resources.hpp"
+#include "scene/run/work.hpp"
+
+namespace stiction::scene {
+
+/// The case as it runs. Scene, options, checkpoint and story must outlive it.
+class Run {
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+public:
+  /// Goes on from the checkpoint where the story is under way. Throws
+  /// record::Unfit if it cannot.
+  Run(Scene const& scene, RunOptions const& options, Checkpoint& checkpoint, Story const& story)
+      : scene_(&scene), options_(&options), checkpoint_(&checkpoint), story_(&story), stepper_(*scene.model),
+        patience_(scene.part.schedule, *scene.model, stepper_), state_(stepper_.initial()), remarks_(scene),
+        meshes_(scene, state_) {
+    stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
+    if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
+      stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
+      pace_.emplace(*accuracy, stepper_.bulk(), *scene.model);
+    }
+    warnings_ = warnings_of(scene, state_);
+    if (!story.under_way) {
+      recorder_.emplace(scene, options.out);
+      return;
+    }
+    auto rest = checkpoint.rest();
+    RecordMark mark;
+    rest(mark);
+    visit(rest);
+    recorder_.emplace(scene, options.out, &mark);
+    stepper_.go_on(state_, settled_);
+  }
+
+  RunResult go() {
+    if (!story_->under_way && !begin())
+      return finish();
+    result_.verdict = "finished";
+    auto const& stages = scene_->part.schedule.stages;
+    for (auto& k = place_.stage; k < stages.size(); ++k) {
+      if (!run_stage(stages[k], k > 0 ? stages[k - 1].until : 0))
+        break;
+      meshes_.examine(state_);
+    }
+    Timed const timed(*this);
+    recorder_->close();
+    return finish();
+  }
+  [[nodiscard]] double time() const { return state_.t; }
+  [[nodiscard]] long steps() const { return result_.steps; }
+
+  [[nodiscard]] std::map<std::string, double> alone() {
+    auto const& stage = scene_->part.schedule.stages.front();
+    return scene::alone(stepper_, *scene_->model, state_, stage.until / stage.steps);
+  }
+  [[nodiscard]] MeshControl const& meshes() const { return meshes_; }
+  [[nodiscard]] std::vector<Warning> const& warnings() const { return warnings_; }
+
+  RunResult finish() {
+    auto const& cost = stepper_.cost();
+    result_.seconds = seconds();
+    remarks_.rounded(cost.contact_rounded);
+    result_.remarks = remarks_.texts();
+    if (pace_ && !pace_->decides())
+      result_.remarks.emplace_back(
+          "without inertia, bonds or events no error is seen by `accuracy`: steps grow to its "
+          "`largest`; give the stages their steps, and no accuracy");
+    result_.iterations = cost.newton_iterations;
+    result_.factorizations = cost.factorizations;
+    result_.contact = contact::words(cost.answered);
+    result_.phases = {{"assembly", cost.assembly},
+                      {"factorization", cost.factorization},
+                      {"contact", cost.contact},
+                      {"solve", cost.solve},
+                      {"output", output_}};
+    double cells = 0;
+    for (auto const& body : scene_->model->cells)
+      cells += static_cast<double>(body.count());
+    result_.counters = {
+        {"force_passes", static_cast<double>(cost.force_passes)},
+        {"stiffness_passes", static_cast<double>(cost.stiffness_passes)},
+        {"shifted_factorizations", static_cast<double>(cost.shifted_factorizations)},
+        {"solves", static_cast<double>(cost.solves)},
+        {"compliance_columns", static_cast<double>(cost.compliance_columns)},
+        {"contact_unknowns", static_cast<double>(stepper_.bulk().factor().surface())},
+        {"surface_bytes", 8 * stepper_.bulk().factor().surface_numbers()},
+        {"contact_iterations", static_cast<double>(cost.contact_iterations)},
+        {"contact_problems", static_cast<double>(cost.contact_problems)},
+        {"cells", cells},
+        {"cells_evaluated", cells * static_cast<double>(cost.force_passes + cost.stiffness_passes)},
+        {"cells_per_second",
+         cells * static_cast<double>(cost.force_passes + cost.stiffness_passes) / cost.assembly},
+        {"heap_blocks_of_factor_after_first_step",
+         static_cast<double>(linear::blocks_from_system() - blocks_)},
+        {"work", operations(*scene_->model, stepper_)},
+        {"cpu_seconds", cpu_before_ + cpu_seconds()},
+        {"unknowns", static_cast<double>(stepper_.bulk().unknowns())},
+        {"peak_memory", peak_memory()}};
+    result_.counters.insert(recorder_->changes().begin(), recorder_->changes().end());
+    return result_;
+  }
+
+private:
+  /// Where in the schedule: stage, nominal step of it, parts of that done.
+  struct Place {
+    std::size_t stage = 0;
+    int step = 0;
+    long done = 0;
+    bool begun = false; ///< the stage
+    template<class Archive> void visit(Archive& archive) { archive(stage, step, done, begun); }
+  };
+
+  /// Adds its lifetime to the time spent on output.
+  struct Timed {
+    explicit Timed(Run& run) : timer(run.output_) {}
+    dynamics::Timer timer;
+  };
+
+  /// An explicit scheme is not started with steps above its stability limit.
+  bool too_long() {
+    if (!dynamics::weights(scene_->model->scheme).explicit_forces)
+      return false;
+    double const limit = dynamics::critical_step(*scene_->model, state_.u);
+    double start = 0;
+    for (auto const& stage : scene_->part.schedule.stages) {
+      double const dt = (stage.until - start) / stage.steps;
+      if (dt > limit * (1 + dynamics::critical_margin)) {
+        result_.verdict = "unstable";
+        result_.reason = fmt::format(
+            "{}; give the stage to {:g} s at least {:.0f} steps, or take an implicit scheme",
+            dynamics::above_critical(dt, limit), stage.until, std::ceil((stage.until - start) / limit));
+        return true;
+      }
+      start = stage.until;
+    }
+    return false;
+  }
+
+  /// The state before the first step; false if there can be none.
+  bool begin() {
+    recorder_->step(state_, 0, 0);
+    if (scene_->part.output.frames > 0)
+      recorder_->frame(state_);
+    return !too_long();
+  }
+
+  /// On from its place, which is its start unless it was begun.
+  bool run_stage(StagePart const& stage, double start) {
+    double const nominal = (stage.until - start) / stage.steps;
+    if (!std::exchange(place_.begun, true)) {
+      patience_.begin(nominal);
+      if (pace_)
+        pace_->begin(nominal, scene_->part.schedule.halvings);
+    }
+    for (auto& k = place_.step; k < stage.steps; ++k) {
+      bool const last = k + 1 == stage.steps;
+      double const to = last ? stage.until : start + (k + 1) * nominal;
+      int const frames = scene_->part.output.frames;
+      // frame j of the stage comes after step ceil(j * steps / frames)
+      bool const framed = frames > 0 && static_cast<long>(k + 1) * frames / stage.steps >
+                                            static_cast<long>(k) * frames / stage.steps;
+      if (pace_ && !framed && !last)
+        continue;
+      if (pace_ ? !run_controlled(to) : !run_interval(start + k * nominal, to, nominal)) {
+        if (frames > 0)
+          recorder_->frame(state_);
+        return false;
+      }
+      if (framed) {
+        Timed const timed(*this);
+        recorder_->frame(state_);
+      }
+    }
+    place_ = {place_.stage, 0, 0, false};
+    return true;
+  }
+
+  /// On to a time that must be met, in steps that follow from their error.
+  bool run_controlled(double to) {
+    while (state_.t < to) {
+      if (!goes_on())
+        return false;
+      double const left = to - state_.t, dt = pace_->next(state_, left);
+      auto outcome = attempt(dt);
+      bool const converged = outcome.converged();
+      if (!converged && stopped())
+        return false;
+      auto const decision = pace_->decide(state_, outcome, dt);
+      note(decision, dt);
+      auto const enough = converged ? "" : patience_.lost();
+      if (decision.failed || !enough.empty())
+        return give_up(outcome, dt, enough);
+      if (!decision.accepted())
+        continue;
+      if (pace_->arrives(dt, left))
+        outcome.state.t = to;
+      accept(std::move(outcome), dt, decision.error);
+    }
+    return true;
+  }
+
+  void note(dynamics::Decision const& decision, double dt) {
+    auto tell = [&](char const* what, char const* cause, std::string const& reason) {
+      recorder_->change({state_.t, dt, pace_->wanted(), what, cause, reason, ""});
+    };
+    if (!decision.accepted()) {
+      ++result_.cuts;
+      return recorder_->change({state_.t, dt, pace_->wanted(), "cut", name_of(decision.cut), decision.reason,
+                                contact::words(answered())});
+    }
+    if (!pace_->aim().empty())
+      tell("aimed", "event", pace_->aim());
+    if (decision.at_floor)
+      tell("at_floor", "smallest", decision.reason);
+    else if (decision.grown)
+      tell("grown", "error", decision.reason);
+  }
+
+  /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
+  bool run_interval(double from, double to, double nominal) {
+    int const floor = scene_->part.schedule.halvings;
+    long const whole = 1L << floor;
+    for (auto& done = place_.done; done < whole;) {
+      if (!goes_on())
+        return false;
+      long const size = whole >> halved_;
+      double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
+      auto outcome = attempt(dt);
+      if (!outcome.converged()) {
+        if (stopped() || !halve(outcome, dt, floor))
+          return false;
+        continue;
+      }
+      done += size;
+      outcome.state.t =
+          done == whole ? to : from + (to - from) * static_cast<double>(done) / static_cast<double>(whole);
+      accept(std::move(outcome), dt);
+      if (halved_ > 0 && ++successes_ >= 2 && done % (2 * size) == 0) {
+        --halved_;
+        successes_ = 0;
+        recorder_->change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
+      }
+    }
+    place_.done = 0;
+    return true;
+  }
+
+  dynamics::Outcome attempt(double dt) {
+    patience_.begin_attempt();
+    if (options_->rehearse > 0 && ++attempts_ % options_->rehearse == 0)
+      static_cast<void>(stepper_.step(state_, dt));
+    answered_before_ = stepper_.cost().answered;
+    return stepper_.step(state_, dt);
+  }
+
+  /// Contact problems of the last attempt.
+  [[nodiscard]] contact::Methods answered() const {
+    auto counts = stepper_.cost().answered;
+    std::ranges::transform(counts, answered_before_, counts.begin(), std::minus{});
+    return counts;
+  }
+
+  /// Empty while there is none.
+  [[nodiscard]] std::string stop_reason() {
+    if (options_->stop != nullptr && options_->stop->load())
+      return on_request;
+    if (options_->stop_after > 0 && ++asked_ >= options_->stop_after)
+      return on_request;
+    return patience_.late(seconds());
+  }
+
+  bool stopped() {
+    auto const reason = stop_reason();
+    if (reason.empty())
+      return false;
+    result_.verdict = "stopped";
+    result_.reason = fmt::format("stopped {} at t = {:g} s", reason, state_.t);
+    result_.goes_on = reason == on_request && keep();
+    if (result_.goes_on)
+      result_.reason += "; the next run of the case goes on from there";
+    return true;
+  }
+
+  /// Before an attempt, when all that the last one has left is in its place: is it to be made?
+  bool goes_on() {
+    settled_ = stepper_.cost();
+    if (checkpoint_->due())
+      keep();
+    return !stopped();
+  }
+
+  /// Keeps where the run stood before the present attempt; whether that could be written.
+  bool keep() {
+    if (!checkpoint_->wanted())
+      return false;
+    Timed const timed(*this);
+    auto mark = recorder_->mark();
+    auto story = *story_;
+    story.under_way = true;
+    return checkpoint_->keep(story, [&](auto& archive) {
+      archive(mark);
+      visit(archive);
+    });
+  }
+
+  /// Hands over all that a run changes on its way but its files, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
+    archive(state_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
+            result_.steps, result_.cuts, spent, cpu, output_);
+    if (pace_)
+      archive(*pace_);
+    if constexpr (Archive::reads) {
+      before_ = spent;
+      cpu_before_ = cpu;
+    }
+  }
+
+  bool halve(dynamics::Outcome const& outcome, double dt, int floor) {
+    ++result_.cuts;
+    successes_ = 0;
+    if (outcome.verdict == dynamics::StepVerdict::contact_failed)
+      remarks_.examine(stepper_.contact(), state_.t + dt, contact::Checked::all);
+    recorder_->change(
+        {state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, contact::words(answered())});
+    auto const enough = patience_.lost();
+    return (++halved_ <= floor && enough.empty()) || give_up(outcome, dt, enough);
+  }
+
+  /// Always false. enough: which limit has been passed, if one has.
+  bool give_up(dynamics::Outcome const& outcome, double dt, std::string const& enough) {
+    result_.verdict = "not converged";
+    result_.reason =
+        fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    if (!enough.empty())
+      result_.reason += "; gave up, as " + enough;
+    if (outcome.verdict == dynamics::StepVerdict::contact_failed)
+      result_.reason +=
+          fmt::format("; its problem is {}", recorder_->problem(stepper_.contact().problem(), "failed"));
+    return false;
+  }
+
+  void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
+    if (auto const contact = contact::words(answered()); !contact.empty())
+      recorder_->change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
+    state_ = std::move(outcome.state);
+    patience_.reached(state_.t);
+    if (++result_.steps == 1)
+      blocks_ = linear::blocks_from_system();
+    remarks_.examine(stepper_.contact(), state_.t, contact::Checked::bearing);
+    remarks_.seek_beneath(state_);
+    remarks_.weigh(state_.ledger);
+    remarks_.balance(outcome);
+    Timed const timed(*this);
+    recorder_->step(state_, dt, outcome.iterations, error);
+    int const every = scene_->part.output.problems_every;
+    if (every > 0 && result_.steps % every == 0)
+      static_cast<void>(
+          recorder_->problem(stepper_.contact().problem(), fmt::format("{:06}", result_.steps)));
+    report(dt, outcome.iterations);
+  }
+
+  void report(double dt, int iterations) {
+    if (!options_->progress || seconds_since(reported_) < 0.1)
+      return;
+    reported_ = Clock::now();
+    Progress progress;
+    progress.time = state_.t;
+    progress.end_time = scene_->part.schedule.stages.back().until;
+    progress.dt = dt;
+    progress.step = result_.steps;
+    progress.iterations = iterations;
+    for (auto const& pair : state_.contacts)
+      for (auto const& point : pair)
+        if (point.in_reach)
+          ++(point.status == interface::Status::open    ? progress.open
+             : point.status == interface::Status::stick ? progress.stick
+                                                        : progress.slip);
+    progress.seconds = seconds();
+    progress.seconds_left = progress.seconds * (progress.end_time / progress.time - 1);
+    options_->progress(progress);
+  }
+
+  /// Of the machine, those before it was taken up included, s.
+  [[nodiscard]] double seconds() const { return before_ + seconds_since(began_); }
+
+  static constexpr char const* on_request = "on request";
+
+  Scene const* scene_;
+  RunOptions const* options_;
+  Checkpoint* checkpoint_;
+  Story const* story_;
+  dynamics::Stepper stepper_;
+  std::optional<dynamics::Pace> pace_; ///< none: equal steps
+  std::optional<Recorder> recorder_;
+  Patience patience_;
+  dynamics::State state_;
+  Remarks remarks_;
+  MeshControl meshes_;
+  RunResult result_;
+  std::vector<Warning> warnings_;
+  Place place_;
+  dynamics::Cost settled_;             ///< before the present attempt
+  double before_ = 0, cpu_before_ = 0; ///< s, before it was taken up
+  long asked_ = 0;                     ///< whether it is to stop
+  Clock::time_point began_ = Clock::now(), reported_{};
+  double output_ = 0;
+  int halved_ = 0, successes_ = 0;
+  long attempts_ = 0;
+  contact::Methods answered_before_{}; ///< the last attempt
+  std::size_t blocks_ = 0;             ///< that SuiteSparse had taken from the system after the first step
+};
+
+} // namespace stiction::scene
