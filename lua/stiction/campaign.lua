@@ -159,7 +159,7 @@ end
 
 local function write_now(plan, rows)
   local began = engine.clock()
-  if plan.office then
+  if plan.office and not engine.stopped() then -- no script runs any more
     sharing.refresh(plan, rows)
   end
   plan.others = not plan.options.trade and (not plan.office and plan.others or summary.others(plan, rows)) or {}

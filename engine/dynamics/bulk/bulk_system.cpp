@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "core/error.hpp"
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/bulk/timer.hpp"
 #include "linear/multigrid_factor.hpp"
@@ -321,57 +320,6 @@ bool BulkSystem::take_factor(StepWeights const& weights, double dt, Cost& cost) 
   return kept_.front().made || make(weights, cost);
 }
 
-void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
-  if (linear_) {
-    for (auto& one : kept_) {
-      auto const found =
-          std::ranges::find_if(wanted, [&](auto const& source) { return one.comes_from(source); });
-      one.factor->carry_on(found != wanted.end() ? found->carried.get() : nullptr);
-    }
-    return;
-  }
-  std::vector<Kept> had = std::exchange(kept_, {});
-  std::ranges::move(std::exchange(parked_, {}), std::back_inserter(had));
-  for (auto const& source : wanted) {
-    auto const found = std::ranges::find_if(had, [&](Kept const& one) { return one.comes_from(source); });
-    if (found == had.end()) {
-      kept_.emplace_back().is_of(source, weights);
-    } else {
-      kept_.push_back(std::move(*found));
-      had.erase(found);
-    }
-    kept_.back().wanted = true;
-    kept_.back().source.carried = source.carried;
-  }
-  for (auto& one : had)
-    spare_.push_back(std::move(one.factor));
-  if (kept_.empty())
-    kept_.emplace_back();
-  for (auto& one : kept_) {
-    if (one.factor == nullptr)
-      one.factor = spare();
-    one.factor->carry_on(one.source.carried.get());
-  }
-}
-
-void BulkSystem::make_again(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
-  if (wanted.empty())
-    return;
-  for (auto& one : std::exchange(kept_, {}))
-    spare_.push_back(std::move(one.factor));
-  for (auto source = wanted.rbegin(); source != wanted.rend(); ++source) {
-    Kept one;
-    one.factor = spare();
-    one.is_of(*source, weights);
-    kept_.insert(kept_.begin(), std::move(one));
-    Cost not_counted;
-    core::expect(make(weights, not_counted), "a factor that has been to be made again");
-    if (Dense known; source->carried && !source->carried->columns.empty())
-      factor().compliance(source->carried->columns, known);
-    static_cast<void>(factor().spent());
-  }
-}
-
 /// Memory for a factor, what it holds is of no use.
 std::unique_ptr<linear::BulkFactor> BulkSystem::spare() {
   if (spare_.empty()) {
@@ -381,17 +329,6 @@ std::unique_ptr<linear::BulkFactor> BulkSystem::spare() {
   auto last = std::move(spare_.back());
   spare_.pop_back();
   return last;
-}
-
-std::vector<FactorSource> BulkSystem::sources() const {
-  std::vector<FactorSource> all;
-  for (auto const& one : kept_)
-    if (!diagonal_ && one.source.u != nullptr) {
-      all.push_back(one.source);
-      if (one.made)
-        all.back().carried = one.factor->carried();
-    }
-  return all;
 }
 
 /// Puts first what may be overwritten by a factor from this source: one of the same coefficients, one that is

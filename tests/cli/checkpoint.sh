@@ -1,0 +1,98 @@
+#!/bin/sh
+# Cases that are stopped and killed at random moments, they and the run that started them: the next run goes on where they
+# stood, and ends bitwise as one that nobody disturbed. $2: how many moments.
+. "$(dirname "$0")/common.sh"
+moments=${2:-12}
+seed=${3:-16}
+
+random() { # N: 0 ... N - 1, the same ones for a seed
+  seed=$(((seed * 1103515245 + 12345) % 2147483648))
+  echo $((seed / 65536 % $1))
+}
+
+number() { printf '%s.%03d' "$(($1 / 1000))" "$(($1 % 1000))"; } # of thousandths
+
+untimed() { # columns of a summary but for the seconds
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "seconds") own = i } { $own = ""; print }' "$1"
+}
+
+cat >same.lua <<'L'
+local engine = require "stiction.engine"
+local test, equal = ...
+for id in (engine.read_file "ids"):gmatch "%S+" do
+  test(id, function()
+    local a, b = engine.read_series("plain/" .. id .. "/series.h5"), engine.read_series("cut/" .. id .. "/series.h5")
+    local columns = engine.series_columns(a)
+    equal(table.concat(engine.series_columns(b), " "), table.concat(columns, " "))
+    equal(#engine.series_time(b), #engine.series_time(a))
+    for _, name in ipairs(columns) do
+      local u, v = engine.series_column(a, name), engine.series_column(b, name)
+      for i = 1, #u do
+        if string.pack("d", u[i]) ~= string.pack("d", v[i]) then
+          equal(("%s row %d: %.17g"):format(name, i, v[i]), ("%.17g"):format(u[i]))
+        end
+      end
+    end
+  end)
+end
+L
+
+compare() { # plain and cut
+  for file in fields fields.pvd steps.csv; do
+    for id in $(cat ids); do
+      diff -r "plain/$id/$file" "cut/$id/$file" >different || complain "$* $file of $id: $(cat different)"
+    done
+  done
+  untimed plain/summary.csv >a
+  untimed cut/summary.csv >b
+  holds "$* summary: $(diff a b)" cmp -s a b
+  "$stiction" luatest same.lua >output 2>&1 || complain "$* series: $(cat output)"
+  holds "$* a checkpoint is left" [ -z "$(ls cut/*/checkpoint* 2>/dev/null)" ]
+}
+
+changed drag 's/mu = { 0, 0.2, 0.4 }/mu = { 0, 0.3 }/'
+echo "mu0 mu0.3" >ids
+settings="run $work/drag --set steps=1500 --no-figures --jobs 2 --checkpoint 0.02 --out"
+began=$(date +%s%N)
+# shellcheck disable=SC2086 # words
+"$stiction" $settings plain >output 2>&1 || complain "the undisturbed run: $(cat output)"
+whole=$((($(date +%s%N) - began) / 1000000)) # ms
+
+disturb() { # starts a run, and ends it or its cases at a random moment
+  # shellcheck disable=SC2086 # words
+  "$stiction" $settings cut >"output.$1" 2>&1 </dev/null &
+  id=$!
+  sleep "$(number "$(random $((whole / 2 + 50)))")"
+  case $(random 5) in
+  0) kill -TERM $id ;;
+  1) kill -INT $id ;;
+  2) kill -KILL $id ;;
+  3) pgrep -P $id | xargs -r kill -TERM ;;
+  4) pgrep -P $id | xargs -r kill -KILL ;;
+  esac 2>/dev/null
+  wait $id 2>/dev/null
+}
+
+last() { # a run to the end, once all processes of those before have ended
+  for _ in $(seq 100); do
+    # shellcheck disable=SC2086 # words
+    "$stiction" $settings cut >output.last 2>&1 && break
+    grep -q "is in use by" output.last || break
+    sleep 0.1
+  done
+  grep -q "checks held" output.last || complain "the last run after $disturbed moments: $(cat output.*)"
+}
+
+disturbed=0
+while [ "$disturbed" -lt "$moments" ] && [ "$failures" = 0 ]; do
+  rm -rf cut
+  for attempt in 1 2 3; do
+    disturb $attempt
+    disturbed=$((disturbed + 1))
+  done
+  last
+  cat output.* >>all_outputs
+  compare "after $disturbed moments,"
+done
+holds "no run went on where another had stopped" grep -qs "goes on from t = " all_outputs
+finish
