@@ -34,12 +34,17 @@ nlohmann::json libraries() {
 }
 
 /// "model name" of /proc/cpuinfo, "unknown" elsewhere.
-std::string processor() {
+std::string read_processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (auto const colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
       return line.substr(colon + 2);
   return "unknown";
+}
+
+std::string const& processor() { // the system takes its time to make that file
+  static auto const found = read_processor();
+  return found;
 }
 
 /// The name of the distribution, and of the kernel: "Debian GNU/Linux 12 (bookworm), Linux 6.1.0 x86_64".

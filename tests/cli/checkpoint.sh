@@ -94,5 +94,21 @@ while [ "$disturbed" -lt "$moments" ] && [ "$failures" = 0 ]; do
   cat output.* >>all_outputs
   compare "after $disturbed moments,"
 done
+# a checkpoint that finds no room is told, once, and the case goes on; one that is damaged is refused
+changed large 's/mu = { 0, 0.2, 0.4 }/mu = { 0.2 }/; s/schedule = stiction/output = stiction.output { frames = 0 }, schedule = stiction/'
+(
+  ulimit -f 3000 # blocks of 512 bytes
+  expect 0 "where the case stands is not kept: cannot write|checks held" \
+    "$stiction" run large --set cells=150 --set steps=2 --no-figures --checkpoint 0 --out full
+  holds "told more than once" [ "$(grep -c "is not kept" output)" = 1 ]
+  exit "$failures"
+) || failures=$((failures + $?))
+"$stiction" case drag --case mu0.3 --set steps=100 --stop-after 99 --out spoiled >output 2>&1
+printf 'x' | dd of=spoiled/mu0.3/checkpoint bs=1 seek=2000 conv=notrunc 2>/dev/null
+expect 0 "checkpoint spoiled/mu0.3/checkpoint is damaged: the case starts anew" \
+  "$stiction" run drag --case mu0.3 --set steps=100 --no-figures --out spoiled
+"$stiction" case drag --case mu0.3 --set steps=100 --stop-after 99 --out again >output 2>&1
+expect 0 "finished" "$stiction" run drag --case mu0.3 --set steps=100 --no-figures --force --out again
+holds "--force goes on" sh -c '! grep -q "goes on" output'
 holds "no run went on where another had stopped" grep -qs "goes on from t = " all_outputs
 finish

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "record/file.hpp"
 #include "scene/description/human.hpp"
 
 namespace stiction::scene {
@@ -64,8 +65,10 @@ std::uint32_t mesh_checksum(dynamics::Model const& model) {
 Story Checkpoint::open() {
   if (!wanted())
     return Story::anew();
-  auto found = keeping_->anew ? std::nullopt : record::read_checkpoint(keeping_->file, keeping_->owner);
   std::error_code ignored;
+  for (auto part = record::part_name(keeping_->file); auto const& name : {part, record::part_name(part)})
+    std::filesystem::remove(name, ignored); // of one that was killed as it wrote
+  auto found = keeping_->anew ? std::nullopt : record::read_checkpoint(keeping_->file, keeping_->owner);
   if (!found) {
     std::filesystem::remove(keeping_->file, ignored);
     return Story::anew();

@@ -21,7 +21,8 @@ local standard = {
 local function measure(options, study, case, folder)
   local found
   local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
-    trust = options.trust, jobs = 1, quiet = true, alone = true }
+    trust = options.trust, jobs = 1, quiet = true, alone = true,
+    force = true }
   hold.note(folder, study)
   output.settle(folder, { case })
   local stopped = jobs.run({ case }, settings, function(_, result)

@@ -69,19 +69,19 @@ void check_same(Case const& a, Case const& b) {
   }
 }
 
-void check_same(scene::RunResult a, scene::RunResult b) {
+void check_same(scene::RunResult const& a, scene::RunResult const& b) {
   CHECK(a.verdict == b.verdict);
   CHECK(a.reason == b.reason);
   CHECK(a.steps == b.steps);
   CHECK(a.iterations == b.iterations);
-  CHECK(a.factorizations == b.factorizations);
   CHECK(a.cuts == b.cuts);
   CHECK(a.contact == b.contact);
   CHECK(a.remarks == b.remarks);
-  for (char const* own :
-       {"cpu_seconds", "peak_memory", "cells_per_second", "heap_blocks_of_factor_after_first_step"})
-    a.counters.erase(own), b.counters.erase(own);
-  CHECK(a.counters == b.counters);
+  for (auto const& [name, count] : a.counters)
+    if (name.starts_with("cut_") || name.starts_with("contact_") || name.starts_with("mesh_")) {
+      CAPTURE(name);
+      CHECK(count == b.counters.at(name));
+    }
 }
 
 /// Stops a case whenever it has asked as often as the dice say, at most `most` times at a go. Returns how
@@ -183,7 +183,7 @@ TEST_CASE("so do steps that are cut and grow again") {
   test::Dice dice(2);
   Case once;
   REQUIRE(once.run(table).cuts > 2);
-  CHECK(check_in_pieces(table, dice, 12) > 2);
+  CHECK(check_in_pieces(table, dice, 60) > 2);
 }
 
 TEST_CASE("so do free rigid bodies") {
@@ -273,7 +273,7 @@ TEST_CASE("a checkpoint that does not fit is refused, told once, and the case st
 
 TEST_CASE("histories that are not those of the checkpoint are refused") {
   Case here, other;
-  REQUIRE(here.run(foot(), 15).goes_on);
+  REQUIRE(here.run(foot(), 30).goes_on);
   auto table = foot();
   test::at(table, "pairs.sole.friction") = test::coulomb(0.1);
   REQUIRE(other.run(table).verdict == "finished");
@@ -281,6 +281,15 @@ TEST_CASE("histories that are not those of the checkpoint are refused") {
                              std::filesystem::copy_options::overwrite_existing);
   CHECK(here.run(foot()).verdict == "finished");
   CHECK(here.said("is of another series.h5"));
+}
+
+TEST_CASE("meshes that are not those of the checkpoint are refused") {
+  Case here;
+  REQUIRE(here.run(foot(), 15).goes_on);
+  auto table = foot();
+  test::at(table, "bodies.foot.mesh.size") = test::values({1, 1.1}, "m");
+  CHECK(here.run(table).verdict == "finished");
+  CHECK(here.said("goes with other meshes"));
 }
 
 TEST_CASE("a checkpoint that cannot be written is told once, and the case goes on") {
