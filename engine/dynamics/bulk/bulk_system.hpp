@@ -78,7 +78,7 @@ public:
   void recall(std::vector<FactorSource> const& wanted, StepWeights const& weights);
   /// Keeps these factors and no others, made now, with all that they carry.
   void make_again(std::vector<FactorSource> const& wanted, StepWeights const& weights);
-  /// Those kept, the last used first; none of a lumped mass.
+  /// Those kept, the last used first; none where they do not depend on u and carry nothing.
   [[nodiscard]] std::vector<FactorSource> sources() const;
   /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
   /// Where it is more than one, one more is held for a step that may yet be given up.
