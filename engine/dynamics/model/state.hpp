@@ -91,7 +91,8 @@ struct State {
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
   Ledger ledger;
-  /// The factors that the step which led here left for the next, the last used first; none where they do not depend on u and carry nothing.
+  /// The factors that the step which led here left for the next, the last used first; none where they do not
+  /// depend on u and carry nothing.
   std::vector<FactorSource> factors;
   double critical_step = 0; ///< of explicit schemes, s, found `critical_age` steps ago; age 0: not known
   int critical_age = 0;

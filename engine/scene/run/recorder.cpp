@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "record/checkpoint_file.hpp"
 #include "record/file.hpp"
 #include "record/problem_file.hpp"
 #include "scene/run/frame.hpp"
