@@ -22,15 +22,12 @@ endfunction()
 
 # Several files at a time share what their headers cost and their templates; alone stay those whose local names clash with
 # others', and those that tests/exercise compiles anew.
-function(compile_together layer)
-  if(STICTION_SANITIZE AND layer IN_LIST STICTION_COMPUTES)
-    optimize(stiction_${layer})
-  endif()
-  if(NOT STICTION_UNITY OR layer STREQUAL mesh)
+function(compile_together target) # compile_together(TARGET): at most 8 files at a time
+  if(NOT STICTION_UNITY)
     return()
   endif()
-  set_target_properties(stiction_${layer} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-  get_target_property(sources stiction_${layer} SOURCES)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  get_target_property(sources ${target} SOURCES)
   set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
   set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
   list(APPEND clashing ${exercised})

@@ -10,7 +10,7 @@ namespace stiction::postproc {
 
 namespace {
 
-double const sample = points(17), gap = points(4), padding = points(3);
+double const sample = points(17), spacing = points(4), padding = points(3);
 
 /// Whether the segment ab comes into the box, looked at every two pixels.
 bool crosses(Box const& box, Point a, Point b) {
@@ -40,13 +40,13 @@ Legend::Legend(std::vector<Curve> const& curves) {
     if (curve.label.empty())
       continue;
     entries_.push_back(&curve);
-    cell_.width = std::max(cell_.width, sample + gap + measure(curve.label, legend_size).width);
+    cell_.width = std::max(cell_.width, sample + spacing + measure(curve.label, legend_size).width);
   }
   cell_.height = line_height(legend_size) + points(2);
 }
 
 Legend::Legend(std::vector<Curve> const& curves, double width) : Legend(curves) {
-  double const fitting = (width - 2 * padding + 3 * gap) / (cell_.width + 3 * gap);
+  double const fitting = (width - 2 * padding + 3 * spacing) / (cell_.width + 3 * spacing);
   auto const most = static_cast<std::size_t>(std::max(1.0, std::floor(fitting)));
   std::size_t const rows = (entries_.size() + most - 1) / most;
   columns_ = rows == 0 ? 1 : (entries_.size() + rows - 1) / rows;
@@ -57,7 +57,7 @@ Size Legend::size() const {
     return {};
   std::size_t const rows = (entries_.size() + columns_ - 1) / columns_;
   auto const columns = static_cast<double>(columns_);
-  return {columns * cell_.width + (columns - 1) * 3 * gap + 2 * padding,
+  return {columns * cell_.width + (columns - 1) * 3 * spacing + 2 * padding,
           static_cast<double>(rows) * cell_.height + 2 * padding};
 }
 
@@ -74,7 +74,7 @@ void Legend::draw(Canvas& canvas, Point lower_left, bool boxed) const {
   lettering.along = Along::centre;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     std::size_t const column = i % columns_, row = i / columns_;
-    double const left = box.left + padding + static_cast<double>(column) * (cell_.width + 3 * gap);
+    double const left = box.left + padding + static_cast<double>(column) * (cell_.width + 3 * spacing);
     double const middle = box.top() - padding - (static_cast<double>(row) + 0.5) * cell_.height;
     auto const& pen = entries_[i]->pen;
     auto const& below = entries_[i]->at_most;
@@ -83,7 +83,7 @@ void Legend::draw(Canvas& canvas, Point lower_left, bool boxed) const {
       canvas.marker({left + sample / 2, middle}, pen, all_below ? Marker::down : Marker::disc);
     else
       canvas.stroke({{left, middle}, {left + sample, middle}}, pen);
-    canvas.text(entries_[i]->label, {left + sample + gap, middle}, lettering);
+    canvas.text(entries_[i]->label, {left + sample + spacing, middle}, lettering);
   }
 }
 
@@ -98,7 +98,8 @@ Box Legend::in_corner(std::string const& corner, Box const& plot) const {
 std::optional<Box> Legend::free_corner(Box const& plot, std::vector<std::vector<Point>> const& lines) const {
   for (auto const* corner : {"top right", "top left", "bottom right", "bottom left"}) {
     Box const box = in_corner(corner, plot);
-    Box const wide{box.left - gap, box.bottom - gap, box.width + 2 * gap, box.height + 2 * gap};
+    Box const wide{box.left - spacing, box.bottom - spacing, box.width + 2 * spacing,
+                   box.height + 2 * spacing};
     bool const fits = box.left > plot.left && box.bottom > plot.bottom && box.right() < plot.right() &&
                       box.top() < plot.top();
     bool const hidden = std::any_of(lines.begin(), lines.end(),

@@ -12,7 +12,7 @@ namespace stiction::postproc {
 namespace {
 
 constexpr double row_height = 8.6, column_width = 9.4; // points
-constexpr double gap = 3, block_gap = 9;               // points
+constexpr double map_space = 3, block_space = 9;       // points
 constexpr double letter_size = 6, row_size = 6.2;      // points
 
 /// One line of a block: a group's heading, or a row of cells.
@@ -55,16 +55,16 @@ Layout lay_out(FigureSpec const& figure, MapSpec const& map) {
   layout.blocks = split(map);
   layout.picture.width = figure.width;
   auto const blocks = static_cast<double>(layout.blocks.size());
-  double const room = figure.width - 2 * points(edge) - (blocks - 1) * points(block_gap);
+  double const room = figure.width - 2 * points(edge) - (blocks - 1) * points(block_space);
   layout.block = room / blocks;
   layout.labels = layout.block - static_cast<double>(map.columns.size()) * points(column_width);
   for (auto const& column : map.columns)
-    layout.head = std::max(layout.head, measure(column, row_size).width + points(gap));
+    layout.head = std::max(layout.head, measure(column, row_size).width + points(map_space));
   std::size_t lines = 0;
   for (auto const& block : layout.blocks)
     lines = std::max(lines, block.size());
-  layout.legend = points(row_height + 2 * gap);
-  double const title = figure.title.empty() ? 0 : line_height(title_size) + points(gap);
+  layout.legend = points(row_height + 2 * map_space);
+  double const title = figure.title.empty() ? 0 : line_height(title_size) + points(map_space);
   layout.picture.height = std::round(2 * points(edge) + title + layout.head + layout.legend +
                                      static_cast<double>(lines) * points(row_height));
   layout.top = layout.picture.height - points(edge) - title - layout.head;
@@ -95,13 +95,13 @@ void draw_heads(Canvas& canvas, Layout const& layout, double left, MapSpec const
   lettering.along = Along::centre;
   double x = left + layout.labels + points(column_width) / 2;
   for (auto const& column : map.columns) {
-    canvas.text(column, {x, layout.top + points(gap)}, lettering);
+    canvas.text(column, {x, layout.top + points(map_space)}, lettering);
     x += points(column_width);
   }
 }
 
 void draw_block(Canvas& canvas, Layout const& layout, std::size_t number, MapSpec const& map) {
-  double const left = points(edge) + static_cast<double>(number) * (layout.block + points(block_gap));
+  double const left = points(edge) + static_cast<double>(number) * (layout.block + points(block_space));
   double bottom = layout.top;
   draw_heads(canvas, layout, left, map);
   for (auto const& line : layout.blocks[number]) {
@@ -109,7 +109,7 @@ void draw_block(Canvas& canvas, Layout const& layout, std::size_t number, MapSpe
     Lettering lettering;
     lettering.along = Along::centre;
     lettering.across = line.row == nullptr ? Across::left : Across::right;
-    double const room = line.row == nullptr ? layout.block : layout.labels - points(gap);
+    double const room = line.row == nullptr ? layout.block : layout.labels - points(map_space);
     lettering.size = fitting_size(line.words, line.row == nullptr ? tick_size : row_size, room);
     lettering.colour = line.row == nullptr ? ink : mark_grey;
     canvas.text(line.words, {line.row == nullptr ? left : left + room, bottom + points(row_height) / 2},
@@ -131,8 +131,8 @@ void draw_key(Canvas& canvas, MapSpec const& map) {
   for (auto const& kind : map.kinds) {
     Box const box{x, points(edge), points(column_width), points(row_height)};
     draw_cell(canvas, box, kind.letter[0], map);
-    canvas.text(kind.label, {box.right() + points(gap), box.bottom + box.height / 2}, lettering);
-    x = box.right() + measure(kind.label, lettering.size).width + points(4 * gap);
+    canvas.text(kind.label, {box.right() + points(map_space), box.bottom + box.height / 2}, lettering);
+    x = box.right() + measure(kind.label, lettering.size).width + points(4 * map_space);
   }
 }
 

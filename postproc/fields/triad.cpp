@@ -8,7 +8,7 @@ namespace stiction::postproc {
 
 namespace {
 
-double const arm = points(14), letter = points(4.5), least = 0.2;
+double const arm = points(14), letter = points(4.5), shortest = 0.2;
 
 /// Where an axis of the model points in the picture, by the unit length.
 Point direction(Frame const& frame, std::size_t axis) {
@@ -16,7 +16,7 @@ Point direction(Frame const& frame, std::size_t axis) {
 }
 
 bool is_seen(Point d) {
-  return std::hypot(d.x, d.y) >= least;
+  return std::hypot(d.x, d.y) >= shortest;
 }
 
 Point end_of(Point d, double beyond) {

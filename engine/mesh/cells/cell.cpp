@@ -11,7 +11,7 @@ namespace stiction::mesh {
 
 namespace {
 
-struct Row {
+struct Traits {
   CellInfo info;
   Matrix reference_nodes;
   Shape shape;
@@ -32,7 +32,7 @@ CellInfo plane(CellKind kind, std::string_view name, Locals facets, std::array<i
           vtk_gmsh[0], vtk_gmsh[1], order};
 }
 
-std::vector<Row> plane_rows() {
+std::vector<Traits> plane_rows() {
   Locals const tri3{{0, 1}, {1, 2}, {2, 0}}, tri6{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}};
   Locals const quad4{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   Locals const quad8{{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
@@ -47,7 +47,7 @@ std::vector<Row> plane_rows() {
 }
 
 /// Corners of the facets, so that every facet is a tri3, tri6, quad4 or quad8 seen from outside.
-std::vector<Row> solid_rows() {
+std::vector<Traits> solid_rows() {
   Edges const tet{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   Edges const hex{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                   {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
@@ -85,15 +85,15 @@ std::vector<Row> solid_rows() {
   };
 }
 
-std::vector<Row> make_rows() {
+std::vector<Traits> make_rows() {
   auto rows = plane_rows();
   for (auto& solid : solid_rows())
     rows.push_back(std::move(solid));
   return rows;
 }
 
-Row const& row(CellKind kind) {
-  static std::vector<Row> const table = make_rows();
+Traits const& row(CellKind kind) {
+  static std::vector<Traits> const table = make_rows();
   return table.at(static_cast<std::size_t>(kind));
 }
 
@@ -161,7 +161,7 @@ Interpolation const& mass_rule(CellKind kind) {
 }
 
 Interpolation interpolate(CellKind kind, Matrix const& points, Vector const& weights) {
-  Row const& cell = row(kind);
+  Traits const& cell = row(kind);
   core::expect(points.cols() == cell.info.dim && points.rows() == weights.size(),
                "reference points [points, dim] and weights [points]");
   Interpolation result{points, weights, Matrix(points.rows(), cell.info.nodes), {}};

@@ -9,9 +9,7 @@ namespace stiction::mesh {
 
 namespace {
 
-using Options = HalfBallOptions;
-
-void check(Options const& options, Grading const& grading) {
+void check(HalfBallOptions const& options, Grading const& grading) {
   core::Complaints complaints;
   check_numbers(complaints, {"half_ball.centre", options.centre, "m", core::any_number, 3});
   if (check_numbers(complaints, {"half_ball.radius", {options.radius}, "m", core::positive, 1}))
@@ -21,7 +19,7 @@ void check(Options const& options, Grading const& grading) {
 }
 
 /// The wanted part about the origin, pole on the positive z axis.
-Hexes standing(Options const& options, Grading const& grading) {
+Hexes standing(HalfBallOptions const& options, Grading const& grading) {
   RoundLines const lines =
       round_lines({options.radius, options.fine[0], options.fine[1], cube_reach()}, grading);
   auto const polar = static_cast<double>(lines.polar.size()), rings = static_cast<double>(lines.rings.size()),
@@ -40,29 +38,29 @@ Hexes standing(Options const& options, Grading const& grading) {
 core::Schema const& HalfBallOptions::schema() {
   using core::Need;
   static auto const result =
-      core::Describe<Options>("half_ball",
-                              "half ball hanging from its flat side, fine near its pole; sets flat, cap, all "
-                              "and where it is cut symmetry_x, symmetry_y")
-          .numbers("centre", &Options::centre, "m", Need::optional, "centre of the ball {x, y, z}")
-          .number("radius", &Options::radius, "m", core::positive, Need::required, "radius")
-          .numbers("fine", &Options::fine, "m", Need::required,
+      core::Describe<HalfBallOptions>(
+          "half_ball", "half ball hanging from its flat side, fine near its pole; sets flat, cap, all "
+                       "and where it is cut symmetry_x, symmetry_y")
+          .numbers("centre", &HalfBallOptions::centre, "m", Need::optional, "centre of the ball {x, y, z}")
+          .number("radius", &HalfBallOptions::radius, "m", core::positive, Need::required, "radius")
+          .numbers("fine", &HalfBallOptions::fine, "m", Need::required,
                    "zone of fine cells {length along the cap from the pole, depth}")
-          .number("fine_size", &Options::fine_size, "m", core::positive, Need::required,
+          .number("fine_size", &HalfBallOptions::fine_size, "m", core::positive, Need::required,
                   "cell size in the fine zone")
-          .number("coarse_size", &Options::coarse_size, "m", core::positive, Need::required,
+          .number("coarse_size", &HalfBallOptions::coarse_size, "m", core::positive, Need::required,
                   "largest cell size along the cap and in depth")
-          .number("growth", &Options::growth, "1", {1.05, 2}, Need::optional,
+          .number("growth", &HalfBallOptions::growth, "1", {1.05, 2}, Need::optional,
                   "size of a cell over that of the one before outside the fine zone")
-          .choice("part", &Options::part, {"quarter", "half", "full"}, Need::optional,
+          .choice("part", &HalfBallOptions::part, {"quarter", "half", "full"}, Need::optional,
                   "quarter x, y >= centre, half y >= centre, or full")
-          .flag("standing", &Options::standing, "flat side down, pole on top")
-          .choice("kind", &Options::kind, cell_choices(3), Need::optional,
+          .flag("standing", &HalfBallOptions::standing, "flat side down, pole on top")
+          .choice("kind", &HalfBallOptions::kind, cell_choices(3), Need::optional,
                   "kind of cells; tetrahedra are six a hexahedron")
           .build();
   return result;
 }
 
-Mesh half_ball(Options const& options) {
+Mesh half_ball(HalfBallOptions const& options) {
   Grading const grading{options.fine_size, options.coarse_size, options.growth};
   check(options, grading);
   Hexes hexes = standing(options, grading);

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double ring_thickness = 0.4; // between inner square and first circle over its radius, mean
 
-using Options = QuarterCylinderOptions;
-
-void check(Options const& options, Grading const& grading) {
+void check(QuarterCylinderOptions const& options, Grading const& grading) {
   core::Complaints complaints;
   check_numbers(complaints, {"quarter_cylinder.centre", options.centre, "m", core::any_number, 3});
   bool const radius =
@@ -32,7 +30,7 @@ void check(Options const& options, Grading const& grading) {
 }
 
 /// The quarter disc about the origin, cells of the fine size up to the fine radius, then growing.
-Quads disc(Options const& options, Grading const& grading) {
+Quads disc(QuarterCylinderOptions const& options, Grading const& grading) {
   bool const all_fine = options.fine[0] > options.radius - options.fine_size / 2;
   double const inner = all_fine ? options.radius : options.fine[0];
   auto const cells_of = [&](double length) {
@@ -57,28 +55,29 @@ Quads disc(Options const& options, Grading const& grading) {
 core::Schema const& QuarterCylinderOptions::schema() {
   using core::Need;
   static auto const result =
-      core::Describe<Options>(
+      core::Describe<QuarterCylinderOptions>(
           "quarter_cylinder",
           "quarter x, y >= centre of a cylinder along z, fine near the middle of its top; "
           "sets top, bottom, side, symmetry_x, symmetry_y, all")
-          .numbers("centre", &Options::centre, "m", Need::optional, "middle of the top {x, y, z}")
-          .number("radius", &Options::radius, "m", core::positive, Need::required, "radius")
-          .number("height", &Options::height, "m", core::positive, Need::required, "height")
-          .numbers("fine", &Options::fine, "m", Need::required,
+          .numbers("centre", &QuarterCylinderOptions::centre, "m", Need::optional,
+                   "middle of the top {x, y, z}")
+          .number("radius", &QuarterCylinderOptions::radius, "m", core::positive, Need::required, "radius")
+          .number("height", &QuarterCylinderOptions::height, "m", core::positive, Need::required, "height")
+          .numbers("fine", &QuarterCylinderOptions::fine, "m", Need::required,
                    "zone of fine cells {radius, depth from the top}")
-          .number("fine_size", &Options::fine_size, "m", core::positive, Need::required,
+          .number("fine_size", &QuarterCylinderOptions::fine_size, "m", core::positive, Need::required,
                   "cell size in the fine zone")
-          .number("coarse_size", &Options::coarse_size, "m", core::positive, Need::required,
+          .number("coarse_size", &QuarterCylinderOptions::coarse_size, "m", core::positive, Need::required,
                   "largest cell size along radius and depth")
-          .number("growth", &Options::growth, "1", {1.05, 2}, Need::optional,
+          .number("growth", &QuarterCylinderOptions::growth, "1", {1.05, 2}, Need::optional,
                   "size of a cell over that of the one before outside the fine zone")
-          .choice("kind", &Options::kind, cell_choices(3), Need::optional,
+          .choice("kind", &QuarterCylinderOptions::kind, cell_choices(3), Need::optional,
                   "kind of cells; tetrahedra are six a hexahedron")
           .build();
   return result;
 }
 
-Mesh quarter_cylinder(Options const& options) {
+Mesh quarter_cylinder(QuarterCylinderOptions const& options) {
   Grading const grading{options.fine_size, options.coarse_size, options.growth};
   check(options, grading);
   Quads const section = disc(options, grading);

@@ -23,13 +23,13 @@ struct Cell {
   Index const* nodes;
 };
 
-using Locals = std::vector<int>;
+using CornerNumbers = std::vector<int>;
 /// Of one corner, [dim, dim], m.
-using Edges = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
+using EdgeVectors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
 
-std::vector<Locals> neighbours_of(CellInfo const& cell) {
+std::vector<CornerNumbers> neighbours_of(CellInfo const& cell) {
   Matrix const& nodes = reference_nodes(cell.kind);
-  std::vector<Locals> result(static_cast<std::size_t>(cell.corners));
+  std::vector<CornerNumbers> result(static_cast<std::size_t>(cell.corners));
   for (auto const& [a, b] : cell.edges) {
     result[static_cast<std::size_t>(a)].push_back(b);
     result[static_cast<std::size_t>(b)].push_back(a);
@@ -55,9 +55,9 @@ void for_each_cell(Mesh const& mesh, std::function<void(Cell const&)> const& act
 }
 
 /// Corners joined to each corner of a kind, ordered so that their edges have a positive determinant.
-std::vector<Locals> const& neighbours(CellKind kind) {
+std::vector<CornerNumbers> const& neighbours(CellKind kind) {
   static auto const all = [] {
-    std::vector<std::vector<Locals>> result;
+    std::vector<std::vector<CornerNumbers>> result;
     for (auto const& cell : cell_table())
       result.push_back(neighbours_of(cell));
     return result;
@@ -66,15 +66,15 @@ std::vector<Locals> const& neighbours(CellKind kind) {
 }
 
 /// Without a factorization.
-double determinant(Edges const& edges) {
+double determinant(EdgeVectors const& edges) {
   return edges.rows() == 2 ? edges.topLeftCorner<2, 2>().determinant()
                            : edges.topLeftCorner<3, 3>().determinant();
 }
 
 /// Edges that leave one corner.
-Edges edges_at(Mesh const& mesh, Cell const& cell, int corner) {
+EdgeVectors edges_at(Mesh const& mesh, Cell const& cell, int corner) {
   auto const& ends = neighbours(cell.info->kind)[static_cast<std::size_t>(corner)];
-  Edges edges(mesh.dim, mesh.dim);
+  EdgeVectors edges(mesh.dim, mesh.dim);
   for (int i = 0; i < mesh.dim; ++i)
     edges.row(i) =
         mesh.nodes.row(cell.nodes[ends[static_cast<std::size_t>(i)]]) - mesh.nodes.row(cell.nodes[corner]);
@@ -85,7 +85,7 @@ Edges edges_at(Mesh const& mesh, Cell const& cell, int corner) {
 double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < cell.info->corners; ++i) {
-    Edges const edges = edges_at(mesh, cell, i);
+    EdgeVectors const edges = edges_at(mesh, cell, i);
     double const lengths = edges.rowwise().norm().prod();
     least = std::min(least, lengths > 0 ? determinant(edges) / lengths : 0.0);
   }
@@ -95,7 +95,7 @@ double scaled_jacobian(Mesh const& mesh, Cell const& cell) {
 }
 
 /// Takes the angles at one corner into account: in 2D beyond 180 degrees too, in 3D between every two edges.
-void add_angles(Quality& result, Edges const& edges) {
+void add_angles(Quality& result, EdgeVectors const& edges) {
   double const degree = 180 / std::numbers::pi;
   for (Eigen::Index i = 0; i < edges.rows(); ++i)
     for (Eigen::Index j = i + 1; j < edges.rows(); ++j) {
@@ -117,7 +117,7 @@ double mapped_jacobian(Mesh const& mesh, Cell const& cell, Interpolation const& 
     coordinates.row(i) = mesh.nodes.row(cell.nodes[i]);
   double least = std::numeric_limits<double>::infinity(), sum = 0;
   for (auto const& gradient : rule.gradients) {
-    double const change = determinant(Edges(coordinates.transpose() * gradient));
+    double const change = determinant(EdgeVectors(coordinates.transpose() * gradient));
     least = std::min(least, change);
     sum += std::abs(change);
   }
@@ -226,7 +226,7 @@ Quality quality(Mesh const& mesh) {
   for_each_cell(mesh, [&](Cell const& cell) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (int i = 0; i < cell.info->corners; ++i) {
-      Edges const edges = edges_at(mesh, cell, i);
+      EdgeVectors const edges = edges_at(mesh, cell, i);
       add_angles(result, edges);
       shortest = std::min(shortest, edges.rowwise().norm().minCoeff());
       longest = std::max(longest, edges.rowwise().norm().maxCoeff());
