@@ -281,6 +281,9 @@ void Commands::add_internal() {
   value<double>(one, "--stop-after", "N", "");
   flag(one, "force", "");
   value<double>(one, "--problems", "N", "");
+  auto& cases = command("cases", "");
+  cases.group("");
+  flag(cases, "trust", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();

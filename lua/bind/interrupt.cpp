@@ -20,7 +20,8 @@ std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set from a signal handler");
 
 std::atomic<int> at_once{0}; ///< how many EndsAtOnce live
-bool follows = false;
+std::atomic<pid_t> child_to_tell{0};
+bool follows = false, ends_outright = false;
 void on_event(lua_State* lua, lua_Debug* event);
 constexpr int instructions_per_look = 10000;
 long looks_left = -1; ///< before a limited script ends; -1: without limit
@@ -33,6 +34,8 @@ long looks_left = -1; ///< before a limited script ends; -1: without limit
 }
 
 void on_signal(int signal) {
+  if (pid_t const child = child_to_tell; child > 0)
+    kill(child, signal);
   if (at_once > 0)
     end_at_once(signal);
   if (stop.exchange(true) && signal == SIGINT)
@@ -107,9 +110,14 @@ void watch_signals() {
   std::signal(SIGXFSZ, SIG_IGN); // a file that may grow no more is a failed write, with its reason
 }
 
-void follow_parent() {
+void hand_signals_on(pid_t child) {
+  child_to_tell = child;
+}
+
+void follow_parent(bool at_once) {
   follows = true;
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  ends_outright = ends_outright || at_once;
+  prctl(PR_SET_PDEATHSIG, ends_outright ? SIGKILL : SIGTERM);
   std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include <lua.hpp>
+#include <sys/types.h>
 
 namespace stiction::bind {
 
@@ -22,8 +23,13 @@ public:
   EndsAtOnce& operator=(EndsAtOnce const&) = delete;
 };
 
-/// Makes this process end with its parent and outlive a closed pipe, as a case of a sweep should.
-void follow_parent();
+/// Signals to stop also go to this process from now on; 0: to none.
+void hand_signals_on(pid_t child);
+
+/// Makes this process end with its parent and outlive a closed pipe, as a case of a sweep should. `at_once`:
+/// by a signal that cannot be caught, from now on whoever calls this again; the parent waits for it unless
+/// killed.
+void follow_parent(bool at_once = false);
 
 /// Lets the user's functions end by an error once they have taken so many instructions (to ten thousand), of
 /// kind "script"; 0: without limit.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <iostream>
 
+#include "bind/case_server.hpp"
 #include "bind/command_line.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
@@ -50,6 +51,31 @@ int call_library(lua_State* lua, bind::CommandLine const& line) {
   return static_cast<int>(lua_tointeger(lua, -1));
 }
 
+void load(lua_State* lua, char const* module) {
+  lua_getglobal(lua, "require");
+  lua_pushstring(lua, module);
+  lua_call(lua, 1, 0);
+}
+
+lua_State* serving = nullptr; ///< the state from which children run their cases
+
+int run_words(std::vector<std::string> const& words) {
+  std::vector<char const*> pointers;
+  for (auto const& word : words)
+    pointers.push_back(word.c_str());
+  auto const line = bind::parse_command_line(static_cast<int>(words.size()), pointers.data());
+  return line.command.empty() ? line.code : call_library(serving, line);
+}
+
+/// Cases that the parent names, each in a child that has the library already.
+int serve(lua_State* lua) {
+  bind::follow_parent();
+  for (auto const* module : {"stiction", "stiction.cli", "stiction.cli.case"})
+    load(lua, module);
+  serving = lua;
+  return bind::serve_cases(run_words);
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -60,7 +86,7 @@ int main(int count, char** words) {
       return line.code;
     bind::watch_signals();
     auto const state = bind::make_state(line.options.contains("trust"));
-    return call_library(state.get(), line);
+    return line.command == "cases" ? serve(state.get()) : call_library(state.get(), line);
   } catch (std::exception const& error) {
     std::cerr << "stiction: " << error.what() << "\n";
     return 1;

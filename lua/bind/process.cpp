@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -43,17 +44,36 @@ struct Pipe {
   }
 };
 
+/// A pair of sockets, of which the second is the child's: writing to a child that is gone raises no signal.
+struct Requests {
+  int ends[2] = {-1, -1};
+  explicit Requests(bool wanted) {
+    if (wanted && socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      throw core::RunError(fmt::format("cannot open a socket: {}", std::strerror(errno)));
+  }
+  Requests(Requests const&) = delete;
+  Requests& operator=(Requests const&) = delete;
+  ~Requests() {
+    for (int const end : ends)
+      if (end >= 0)
+        close(end);
+  }
+};
+
 struct Actions {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
-  Actions(Pipe const& messages, Pipe const& prints) {
+  Actions(Pipe const& messages, Pipe const& prints, Requests const& requests) {
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, messages.ends[1], message_descriptor);
     posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files, prints.ends[1], STDERR_FILENO);
     for (int const lock : held_locks()) // onto itself: it stays open
       posix_spawn_file_actions_adddup2(&files, lock, lock);
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (requests.ends[1] >= 0)
+      posix_spawn_file_actions_adddup2(&files, requests.ends[1], STDIN_FILENO);
+    else
+      posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   }
@@ -87,10 +107,11 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 } // namespace
 
-Process::Process(std::vector<std::string> words, std::vector<std::string> const& variables) {
+Process::Process(std::vector<std::string> words, std::vector<std::string> const& variables, bool asked) {
   core::expect(!words.empty(), "a program to start");
   Pipe messages, prints;
-  Actions const actions(messages, prints);
+  Requests requests(asked);
+  Actions const actions(messages, prints, requests);
   auto environment = environment_with(variables);
   int const failed = posix_spawnp(&id_, words[0].c_str(), &actions.files, &actions.attributes,
                                   pointers(words).data(), pointers(environment).data());
@@ -98,6 +119,7 @@ Process::Process(std::vector<std::string> words, std::vector<std::string> const&
     throw core::RunError(fmt::format("cannot start {}: {}", words[0], std::strerror(failed)));
   messages_.descriptor = messages.take_reader();
   prints_.descriptor = prints.take_reader();
+  requests_ = std::exchange(requests.ends[0], -1);
 }
 
 Process::~Process() {
@@ -107,6 +129,17 @@ Process::~Process() {
   }
   messages_.close();
   prints_.close();
+  if (requests_ >= 0)
+    close(requests_);
+}
+
+void Process::send(std::string const& request) const {
+  for (std::size_t sent = 0; sent < request.size();) {
+    auto const count = ::send(requests_, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
+    if (count < 0 && errno != EINTR)
+      throw core::RunError(fmt::format("a process that runs cases is gone: {}", std::strerror(errno)));
+    sent += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
 }
 
 void Process::Stream::close() {

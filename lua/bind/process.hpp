@@ -12,13 +12,16 @@ class Process {
 public:
   /// Starts `words` in its own process group with `variables` ("NAME=value") added to the environment.
   /// Throws RunError if it cannot be started.
-  Process(std::vector<std::string> words, std::vector<std::string> const& variables);
+  /// `asked`: it reads requests from its standard input, which is empty otherwise.
+  Process(std::vector<std::string> words, std::vector<std::string> const& variables, bool asked = false);
   Process(Process const&) = delete;
   Process& operator=(Process const&) = delete;
   ~Process();
 
   /// Reads what has come, without waiting; notes the end of the process.
   void collect();
+  /// Throws RunError if it does not take it.
+  void send(std::string const& request) const;
   void signal(int number) const;
   [[nodiscard]] std::vector<int> descriptors() const;  ///< still open, for poll
   [[nodiscard]] std::vector<std::string> take_lines(); ///< complete messages since the last call
@@ -39,6 +42,7 @@ private:
   };
   pid_t id_ = 0;
   Stream messages_, prints_;
+  int requests_ = -1; ///< descriptor
   std::optional<int> code_;
   double cpu_seconds_ = 0, peak_memory_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "bind/case_server.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/process.hpp"
 #include "bind/push.hpp"
@@ -28,12 +29,12 @@ int end_process(lua_State* lua) {
   return 0;
 }
 
-/// spawn(words, variables) -> process; it dies with its value
+/// spawn(words, variables, asked) -> process; it dies with its value. asked: requests can be sent to it
 int spawn(lua_State* lua) {
   auto const words = texts_at(lua, 1);
   auto const variables = texts_at(lua, 2);
   void* const room = lua_newuserdatauv(lua, sizeof(Process), 0);
-  new (room) Process(words, variables);
+  new (room) Process(words, variables, lua_toboolean(lua, 3) != 0);
   if (luaL_newmetatable(lua, process_metatable) != 0)
     add<end_process>(lua, "__gc");
   lua_setmetatable(lua, -2);
@@ -70,6 +71,12 @@ int collect(lua_State* lua) {
   push(lua, process.cpu_seconds());
   push(lua, process.peak_memory());
   return 5;
+}
+
+/// request(process, words): a case for one that serves cases
+int request(lua_State* lua) {
+  process_at(lua, 1).send(case_request(texts_at(lua, 2)));
+  return 0;
 }
 
 /// terminate(process), kill(process)
@@ -130,6 +137,7 @@ void add_process_functions(lua_State* lua) {
   add<spawn>(lua, "spawn");
   add<await>(lua, "await");
   add<collect>(lua, "collect");
+  add<request>(lua, "request");
   add<terminate>(lua, "terminate");
   add<kill_process>(lua, "kill");
   add<follow>(lua, "follow_parent");

@@ -44,8 +44,20 @@ local function words_for(case, options)
   return words
 end
 
+--- A process that has loaded the library and runs cases one by one, each in a child of its own: one that waits, or new.
+local function server(pool)
+  local words = { engine.program(), "cases" }
+  if pool.options.trust then
+    words[#words + 1] = "--trust"
+  end
+  local waiting = table.remove(pool.idle)
+  local alive = waiting and select(3, engine.collect(waiting)) == nil
+  return alive and waiting or engine.spawn(words, { "OPENBLAS_NUM_THREADS=1" }, true)
+end
+
 local function start(pool, case)
-  local process = engine.spawn(words_for(case, pool.options), { "OPENBLAS_NUM_THREADS=1" })
+  local process = server(pool)
+  engine.request(process, words_for(case, pool.options))
   pool.running[#pool.running + 1] = { case = case, process = process, text = "", noted = engine.clock(),
     began = engine.clock() }
 end
@@ -58,6 +70,7 @@ local function read_message(pool, job, line)
   job.progress = message.progress or job.progress
   job.ended = message.ended or job.ended
   job.fault, job.kind = message.fault or job.fault, message.kind or job.kind
+  job.code = message.code or job.code
 end
 
 --- Hands complete lines of what the script printed on.
@@ -108,6 +121,10 @@ local function gather(pool, on_end)
       read_message(pool, job, line)
     end
     show_text(pool, job, text)
+    if not code and job.code and not job.lost then
+      pool.idle[#pool.idle + 1] = job.process
+    end
+    code = job.code or code
     if job.lost then
       engine.kill(job.process)
     elseif code then
@@ -221,8 +238,11 @@ end
 --- must find too; nil: any), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and
 --- then; a job that it marks `lost` is ended without a word), worker (name of what this process has in the folder).
 function jobs.run(cases, options, on_end)
-  local pool = { options = options, running = {}, display = progress.display(options.quiet, #cases) }
+  local pool = { options = options, running = {}, idle = {}, display = progress.display(options.quiet, #cases) }
   local held, value = engine.call(work, pool, cases, on_end)
+  for _, process in ipairs(pool.idle) do
+    engine.kill(process)
+  end
   pool.display:finish()
   if not held then
     kill_all(pool)

@@ -14,9 +14,10 @@ interrupted() {
   code=$?
 }
 
-children() { # processes that run a case of a study made here
-  for words in /proc/[0-9]*/cmdline; do
-    { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -o "case $work/[a-z]* --case .*"
+children() { # processes that run cases of studies made here, each beside the one that it comes from
+  for folder in /proc/[0-9]*; do
+    [ "$(readlink "$folder/cwd" 2>/dev/null)" = "$work" ] || continue
+    { tr '\0' ' ' <"$folder/cmdline"; } 2>/dev/null | grep ' cases $'
   done
 }
 
@@ -69,7 +70,7 @@ for signal in INT TERM; do
 done
 
 changed drag ''
-interrupted "running 2" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
+interrupted "running 4" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
 holds "the sweep ended with $code" [ "$code" = 1 ]
 holds "no message: $(cat output)" printed "stopped; finished cases are kept"
 holds "no row of a stopped case: $(cat long/summary.csv)" grep -q "^mu0,.*,stopped," long/summary.csv
@@ -87,8 +88,8 @@ done
 # killed outright: its children end too, and the sweep goes on
 "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out killed >output 2>&1 </dev/null &
 id=$!
-await "running 2"
-holds "two children run" running 2
+await "running 4"
+holds "two children run" running 4
 kill -KILL "$id"
 wait "$id" 2>/dev/null
 await "running 0"
