@@ -76,10 +76,11 @@ double seconds(timeval const& time) {
 }
 
 void tell_end(int status, rusage const& usage) {
-  auto const line = fmt::format(R"({{"code": {}, "seconds": {}, "memory": {}}})"
-                                "\n",
-                                WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-                                seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024 * usage.ru_maxrss);
+  auto const line =
+      fmt::format(R"({{"code": {}, "over": {}, "seconds": {}, "memory": {}}})"
+                  "\n",
+                  WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), stop_flag().load(),
+                  seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024 * usage.ru_maxrss);
   if (write(messages, line.data(), line.size()) != static_cast<ssize_t>(line.size())) // a pipe takes it whole
     std::raise(SIGTERM); // nobody listens any more
 }

@@ -9,8 +9,8 @@ namespace stiction::bind {
 std::string case_request(std::vector<std::string> const& words);
 
 /// Serves standard input to its end: per request (the words of a command line) `run(words)` in a child, whose
-/// end is told on descriptor 3 as {"code":, "seconds": of the processor, "memory": bytes at most}. A signal
-/// to stop goes on to the child, and is the end. Returns the exit code.
+/// end is told on descriptor 3 as {"code":, "over": whether it serves no more, "seconds": of the processor,
+/// "memory": bytes at most}. A signal to stop goes on to the child, and is the end. Returns the exit code.
 int serve_cases(int (*run)(std::vector<std::string> const& words));
 
 } // namespace stiction::bind

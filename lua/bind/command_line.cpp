@@ -284,6 +284,7 @@ void Commands::add_internal() {
   auto& cases = command("cases", "");
   cases.group("");
   flag(cases, "trust", "");
+  value<std::string>(cases, "--for", "WORKER", "");
   auto& test = command("luatest", "");
   test.group("");
   value<std::string>(test, "file", "FILE", "Lua file of tests")->required();

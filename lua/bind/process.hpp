@@ -20,7 +20,7 @@ public:
 
   /// Reads what has come, without waiting; notes the end of the process.
   void collect();
-  /// Throws RunError if it does not take it.
+  /// One that has ended takes nothing: its code tells.
   void send(std::string const& request) const;
   void signal(int number) const;
   [[nodiscard]] std::vector<int> descriptors() const;  ///< still open, for poll

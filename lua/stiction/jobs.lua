@@ -47,6 +47,9 @@ end
 --- A process that has loaded the library and runs cases one by one, each in a child of its own: one that waits, or new.
 local function server(pool)
   local words = { engine.program(), "cases" }
+  if pool.options.worker then -- by these its children are known
+    words[#words + 1], words[#words + 2] = "--for", pool.options.worker
+  end
   if pool.options.trust then
     words[#words + 1] = "--trust"
   end
@@ -70,7 +73,7 @@ local function read_message(pool, job, line)
   job.progress = message.progress or job.progress
   job.ended = message.ended or job.ended
   job.fault, job.kind = message.fault or job.fault, message.kind or job.kind
-  job.code = message.code or job.code
+  job.code, job.over = message.code or job.code, message.over or job.over
 end
 
 --- Hands complete lines of what the script printed on.
@@ -121,7 +124,7 @@ local function gather(pool, on_end)
       read_message(pool, job, line)
     end
     show_text(pool, job, text)
-    if not code and job.code and not job.lost then
+    if not code and job.code and not job.over and not job.lost then
       pool.idle[#pool.idle + 1] = job.process
     end
     code = job.code or code

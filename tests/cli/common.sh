@@ -36,6 +36,19 @@ changed() {
   sed -i "$2" "$1"/*.lua
 }
 
+serves_cases() { # PROCESS: whether it is one that runs cases, or a case of one
+  { tr '\0' ' ' <"/proc/$1/cmdline"; } 2>/dev/null | grep -q "^$stiction cases"
+}
+
+cases_running() { # numbers of the processes that run a case of a run that was started in this test
+  for folder in /proc/[0-9]*; do
+    process=${folder#/proc/}
+    case "$(readlink "$folder/cwd" 2>/dev/null)" in "$work"*) ;; *) continue ;; esac
+    parent=$(sed 's/.*) [A-Z] \([0-9]*\).*/\1/' "$folder/stat" 2>/dev/null)
+    serves_cases "$process" && serves_cases "$parent" && echo "$process"
+  done
+}
+
 holds() { # WHAT COMMAND...
   what=$1
   shift

@@ -14,13 +14,6 @@ interrupted() {
   code=$?
 }
 
-children() { # processes that run cases of studies made here, each beside the one that it comes from
-  for folder in /proc/[0-9]*; do
-    [ "$(readlink "$folder/cwd" 2>/dev/null)" = "$work" ] || continue
-    { tr '\0' ' ' <"$folder/cmdline"; } 2>/dev/null | grep ' cases $'
-  done
-}
-
 await() { # "CONDITION": for a minute at most, then half a second
   for _ in $(seq 600); do
     eval "$1" && break
@@ -35,7 +28,7 @@ printed() { # TEXT...: every one is among what the command printed
   done
 }
 
-running() { [ "$(children | wc -l)" = "$1" ]; }
+running() { [ "$(cases_running | wc -l)" = "$1" ]; }
 
 cat >endless.lua <<'L'
 print "begun"
@@ -70,7 +63,7 @@ for signal in INT TERM; do
 done
 
 changed drag ''
-interrupted "running 4" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
+interrupted "running 2" "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out long
 holds "the sweep ended with $code" [ "$code" = 1 ]
 holds "no message: $(cat output)" printed "stopped; finished cases are kept"
 holds "no row of a stopped case: $(cat long/summary.csv)" grep -q "^mu0,.*,stopped," long/summary.csv
@@ -88,8 +81,8 @@ done
 # killed outright: its children end too, and the sweep goes on
 "$stiction" run "$work/drag" --set steps=40000 --set cells=40 --no-figures --jobs 2 --out killed >output 2>&1 </dev/null &
 id=$!
-await "running 4"
-holds "two children run" running 4
+await "running 2"
+holds "two children run" running 2
 kill -KILL "$id"
 wait "$id" 2>/dev/null
 await "running 0"

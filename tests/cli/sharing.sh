@@ -88,11 +88,7 @@ holds "all is told still: $(cat out/drag/summary.csv)" [ "$(grep -c ',finished,'
 "$stiction" run drag --no-figures --set steps=20000 --case mu0.2 --out crash >log 2>&1 </dev/null &
 id=$!
 appears crash/mu0.2/series.h5
-for words in /proc/[0-9]*/cmdline; do
-  if { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -q "^$stiction case drag --case mu0.2 --out crash"; then
-    kill -KILL "$(echo "$words" | tr -dc 0-9)"
-  fi
-done
+kill -KILL "$(cases_running)"
 wait "$id"
 code=$?
 holds "the run of a case that was killed ended with $code: $(cat log)" [ "$code" = 1 ]

@@ -24,12 +24,7 @@ begin() { # NUMBER: a worker of this number
   eval "worker_$1=\$!"
 }
 
-running() { # whether a case runs still
-  for words in /proc/[0-9]*/cmdline; do
-    { tr '\0' ' ' <"$words"; } 2>/dev/null | grep -q "^$stiction case drag --case [^ ]* --out shared " && return
-  done
-  return 1
-}
+running() { [ -n "$(cases_running)" ]; } # whether a case runs still
 
 stamps() { # of cases that have ended well: name and when
   grep -l '"verdict": "finished"' shared/*/result.json 2>/dev/null | while read -r file; do

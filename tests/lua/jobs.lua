@@ -7,7 +7,7 @@ local jobs = require "stiction.jobs"
 local function ended(command)
   local spawn, found = engine.spawn, nil
   engine.spawn = function()
-    return spawn({ "sh", "-c", command }, {})
+    return spawn({ "sh", "-c", command }, {}, true)
   end
   local held, reason = pcall(jobs.run, { { id = "a" } }, { study = "s", folder = "f", jobs = 1, quiet = true },
     function(_, result)
@@ -34,6 +34,12 @@ test("a fault ends a case with the verdict of its kind", function()
     equal(result.verdict, "bad input")
     equal(result.bad_input, true)
   end
+end)
+
+test("a case's own end is told by the process that it came from, which serves on", function()
+  local case = [[cat >/dev/null & echo '{ "fault": "the reason", "kind": "run" }' >&3; echo '{ "code": 1, "over": false }' >&3; wait]]
+  equal(ended(case).verdict, "failed")
+  equal(ended([[echo '{ "code": 139, "over": false }' >&3; exec cat >/dev/null]]).reason, "its process ended by signal 11")
 end)
 
 test("a process that ends without a word crashed, also by a signal that the user did not send", function()

@@ -263,10 +263,10 @@ Foot Surface::sample(int facet, Vec3 const& point, std::span<double const> x, do
     if (!(nearest.distance2 < distance2))
       continue;
     distance2 = nearest.distance2;
-    Vec2 const at = nearest.weights[0] * node_coordinates(count, 0) +
-                    nearest.weights[1] * node_coordinates(count, k) +
-                    nearest.weights[2] * node_coordinates(count, k + 1);
-    foot = {facet, at.x(), at.y()};
+    Vec2 const local = nearest.weights[0] * node_coordinates(count, 0) +
+                       nearest.weights[1] * node_coordinates(count, k) +
+                       nearest.weights[2] * node_coordinates(count, k + 1);
+    foot = {facet, local.x(), local.y()};
   }
   return foot;
 }
