@@ -95,7 +95,7 @@ holders() { # names of workers that have a case now
 
 start_slurm
 changed drag "s/mu = { 0, 0.2, 0.4 }/mu = { $(seq -s ', ' 0 0.02 0.78) }/"
-set -- --no-figures --set steps=2000
+set -- --no-figures --set steps=6000
 expect 0 "checks held" "$stiction" run drag "$@" --out alone
 holds "40 cases" [ "$(wc -l <alone/summary.csv)" = 41 ]
 
@@ -104,7 +104,7 @@ expect 0 ": 4 workers for 40 cases|stiction status drag --out shared|scancel" \
   "$stiction" run drag "$@" --out shared --on slurm --workers 4 --time 10 --partition main --sbatch=--job-name=sweep
 job=$(sed -n 's/^job \([0-9]*\):.*/\1/p' output)
 await '[ "$(results shared)" -ge 3 ]' || complain "nothing runs: $(squeue; cat shared/slurm/*.log)"
-await '"$stiction" status drag --set steps=2000 --out shared >output && grep -q "of job $job" output' ||
+await '"$stiction" status drag --set steps=6000 --out shared >output && grep -q "of job $job" output' ||
   complain "status does not tell of tasks: $(cat output)"
 
 # one is told to end, as before its time limit: its case is nobody's again
@@ -134,5 +134,5 @@ rows shared/summary.csv >other
 holds "the same summary: $(diff one other)" cmp -s one other
 holds "claims are left: $(ls -A shared/.claims)" [ -z "$(ls -A shared/.claims)" ]
 expect 0 "nothing to submit" "$stiction" run drag "$@" --out shared --on slurm
-expect 0 "40 of 40 cases done, 0 failed, 0 running, 0 waiting" "$stiction" status drag --set steps=2000 --out shared
+expect 0 "40 of 40 cases done, 0 failed, 0 running, 0 waiting" "$stiction" status drag --set steps=6000 --out shared
 finish
