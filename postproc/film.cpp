@@ -43,11 +43,10 @@ FieldSpec with_common_scales(FieldSpec field, std::vector<double> const& times) 
     auto const data = load_field(field);
     low = std::min(low, data.low);
     high = std::max(high, data.high);
-    for (std::size_t i = 0; i < 2; ++i) {
-      auto const wider = [i](double a, double b) { return i == 0 ? std::min(a, b) : std::max(a, b); };
-      view.x[i] = wider(view.x[i], data.view.x[i]);
-      view.y[i] = wider(view.y[i], data.view.y[i]);
-    }
+    view.x[0] = std::min(view.x[0], data.view.x[0]);
+    view.x[1] = std::max(view.x[1], data.view.x[1]);
+    view.y[0] = std::min(view.y[0], data.view.y[0]);
+    view.y[1] = std::max(view.y[1], data.view.y[1]);
   }
   if (!field.range)
     field.range = colour_range(low, high);

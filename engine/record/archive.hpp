@@ -107,6 +107,7 @@ template<class Archive, class T, std::size_t N> void handle(Archive& archive, st
 
 template<class Archive, class Key, class T> void handle(Archive& archive, std::map<Key, T>& values) {
   std::vector<Key> keys;
+  keys.reserve(values.size());
   for (auto const& [key, value] : values)
     keys.push_back(key);
   archive(keys);

@@ -61,6 +61,7 @@ lua_State* serving = nullptr; ///< the state from which children run their cases
 
 int run_words(std::vector<std::string> const& words) {
   std::vector<char const*> pointers;
+  pointers.reserve(words.size());
   for (auto const& word : words)
     pointers.push_back(word.c_str());
   auto const line = bind::parse_command_line(static_cast<int>(words.size()), pointers.data());

@@ -7,13 +7,20 @@
 
 namespace stiction::dynamics {
 
+namespace {
+
+/// What a factor is to go on with, of those wanted; none where it is not among them.
+template<class Kept> auto const* carried_for(Kept const& one, std::vector<FactorSource> const& wanted) {
+  auto const found = std::ranges::find_if(wanted, [&](auto const& source) { return one.comes_from(source); });
+  return found != wanted.end() ? found->carried.get() : nullptr;
+}
+
+} // namespace
+
 void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
   if (linear_) {
-    for (auto& one : kept_) {
-      auto const found =
-          std::ranges::find_if(wanted, [&](auto const& source) { return one.comes_from(source); });
-      one.factor->carry_on(found != wanted.end() ? found->carried.get() : nullptr);
-    }
+    for (auto& one : kept_)
+      one.factor->carry_on(carried_for(one, wanted));
     return;
   }
   std::vector<Kept> had = std::exchange(kept_, {});

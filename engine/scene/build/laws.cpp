@@ -73,6 +73,7 @@ void give_laws(solid::Body& body, std::map<std::string, material::Material> cons
     return;
   auto const law_of = laws_of_cells(body.mesh, laws);
   std::vector<material::Material> all;
+  all.reserve(laws.size());
   for (auto const& [name, law] : laws)
     all.push_back(law);
   std::map<std::pair<std::size_t, int>, Indices> nodes; // by block and law
