@@ -8,6 +8,7 @@ skip() {
   exit 77
 }
 
+steps=${2:-6000} # so many that a case can be seen to run
 slurm=$work/slurm
 daemons=
 stop_daemons() {
@@ -72,8 +73,8 @@ C
     skip "slurmctld and slurmd do not start: $(tail -n 3 "$slurm"/slurmctld.log "$slurm"/slurmd.log 2>&1)"
 }
 
-await() { # "CONDITION": whether it holds within half a minute
-  for _ in $(seq 300); do
+await() { # "CONDITION" [SECONDS]: whether it holds before that
+  for _ in $(seq $((10 * ${2:-120}))); do
     eval "$1" && return 0
     sleep 0.1
   done
@@ -95,7 +96,7 @@ holders() { # names of workers that have a case now
 
 start_slurm
 changed drag "s/mu = { 0, 0.2, 0.4 }/mu = { $(seq -s ', ' 0 0.02 0.78) }/"
-set -- --no-figures --set steps=6000
+set -- --no-figures --set steps=$steps
 expect 0 "checks held" "$stiction" run drag "$@" --out alone
 holds "40 cases" [ "$(wc -l <alone/summary.csv)" = 41 ]
 
@@ -104,7 +105,7 @@ expect 0 ": 4 workers for 40 cases|stiction status drag --out shared|scancel" \
   "$stiction" run drag "$@" --out shared --on slurm --workers 4 --time 10 --partition main --sbatch=--job-name=sweep
 job=$(sed -n 's/^job \([0-9]*\):.*/\1/p' output)
 await '[ "$(results shared)" -ge 3 ]' || complain "nothing runs: $(squeue; cat shared/slurm/*.log)"
-await '"$stiction" status drag --set steps=6000 --out shared >output && grep -q "of job $job" output' ||
+await '"$stiction" status drag --set steps=$steps --out shared >output && grep -q "of job $job" output' ||
   complain "status does not tell of tasks: $(cat output)"
 
 # one is told to end, as before its time limit: its case is nobody's again
@@ -122,11 +123,11 @@ for after in 6 10 14; do
   done
   [ -n "$dead" ] || complain "there is no worker to be killed: $(holders)"
 done
-await '! squeue -h -j $job 2>/dev/null | grep -q .'
+await '! squeue -h -j $job 2>/dev/null | grep -q .' 600
 if [ "$(results shared)" -lt 40 ] || ! grep -q "checks held" shared/slurm/*.log; then # Slurm's own word: all four are gone
   expect 0 " for |cases" "$stiction" run drag "$@" --out shared --on slurm --workers 2
   job=$(sed -n 's/^job \([0-9]*\):.*/\1/p' output)
-  await '! squeue -h -j $job 2>/dev/null | grep -q .'
+  await '! squeue -h -j $job 2>/dev/null | grep -q .' 600
 fi
 await 'grep -q "checks held" shared/slurm/*.log' || complain "no worker judged: $(tail -n 5 shared/slurm/*.log)"
 rows alone/summary.csv >one
@@ -134,5 +135,5 @@ rows shared/summary.csv >other
 holds "the same summary: $(diff one other)" cmp -s one other
 holds "claims are left: $(ls -A shared/.claims)" [ -z "$(ls -A shared/.claims)" ]
 expect 0 "nothing to submit" "$stiction" run drag "$@" --out shared --on slurm
-expect 0 "40 of 40 cases done, 0 failed, 0 running, 0 waiting" "$stiction" status drag --set steps=6000 --out shared
+expect 0 "40 of 40 cases done, 0 failed, 0 running, 0 waiting" "$stiction" status drag --set steps=$steps --out shared
 finish
