@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <optional>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "bind/interrupt.hpp"
+#include "bind/process.hpp"
 #include "core/error.hpp"
 
 namespace stiction::bind {
@@ -71,16 +71,9 @@ pid_t fork_followed() {
   return child;
 }
 
-double seconds(timeval const& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-void tell_end(int status, rusage const& usage) {
-  auto const line =
-      fmt::format(R"({{"code": {}, "over": {}, "seconds": {}, "memory": {}}})"
-                  "\n",
-                  WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), stop_flag().load(),
-                  seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024 * usage.ru_maxrss);
+void tell_end(End const& end) {
+  auto const line = fmt::format("{{\"code\": {}, \"over\": {}, \"seconds\": {}, \"memory\": {}}}\n", end.code,
+                                stop_flag().load(), end.cpu_seconds, end.peak_memory);
   if (write(messages, line.data(), line.size()) != static_cast<ssize_t>(line.size())) // a pipe takes it whole
     std::raise(SIGTERM); // nobody listens any more
 }
@@ -95,10 +88,13 @@ std::string case_request(std::vector<std::string> const& words) {
 }
 
 int serve_cases(int (*run)(std::vector<std::string> const& words)) {
+  pid_t const server = getpid();
   while (auto const words = next_request()) {
     pid_t const child = fork_followed();
     if (child == 0) {
       follow_parent(true); // whoever finds the server dead may begin its case anew
+      if (getppid() != server)
+        _exit(128 + SIGKILL);
       int const code = run(*words);
       std::cout.flush();
       std::fflush(nullptr);
@@ -109,7 +105,7 @@ int serve_cases(int (*run)(std::vector<std::string> const& words)) {
     while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
     }
     hand_signals_on(0);
-    tell_end(status, usage);
+    tell_end(end_of(status, usage));
     if (stop_flag())
       return 1;
   }

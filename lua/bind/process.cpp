@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -107,6 +106,11 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 } // namespace
 
+End end_of(int status, rusage const& usage) {
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024.0 * static_cast<double>(usage.ru_maxrss)};
+}
+
 Process::Process(std::vector<std::string> words, std::vector<std::string> const& variables, bool asked) {
   core::expect(!words.empty(), "a program to start");
   Pipe messages, prints;
@@ -123,7 +127,7 @@ Process::Process(std::vector<std::string> words, std::vector<std::string> const&
 }
 
 Process::~Process() {
-  if (!code_) {
+  if (!end_) {
     signal(SIGKILL);
     waitpid(id_, nullptr, 0);
   }
@@ -164,17 +168,14 @@ void Process::Stream::read() {
 void Process::collect() {
   int status = 0;
   rusage usage{};
-  if (!code_ && wait4(id_, &status, WNOHANG, &usage) == id_) {
-    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    cpu_seconds_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    peak_memory_ = 1024.0 * static_cast<double>(usage.ru_maxrss);
-  }
+  if (!end_ && wait4(id_, &status, WNOHANG, &usage) == id_)
+    end_ = end_of(status, usage);
   messages_.read();
   prints_.read();
 }
 
 void Process::signal(int number) const {
-  if (!code_) // who is not asked takes those with him that he started
+  if (!end_) // who is not asked takes those with him that he started
     kill(number == SIGKILL ? -id_ : id_, number);
 }
 

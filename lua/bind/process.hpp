@@ -4,9 +4,18 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 namespace stiction::bind {
+
+/// Of a child that has ended, by what wait4 says of it.
+struct End {
+  int code = 0;           ///< exit code, or 128 + signal number
+  double cpu_seconds = 0; ///< of it and of those it waited for
+  double peak_memory = 0; ///< of the largest of them, bytes
+};
+End end_of(int status, rusage const& usage);
 
 class Process {
 public:
@@ -27,11 +36,11 @@ public:
   [[nodiscard]] std::vector<std::string> take_lines(); ///< complete messages since the last call
   [[nodiscard]] std::string take_text();               ///< what it printed since the last call
   /// Exit code, or 128 + signal number; nothing while it runs.
-  [[nodiscard]] std::optional<int> code() const { return code_; }
+  [[nodiscard]] std::optional<int> code() const { return end_ ? std::optional(end_->code) : std::nullopt; }
   /// Processor time of it and of those it waited for, s, and the memory of the largest of them, bytes; once
   /// it has ended.
-  [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
-  [[nodiscard]] double peak_memory() const { return peak_memory_; }
+  [[nodiscard]] double cpu_seconds() const { return end_ ? end_->cpu_seconds : 0; }
+  [[nodiscard]] double peak_memory() const { return end_ ? end_->peak_memory : 0; }
 
 private:
   struct Stream {
@@ -43,8 +52,7 @@ private:
   pid_t id_ = 0;
   Stream messages_, prints_;
   int requests_ = -1; ///< descriptor
-  std::optional<int> code_;
-  double cpu_seconds_ = 0, peak_memory_ = 0;
+  std::optional<End> end_;
 };
 
 } // namespace stiction::bind
