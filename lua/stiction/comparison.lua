@@ -92,16 +92,6 @@ local function settings_of(outcome, case)
   return { { "parameter", parameters }, { "setting", settings }, { "file", files }, { "program", program } }
 end
 
-local function union(one, other)
-  local names = {}
-  for _, t in ipairs { one, other } do
-    for name in pairs(t) do
-      names[name] = true
-    end
-  end
-  return ordered.keys(names)
-end
-
 --- What the matched cases were run with that differs: list of {kind =, name =, a =, b = (texts), cases = names}, what
 --- is alike in several cases once.
 function comparison.settings(a, b, pairs_matched)
@@ -117,7 +107,7 @@ function comparison.settings(a, b, pairs_matched)
   for _, pair in ipairs(pairs_matched) do
     local one, other = settings_of(a, pair.a), settings_of(b, pair.b)
     for k, section in ipairs(one) do
-      for _, name in ipairs(union(section[2], other[k][2])) do
+      for _, name in ipairs(ordered.keys_of(section[2], other[k][2])) do
         local left, right = section[2][name] or "none", other[k][2][name] or "none"
         if left ~= right then
           note(pair, section[1], name, left, right)
@@ -163,7 +153,7 @@ function comparison.results(a, b, pairs_matched, tolerance)
     end
   end
   for _, pair in ipairs(pairs_matched) do
-    for _, key in ipairs(union(a.by_key, b.by_key)) do
+    for _, key in ipairs(ordered.keys_of(a.by_key, b.by_key)) do
       if key == "word verdict" or key:find("^result ") then
         compare(pair, key, a.by_key[key], b.by_key[key])
       end

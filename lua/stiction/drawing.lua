@@ -1,6 +1,7 @@
 -- Hands a study's figures to the figure program.
 local claims = require "stiction.claims"
 local engine = require "stiction.engine"
+local fault = require "stiction.fault"
 local figure = require "stiction.figure"
 local jobs = require "stiction.jobs"
 local report = require "stiction.report"
@@ -43,6 +44,18 @@ function drawing.run(spec, folder)
     engine.complain(("stiction: the figure program failed (exit code %d):\n%s\n"):format(code, text))
   end
   return code == 0
+end
+
+--- Draws a figure in the folder `place` and puts what it made there, called `made`, into `file`; false if the figure program
+--- failed, nil if there is none.
+function drawing.one(place, picture, made, file)
+  local spec = place .. "/figures.json"
+  engine.write_file(spec, engine.encode_json { figures = { picture } })
+  local drawn = drawing.run(spec, place)
+  if drawn then
+    engine.write_file(file, engine.read_file(place .. "/" .. made) or fault.run("the figure program made no %s", made))
+  end
+  return drawn
 end
 
 --- Writes figures.json and draws into figures/; false if the figure program failed.

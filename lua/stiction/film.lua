@@ -10,16 +10,6 @@ local report = require "stiction.report"
 
 local film = {}
 
-local function write(place, picture, file)
-  engine.write_file(place .. "/figures.json", engine.encode_json({ figures = { picture } }))
-  if not drawing.run(place .. "/figures.json", place) then
-    return false
-  end
-  local bytes = engine.read_file(place .. "/film.ogv")
-  engine.write_file(file, bytes or fault.run("the figure program made no film"))
-  return true
-end
-
 --- Writes a film of the one case that is left into `file`; options.field, frames, rate or nil; false if the figure program
 --- failed.
 function film.draw(outcome, cases, file, options)
@@ -37,7 +27,7 @@ function film.draw(outcome, cases, file, options)
   local run = case_module.new(case.name, {}, case.folder, engine.absolute(case.folder))
   local picture = figure.field { name = "film", title = case.name, case = run, array = field, unit = unit, deformed = true,
     view = field_pictures.view(case.folder), film = { frames = options.frames, rate = options.rate } }
-  local drawn = provenance.in_scratch(write, picture, file)
+  local drawn = provenance.in_scratch(drawing.one, picture, "film.ogv", file)
   if drawn then
     report.line("%s: %s of case %s over its time", file, field, case.name)
   end

@@ -24,6 +24,17 @@ function ordered.keys(t)
   return keys
 end
 
+--- Keys that one or the other has, in the same order.
+function ordered.keys_of(one, other)
+  local both = {}
+  for _, t in ipairs { one, other } do
+    for key in next, t do
+      both[key] = true
+    end
+  end
+  return ordered.keys(both)
+end
+
 --- As Lua's pairs, honouring __pairs, in the order of `keys`.
 function ordered.pairs(t)
   local meta = getmetatable(t)

@@ -1,6 +1,5 @@
 -- A contact sheet: one small picture of a field for each of many cases.
 local drawing = require "stiction.drawing"
-local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local field_pictures = require "stiction.field_pictures"
 local provenance = require "stiction.provenance"
@@ -45,18 +44,6 @@ local function pictures(outcome, cases, field)
   return list
 end
 
-local function write(place, list, file)
-  local columns = math.min(most_columns, math.ceil(math.sqrt(#list)))
-  local spec = { figures = { { kind = "panel", name = "sheet", columns = columns, width = "double", figures = list } } }
-  engine.write_file(place .. "/figures.json", engine.encode_json(spec))
-  if not drawing.run(place .. "/figures.json", place) then
-    return false
-  end
-  local picture = engine.read_file(place .. "/sheet.png")
-  engine.write_file(file, picture or fault.run("the figure program drew no sheet"))
-  return true
-end
-
 --- Draws the field (its name, or nil) of the cases that have fields, at their ends, into `file`; false if the figure
 --- program failed.
 function sheet.draw(outcome, cases, file, field)
@@ -69,7 +56,9 @@ function sheet.draw(outcome, cases, file, field)
   if #list == 0 then
     fault.input("--sheet: none of these cases has fields (fields.pvd)")
   end
-  local drawn = provenance.in_scratch(write, list, file)
+  local columns = math.min(most_columns, math.ceil(math.sqrt(#list)))
+  local picture = { kind = "panel", name = "sheet", columns = columns, width = "double", figures = list }
+  local drawn = provenance.in_scratch(drawing.one, picture, "sheet.png", file)
   if drawn then
     report.line("%s: %s of %d of %d cases", file, field, #list, #cases)
   end

@@ -108,16 +108,6 @@ local function run_group(group, place, options, told)
   end) == "stopped"
 end
 
-local function union(one, other)
-  local names = {}
-  for _, t in ipairs { one, other } do
-    for name in pairs(t) do
-      names[name] = true
-    end
-  end
-  return ordered.keys(names)
-end
-
 --- The largest magnitude of each result among the cases.
 local function scales_of(outcome)
   local scales = {}
@@ -140,7 +130,7 @@ local function compare(report, case, result, scales, tolerance)
   end
   local same_build = how.program == output.program() and how.processor == provenance.processor()
   report.cases, report.foreign = report.cases + 1, report.foreign + (same_build and 0 or 1)
-  for _, name in ipairs(union(case.results, result.results or {})) do
+  for _, name in ipairs(ordered.keys_of(case.results, result.results or {})) do
     local kept, got = case.results[name], (result.results or {})[name]
     local apart = kept ~= got and (type(kept) ~= "number" or type(got) ~= "number") and math.huge
       or kept ~= got and math.abs(kept - got) / scales[name] or 0
