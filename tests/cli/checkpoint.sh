@@ -62,7 +62,11 @@ disturb() { # starts a run, and ends it or its cases at a random moment
   # shellcheck disable=SC2086 # words
   "$stiction" $settings cut >"output.$1" 2>&1 </dev/null &
   id=$!
-  sleep "$(number "$(random $((whole / 2 + 50)))")"
+  if [ "$disturbed" = 0 ]; then # one at least has something to go on from
+    await '[ -n "$(ls cut/*/checkpoint 2>/dev/null)" ]' || complain "no checkpoint is kept: $(cat output.*)"
+  else
+    sleep "$(number "$(random $((whole / 2 + 50)))")"
+  fi
   case $(random 5) in
   0) kill -TERM $id ;;
   1) kill -INT $id ;;

@@ -49,6 +49,14 @@ cases_running() { # numbers of the processes that run a case of a run that was s
   done
 }
 
+await() { # "CONDITION" [SECONDS]: whether it holds before that
+  for _ in $(seq $((10 * ${2:-120}))); do
+    eval "$1" && return 0
+    sleep 0.1
+  done
+  return 1
+}
+
 holds() { # WHAT COMMAND...
   what=$1
   shift

@@ -73,14 +73,6 @@ C
     skip "slurmctld and slurmd do not start: $(tail -n 3 "$slurm"/slurmctld.log "$slurm"/slurmd.log 2>&1)"
 }
 
-await() { # "CONDITION" [SECONDS]: whether it holds before that
-  for _ in $(seq $((10 * ${2:-120}))); do
-    eval "$1" && return 0
-    sleep 0.1
-  done
-  return 1
-}
-
 rows() { sed 's/,[^,]*,\([^,]*\),\([^,]*\)$/,\1,\2/' "$1"; } # without the seconds
 
 results() { find "$1" -name result.json | wc -l; }
