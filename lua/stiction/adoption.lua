@@ -46,7 +46,6 @@ function adoption.take(plan, row)
   engine.rename(own .. "@adopted", own)
   row.result.parameters = output.plain(row.case.p)
   output.write_result_in(own, row.result)
-  output.describe(plan.folder, row.case, plan.study)
   row.adopted = nil
 end
 

@@ -4,6 +4,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
+local output = require "stiction.output"
 local units = require "stiction.units"
 
 local case_module = {}
@@ -79,9 +80,9 @@ local lazy = {
     return engine.series_time(case.history)
   end,
   cost = function(case)
-    local result = engine.decode_json(engine.read_file(case.folder .. "/result.json") or "")
-    if type(result) ~= "table" or type(result.counters) ~= "table" then
-      fault.input("%s/result.json is damaged; run the case again", case.folder)
+    local result = output.read_result_in(case.folder)
+    if not result or type(result.counters) ~= "table" then
+      fault.input("%s/manifest.json has no result, or is damaged; run the case again", case.folder)
     end
     return case_module.cost_of(result)
   end,

@@ -5,6 +5,7 @@ local fault = require "stiction.fault"
 local hold = require "stiction.hold"
 local loader = require "stiction.loader"
 local ordered = require "stiction.ordered"
+local output = require "stiction.output"
 local standing = require "stiction.standing"
 local study_module = require "stiction.study"
 
@@ -58,10 +59,11 @@ end
 --- The case in folder/name: what its files say, and its row of summary.csv where there is one; nil if it is no case.
 local function read_case(folder, name, row, known)
   local path = folder .. "/" .. name
-  local ended = decoded(path .. "/result.json")
-  local begun = not ended and decoded(path .. "/case.json")
-  if not ended and engine.kind_of_path(path .. "/result.json") then
-    ended = { verdict = "unreadable", reason = path .. "/result.json is damaged" }
+  local ended = output.read_result_in(path)
+  local manifest = not ended and decoded(path .. "/manifest.json")
+  local begun = manifest and table_or(manifest.made_of)
+  if not ended and not begun and engine.kind_of_path(path .. "/manifest.json") or manifest and manifest.result ~= nil then
+    ended = { verdict = "unreadable", reason = path .. "/manifest.json is damaged" }
   end
   if not (ended or begun or row) then
     return nil
@@ -72,7 +74,7 @@ local function read_case(folder, name, row, known)
     reason = standing.words(entry) or "its process was ended before it was" }
   return { name = name, folder = path, row = row or {}, ended = ended, verdict = tostring(ended.verdict),
     reason = tostring(ended.reason or ""), results = table_or(ended.results, {}), values = {},
-    parameters = table_or((begun or ended).parameters, {}) }
+    parameters = table_or((ended.parameters and ended or begun or ended).parameters, {}) }
 end
 
 --- The cases of summary.csv in their order, then all others.

@@ -40,14 +40,31 @@ function output.key(case)
   return own
 end
 
+--- The manifest of a case is JSON whose first line, once the case has ended, holds its result alone: that of thousands of
+--- cases is read without the rest.
+local result_line = '^{"result":([^\n]*),\n'
+
+local function manifest_in(case_folder)
+  return case_folder .. "/manifest.json"
+end
+
+--- The result in the text of a manifest, nil if there is none; whatever it is.
+local function result_of(text)
+  local line = text:match(result_line)
+  local result = line and engine.decode_json(line)
+  if result == nil and text:find('"result"', 1, true) then
+    local whole = engine.decode_json(text) -- as some other program has written it anew
+    result = type(whole) == "table" and whole.result or nil
+  end
+  return result
+end
+
 --- That of the parameters which a case's folder holds the data of; nil if it does not say.
 function output.key_in(folder)
-  for _, name in ipairs { "/result.json", "/case.json", "/outcome.json" } do
-    local kept = output.read_file(folder .. name)
-    if kept and type(kept.parameters) == "table" then
-      return key_of(kept.parameters)
-    end
-  end
+  local text = engine.read_file(manifest_in(folder))
+  local kept = text and (result_of(text) or (output.read_file(manifest_in(folder)) or {}).made_of)
+    or output.read_file(folder .. "/outcome.json")
+  return type(kept) == "table" and type(kept.parameters) == "table" and key_of(kept.parameters) or nil
 end
 
 --- Name of a case's folder: its id; while that holds other parameters (of --set, --quick, or without them), what was
@@ -80,22 +97,19 @@ function output.settle(folder, cases)
   end
 end
 
---- Notes in the folder of its id what a case is made of.
-function output.describe(folder, case, study)
-  local scene = study and not study.problem and identity.scene_text(study, case) or "null"
-  local text = engine.encode_json({ case = case.id, parameters = identity.plain(case.p),
-    program = identity.program(), scene = "@" }, 2)
-  text = text:gsub('"scene": "@"', function() return '"scene": ' .. scene end)
-  engine.write_file(folder .. "/" .. case.id .. "/case.json", text .. "\n")
+--- What a case is made of, JSON: its parameters, the program, its scene.
+function output.made_of(case, study)
+  local scene = not study.problem and identity.scene_text(study, case) or "null"
+  return (engine.encode_json({ parameters = identity.plain(case.p), program = identity.program(), scene = "@" })
+    :gsub('"scene":"@"', function() return '"scene":' .. scene end))
 end
 
---- A case begins anew in its folder: what it is made of is noted, its mark of having finished is gone.
-function output.begin(folder, case, study)
+--- A case begins anew in its folder: its manifest, this text, has no mark of having finished.
+function output.begin(folder, case, manifest)
   local own_folder = folder .. "/" .. case.id
   output.settle(folder, { case })
   output.prepare(own_folder)
-  engine.remove(own_folder .. "/result.json")
-  output.describe(folder, case, study)
+  engine.write_file(manifest_in(own_folder), manifest .. "\n")
 end
 
 output.data_identity, output.program = identity.of_data, identity.whole_program
@@ -124,9 +138,9 @@ end
 
 --- The result in a case's folder, nil if there is none or its file is damaged; and what tells whether it is still there.
 function output.read_result_in(case_folder)
-  local text = engine.read_file(case_folder .. "/result.json") or ""
-  local result = engine.decode_json(text)
-  return is_result(result) and result or nil, engine.hash(text)
+  local text = engine.read_file(manifest_in(case_folder)) or ""
+  local result = result_of(text)
+  return is_result(result) and result or nil, engine.hash(text:match(result_line) or text)
 end
 
 --- What a case left behind, what tells whether that is still there, and the name of the folder that it is in.
@@ -142,8 +156,25 @@ function output.read_result(folder, case)
   return result, mark, name
 end
 
+--- What a manifest holds beside the result, without its opening brace.
+local function beside_result(text)
+  if not text:find(result_line) and result_of(text) ~= nil then
+    local whole = engine.decode_json(text)
+    whole.result = nil
+    text = engine.encode_json(whole, 2) .. "\n"
+  end
+  return (text:gsub(result_line, "{", 1):gsub("^%s*{%s*\n?", "", 1))
+end
+
+--- Puts a result before what the manifest in the folder holds beside it.
 function output.write_result_in(case_folder, result)
-  engine.write_file(case_folder .. "/result.json", engine.encode_json(result, 2) .. "\n")
+  local text = engine.read_file(manifest_in(case_folder)) or '{"made_of":{}}\n'
+  engine.write_file(manifest_in(case_folder), ('{"result":%s,\n'):format(engine.encode_json(result)) .. beside_result(text))
+end
+
+--- Takes away whatever says that a case in this folder has ended.
+function output.forget_result(case_folder)
+  engine.remove(manifest_in(case_folder))
 end
 
 function output.write_result(folder, case, result)

@@ -4,6 +4,7 @@ local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
 local jobs = require "stiction.jobs"
+local output = require "stiction.output"
 local report = require "stiction.report"
 
 local sharing = {}
@@ -82,7 +83,7 @@ local function check_disk(plan, case, result)
   local held, reason = engine.call(engine.write_file, trial, (" "):rep(room))
   engine.remove(trial)
   if not held then
-    engine.remove(plan.folder .. "/" .. case.id .. "/result.json")
+    output.forget_result(plan.folder .. "/" .. case.id)
     fault.run("%s: this run ends, and leaves case %s and all others to those that can write", tostring(reason), case.id)
   end
 end

@@ -34,14 +34,15 @@ local function section_of(p, names, notes)
 end
 
 local function manifest(study, case, names, options)
-  return engine.encode_json {
+  local text = engine.encode_json {
     files = output.files_read(study, case),
     study = study.name, title = study.title, question = study.question, version = engine.version,
     quick = options.quick or false, set = options.set or {},
     given = section_of(case.p, ordered.keys(study.given), study.given),
     chosen = section_of(case.p, ordered.keys(study.chosen), study.chosen),
-    swept = section_of(case.p, names, {}),
+    swept = section_of(case.p, names, {}), made_of = "@",
   }
+  return (text:gsub('"made_of":"@"', function() return '"made_of":' .. output.made_of(case, study) end))
 end
 
 local function progress_teller()
@@ -78,13 +79,14 @@ local function run(options, study)
   local fingerprint = fingerprint_of(study, case, options)
   local made = provenance.begin(options, output.program())
   provenance.keep(options.out, study, output.files_read(study, case))
-  output.begin(options.out, case, study)
+  local text = manifest(study, case, names, options)
+  output.begin(options.out, case, text)
   local folder = output.case_folder(options.out, case)
   local result, answers
   if study.problem then
     result, answers = problem.solve(study, case)
   else
-    local settings = { out = folder, case_id = case.id, manifest = manifest(study, case, names, options),
+    local settings = { out = folder, case_id = case.id, manifest = text,
       rehearse = options.rehearse or 0, alone = options.alone, stop_after = options["stop-after"] or 0,
       checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
       program = identity.program(), fingerprint = fingerprint, anew = options.force }

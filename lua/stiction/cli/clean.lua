@@ -31,8 +31,8 @@ end
 
 --- Adds the files that a case in this folder was made of, by hash.
 local function add_sources(path, hashes)
-  for _, name in ipairs { "/result.json", "/manifest.json" } do
-    local files = (output.read_file(path .. name) or {}).files
+  local manifest = output.read_file(path .. "/manifest.json") or {}
+  for _, files in ipairs { manifest.files or {}, type(manifest.result) == "table" and manifest.result.files or {} } do
     for _, file in ipairs(type(files) == "table" and files or {}) do
       hashes[tostring(type(file) == "table" and file.hash)] = true
     end
@@ -41,7 +41,7 @@ end
 
 local function is_case(path)
   return engine.kind_of_path(path .. "/outcome.json") == nil
-    and (engine.kind_of_path(path .. "/result.json") or engine.kind_of_path(path .. "/case.json")) ~= nil
+    and engine.kind_of_path(path .. "/manifest.json") ~= nil
 end
 
 --- Adds the drafts that killed writers left among the files of a folder.

@@ -12,7 +12,7 @@ local sweep = require "stiction.sweep"
 
 --- Text of the case's finished mark, which goes with the first word of a run anew.
 local function mark(case_folder)
-  return engine.read_file(case_folder .. "/result.json")
+  return engine.read_file(case_folder .. "/manifest.json")
 end
 
 --- The cases whose folders hold a finished run, with results made anew where what makes them has changed; the number of

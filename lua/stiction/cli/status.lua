@@ -50,7 +50,7 @@ local function sort_cases(plan, known)
     add(case.id, state_of(plan, case, known))
   end
   for _, path in ipairs(plan.cases and {} or engine.list(plan.folder, false)) do
-    if engine.kind_of_path(path .. "/case.json") or engine.kind_of_path(path .. "/result.json") then
+    if engine.kind_of_path(path .. "/manifest.json") then
       add(path:match("[^/]+$"), state_in(plan.folder, path:match("[^/]+$"), known))
     end
   end

@@ -33,10 +33,10 @@ end
 --- Why a case must run, and a list of what changed.
 local function why_run(plan, row)
   local folder = output.case_folder(plan.folder, row.case)
-  local kept = output.read_file(folder .. "/case.json")
+  local kept = (output.read_file(folder .. "/manifest.json") or {}).made_of
   if row.result and row.result.fingerprint == row.fingerprint then
     return why_again(row, folder), {}
-  elseif not kept then
+  elseif type(kept) ~= "table" then
     return "it has not run", {}
   elseif type(kept.scene) ~= "table" then
     return plan.study.problem and "the study, a file that it reads, or the program has changed"
