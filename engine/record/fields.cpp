@@ -31,6 +31,7 @@ void remove_frames(std::filesystem::path const& folder, std::size_t first) {
       frames.push_back(entry.path());
   for (auto const& frame : frames)
     std::filesystem::remove(frame, error);
+  std::filesystem::remove(folder, error); // if nothing is left in it
 }
 
 } // namespace
@@ -58,7 +59,6 @@ void add_body(FieldFrame& frame, mesh::Mesh const& mesh) {
 
 FieldSeries::FieldSeries(std::filesystem::path case_folder, FieldMark from)
     : folder_(std::move(case_folder)), done_(std::move(from)) {
-  prepare_output(folder_ / "fields");
   for (std::size_t k = 0; k < done_.count; ++k)
     if (!std::filesystem::exists(folder_ / name_of_frame(k)))
       throw Unfit(fmt::format("wants {}, which is gone", name_of_frame(k)));
@@ -79,6 +79,8 @@ void FieldSeries::write_list() const {
 
 void FieldSeries::write(FieldFrame const& frame) {
   auto const name = name_of_frame(done_.count);
+  if (done_.count == 0)
+    prepare_output(folder_ / "fields");
   write_vtu(folder_ / name, frame);
   done_.entries += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, name);
   ++done_.count;

@@ -11,11 +11,18 @@
 namespace stiction::record {
 
 namespace {
+
 constexpr std::size_t at_once = 1 << 16; // characters
+
+bool eventful(StepChange const& change) {
+  bool const one_method = std::ranges::count(change.contact, ' ') <= 1; // "newton 3"
+  return change.what != "step" || !change.cause.empty() || !change.reason.empty() || !one_method;
 }
 
-StepLog::StepLog(std::filesystem::path const& folder, std::uintmax_t bytes)
-    : path_(folder / "steps.csv"), any_(bytes > 0), bytes_(bytes) {
+} // namespace
+
+StepLog::StepLog(std::filesystem::path const& folder, std::uintmax_t bytes, Rows rows)
+    : path_(folder / "steps.csv"), rows_(rows), any_(bytes > 0), bytes_(bytes) {
   std::error_code failed;
   if (!any_) {
     lines_ = "time_s,dt_s,next_dt_s,what,cause,reason,contact\n";
@@ -30,6 +37,8 @@ StepLog::StepLog(std::filesystem::path const& folder, std::uintmax_t bytes)
 }
 
 void StepLog::add(StepChange const& change) {
+  if (rows_ == Rows::eventful && !eventful(change))
+    return;
   std::string reason = change.reason;
   std::ranges::replace(reason, '"', '\'');
   lines_ += fmt::format("{},{},{},{},{},\"{}\",{}\n", change.time, change.dt, change.next_dt, change.what,

@@ -21,9 +21,13 @@ struct StepChange {
 /// Writes them as steps.csv: time_s,dt_s,next_dt_s,what,cause,reason,contact.
 class StepLog {
 public:
+  enum class Rows {
+    all,
+    eventful ///< none of accepted steps whose contact problems all were answered by one method
+  };
   /// Removes the table of an earlier run but for its first bytes, to be gone on from. Throws Unfit if it is
   /// shorter.
-  explicit StepLog(std::filesystem::path const& folder, std::uintmax_t bytes = 0);
+  explicit StepLog(std::filesystem::path const& folder, std::uintmax_t bytes = 0, Rows rows = Rows::all);
   /// Throws core::RunError, as many lines go to the file at a time.
   void add(StepChange const& change);
   /// Writes what is left; no file without a line. Throws core::RunError.
@@ -33,6 +37,7 @@ public:
 
 private:
   std::filesystem::path path_;
+  Rows rows_;
   std::string lines_;        ///< not yet on disk
   bool any_ = false;         ///< beside the head
   std::uintmax_t bytes_ = 0; ///< on disk

@@ -121,8 +121,8 @@ void follow_parent(bool at_once) {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-void watch_script(lua_State* lua) {
-  lua_sethook(lua, on_event, LUA_MASKCOUNT | LUA_MASKLINE, instructions_per_look);
+void watch_script(lua_State* lua, bool lines) {
+  lua_sethook(lua, on_event, lines ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, instructions_per_look);
 }
 
 void limit_script(lua_State* lua, long instructions) {

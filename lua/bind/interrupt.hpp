@@ -35,7 +35,8 @@ void follow_parent(bool at_once = false);
 /// kind "script"; 0: without limit.
 void limit_script(lua_State* lua, long instructions);
 
-/// Lets the user's functions end by an error of kind "stopped" once the flag is set.
-void watch_script(lua_State* lua);
+/// Lets the user's functions end by an error of kind "stopped" once the flag is set. `lines`: also notes
+/// every line, which takes a third of a script's time, so that an error behind a tail call knows its place.
+void watch_script(lua_State* lua, bool lines = true);
 
 } // namespace stiction::bind

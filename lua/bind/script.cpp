@@ -63,6 +63,13 @@ int call_within(lua_State* lua) {
   return count;
 }
 
+/// watch_lines(flag): whether errors behind the user's tail calls know their place from now on, for a third
+/// of the time
+int watch_lines(lua_State* lua) {
+  watch_script(lua, lua_toboolean(lua, 1) != 0);
+  return 0;
+}
+
 /// part(table) -> "material.blatz_ko" of what a constructor made, or ""
 int part(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
@@ -84,6 +91,7 @@ void add_script_functions(lua_State* lua) {
   add<where>(lua, "where");
   add<call>(lua, "call");
   add<call_within>(lua, "call_within");
+  add<watch_lines>(lua, "watch_lines");
   add<part>(lua, "part");
   add<root>(lua, "library_root");
 }

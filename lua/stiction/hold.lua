@@ -7,7 +7,7 @@ local fault = require "stiction.fault"
 local output = require "stiction.output"
 local report = require "stiction.report"
 
-local hold = { layout = 1 } -- of output folders; higher where older versions would misread them
+local hold = { layout = 2 } -- of output folders; higher where older versions would misread them
 
 local alone = "=alone" -- the claim of a run that shares the folder with nobody
 

@@ -61,7 +61,7 @@ local function read_case(folder, name, row, known)
   local path = folder .. "/" .. name
   local ended = output.read_result_in(path)
   local manifest = not ended and decoded(path .. "/manifest.json")
-  local begun = manifest and table_or(manifest.made_of)
+  local begun = manifest and table_or(manifest.made_of, {})
   if not ended and not begun and engine.kind_of_path(path .. "/manifest.json") or manifest and manifest.result ~= nil then
     ended = { verdict = "unreadable", reason = path .. "/manifest.json is damaged" }
   end

@@ -93,7 +93,7 @@ expect 0 "checks held" "$stiction" run drag --no-figures
 cp out/drag/mu0.2/series.h5 own.h5
 expect 0 "checks held" "$stiction" run drag --no-figures --set cells=2
 holds "rows of what was set" grep -q '^mu0.2,.*,cells=2,$' out/drag/summary.csv
-holds "the last run's own folder" [ "$(grep -c '"cells": 2' out/drag/mu0.2/case.json)" = 1 ]
+holds "the last run's own folder" [ "$(head -n 1 out/drag/mu0.2/manifest.json | grep -c '"parameters":{"cells":2,')" = 1 ]
 holds "the study's own data are lost" cmp -s own.h5 out/drag/mu0.2@*/series.h5
 expect 0 "mu0.2  finished" "$stiction" run drag --list
 expect 0 "mu0.2  finished" "$stiction" run drag --set cells=2 --list

@@ -82,7 +82,7 @@ expect 2 "holds no results" "$stiction" report browser --out .
 
 # damaged files cost what they would have told
 cp -r out/tiny damaged
-echo '{"results": [true], "layout": 1, "drawn": {"kind": "sobol", "count": 4, "seed": 7}}' >damaged/study.json
+echo '{"results": [true], "layout": 2, "drawn": {"kind": "sobol", "count": 4, "seed": 7}}' >damaged/study.json
 echo '[1, {"name": "x", "table": {"columns": 5, "rows": [7]}}]' >damaged/checks.json
 echo '{"figures": [3, {"name": []}]}' >damaged/figures.json
 sed -i 's/"is": "[a-z_]*"/"is": [4]/; s/"parts": {/"parts": {"x": 3,/; s/"note": "rubber"/"note": []/' damaged/mu0/manifest.json

@@ -104,7 +104,7 @@ sed -i 's/poisson = 0.3/poisson = 0.31/' drag/block.lua
 expect 0 "out/drag/mu0.3: a case that the study no longer has|out/drag/mu0.2@|summary.csv.123.part: a draft|to remove" "$stiction" clean drag --list
 holds "only listed" [ -d out/drag/mu0.3 ]
 expect 0 "removed" "$stiction" clean drag
-holds "left: $(ls out/drag)" [ "$(find out/drag -name result.json | wc -l)" = 3 ]
+holds "left: $(ls out/drag)" [ "$(grep -rl '^{"result":' out/drag | wc -l)" = 3 ]
 holds "what is not ours" [ -e out/drag/mine/notes.txt ]
 expect 0 "checks held" "$stiction" run drag --no-figures
 expect 0 "source of no case that is left|out/drag: 1 removed" "$stiction" clean drag

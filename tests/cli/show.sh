@@ -47,7 +47,7 @@ expect 2 "a/summary.csv is what this table is read from" ask show '{ study = "a"
 # cases that failed or never ended are shown with their reason
 changed raises 's/function(run) return run:at(1\*s, "sole", "force_y")/function(run, p) if p.mu == 0.2 then error("no force") end return run:at(1*s, "sole", "force_y")/'
 "$stiction" run raises --no-figures --jobs 1 >/dev/null 2>&1
-rm out/raises/mu0.4/result.json
+rm out/raises/mu0.4/manifest.json
 sed -i '/^mu0.4,/d' out/raises/summary.csv
 expect 0 "mu0.2  result failed  0.2              -         4.6709|mu0.2: result failed: result force_y: study.lua:34|no force|mu0.4  not finished|1 finished, 1 result failed, 1 not finished" \
   ask show '{ study = "raises" }'
@@ -62,11 +62,11 @@ cp -r a broken
 sed -i '3s/finished.*//' broken/summary.csv
 expect 2 "broken/summary.csv is damaged: row 3 has 5 entries, its head 11" ask show '{ study = "broken" }'
 cp -r a newer
-sed -i 's/"layout": 1/"layout": 2/' newer/study.json
-expect 2 "newer was written by a newer version of Stiction (layout 2;" ask show '{ study = "newer" }'
+sed -i 's/"layout": 2/"layout": 3/' newer/study.json
+expect 2 "newer was written by a newer version of Stiction (layout 3;" ask show '{ study = "newer" }'
 cp -r a cut
-printf '{ "verdict": ' >cut/mu0/result.json
-expect 0 "mu0    unreadable|mu0: unreadable: cut/mu0/result.json is damaged" ask show '{ study = "cut" }'
+printf '{"result":{"verdict":' >cut/mu0/manifest.json
+expect 0 "mu0    unreadable|mu0: unreadable: cut/mu0/manifest.json is damaged" ask show '{ study = "cut" }'
 # the summary alone is enough for what it holds
 mkdir bare
 cp a/summary.csv a/study.json bare

@@ -4,7 +4,7 @@
 
 expect 0 "mu0  to run" "$stiction" run "$tiny" --list
 expect 0 "checks held|output: out/tiny" "$stiction" run "$tiny" --jobs 2 --no-figures
-for file in summary.csv checks.json mu0/series.h5 mu0.2/manifest.json mu0.4/result.json; do
+for file in summary.csv checks.json mu0/series.h5 mu0.2/manifest.json mu0.4/manifest.json; do
   holds "$file is missing" [ -s "out/tiny/$file" ]
 done
 holds "the head of summary.csv" grep -q '^case,mu,force_y,force_x,verdict,steps,iterations,contact,seconds,set,warnings$' out/tiny/summary.csv
@@ -22,8 +22,8 @@ holds "summaries differ" [ "$(cut -d, -f1-7 out/tiny/summary.csv)" = "$(cut -d, 
 # nothing to do: no case is started; a lost or failed case is run again, --force runs all
 expect 0 "checks held" "$stiction" run "$tiny" --no-figures
 holds "a finished case was run again" [ "$(grep -c started output)" = 0 ]
-rm out/tiny/mu0.2/result.json
-sed -i 's/"finished"/"not converged"/' out/tiny/mu0.4/result.json
+rm out/tiny/mu0.2/manifest.json
+sed -i 's/"finished"/"not converged"/' out/tiny/mu0.4/manifest.json
 expect 0 "mu0.2  started (1 of 2)|mu0.4  started (2 of 2)" "$stiction" run "$tiny" --no-figures --jobs 1
 expect 0 "mu0  started (1 of 3)" "$stiction" run "$tiny" --no-figures --force
 
@@ -62,7 +62,7 @@ expect 0 "A block on a plane|phase|iterations|needed|factorization|times what it
 expect 0 '"phases"|"factorizations"|"limit"' "$stiction" bench "$tiny" --json
 expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
 expect 2 "no finished case in out/wrong with these parameters" "$stiction" figures wrong --set steps=7
-rm out/wrong/mu0/result.json
+rm out/wrong/mu0/manifest.json
 sed -i 's/poisson = 0.3/poisson = 0.31/' wrong/block.lua
 expect 0 "2 of 3 cases finished with these parameters|have changed since" "$stiction" figures wrong
 finish

@@ -27,7 +27,7 @@ begin() { # NUMBER: a worker of this number
 running() { [ -n "$(cases_running)" ]; } # whether a case runs still
 
 stamps() { # of cases that have ended well: name and when
-  grep -l '"verdict": "finished"' shared/*/result.json 2>/dev/null | while read -r file; do
+  grep -l '"verdict":"finished"' shared/*/manifest.json 2>/dev/null | while read -r file; do
     stat -c '%n %y %i' "$file"
   done | sort
 }
@@ -101,7 +101,7 @@ expect 0 "nobody works on it; 'stiction run STUDY' goes on from here" "$stiction
 # nothing can be written any more: this worker ends and fails no case, another one goes on
 expect 1 "File too large|this run ends, and leaves case|to those that can write" \
   sh -c 'ulimit -f 200 && exec "$@"' sh "$stiction" run drag --worker --no-figures --set steps=400 --out full
-holds "a case failed for want of room" [ -z "$(find full -name result.json)" ]
+holds "a case failed for want of room" [ -z "$(grep -rl '^{"result":' full)" ]
 holds "claims are left: $(ls -A full/.claims)" [ -z "$(ls -A full/.claims)" ]
 expect 0 "checks held" "$stiction" run drag --worker --no-figures --set steps=400 --out full
 
@@ -121,7 +121,7 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 holds "who is dead: $(cat output)" grep -q "process $id on .*dead: its process has ended" output
-rm -f plain/mu0/result.json # as of a case that was killed with it
+sed -i 's/^{"result":.*/{/' plain/mu0/manifest.json # as of a case that was killed with it
 expect 0 "mu0: not finished: its worker is dead: process $id on" "$stiction" show plain
 
 # batch systems: one clear message each

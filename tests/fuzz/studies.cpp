@@ -19,7 +19,7 @@ void script(std::string_view bytes) {
   run_lua(driver, scratch_file("study.lua", bytes));
 }
 
-/// Reads result.json as a sweep does that goes on from what is there, and as a check does.
+/// Reads the result in a manifest as a sweep does that goes on from what is there, and as a check does.
 void result(std::string_view bytes) {
   constexpr char const* driver = R"(
     local output = require "stiction.output"
@@ -35,7 +35,7 @@ void result(std::string_view bytes) {
       end
     end)";
   std::filesystem::create_directories(scratch_folder() / "case");
-  scratch_file("case/result.json", bytes);
+  scratch_file("case/manifest.json", bytes);
   run_lua(driver, scratch_folder().string());
 }
 

@@ -11,7 +11,7 @@ void msh(std::string_view bytes);       ///< a text mesh file, for its triangles
 void mesh_file(std::string_view bytes); ///< what the mesher hands over; a tree as in tree.hpp
 void problem(std::string_view bytes);   ///< a saved contact problem; a tree as in tree.hpp
 void series(std::string_view bytes);    ///< a history; a tree as in tree.hpp
-void result(std::string_view bytes);    ///< result.json of a case
+void result(std::string_view bytes);    ///< manifest.json of a case
 void script(std::string_view bytes);    ///< a study
 
 } // namespace stiction::fuzz

@@ -22,12 +22,17 @@ record::SeriesData series_in(std::filesystem::path const& folder) {
   }
 }
 
+/// Where no fields are asked for, a case that runs as it should leaves histories and manifest, nothing else.
+record::StepLog::Rows rows_of(Scene const& scene) {
+  return scene.part.output.frames > 0 ? record::StepLog::Rows::all : record::StepLog::Rows::eventful;
+}
+
 } // namespace
 
 Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from)
     : scene_(&scene), folder_(folder), series_(folder / "series.h5"),
       fields_(folder, from != nullptr ? from->fields : record::FieldMark{}),
-      log_(folder, from != nullptr ? from->steps : 0) {
+      log_(folder, from != nullptr ? from->steps : 0, rows_of(scene)) {
   add_step_columns(scene, series_);
   samplers_ = add_probes(scene, series_);
   if (from == nullptr)

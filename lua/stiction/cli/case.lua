@@ -45,9 +45,11 @@ local function manifest(study, case, names, options)
   return (text:gsub('"made_of":"@"', function() return '"made_of":' .. output.made_of(case, study) end))
 end
 
-local function progress_teller()
+--- Tells the parent how far the case is, and, once, that it has begun.
+local function progress_teller(begin)
   local last = 0
   return function(progress)
+    begin()
     local now = engine.clock()
     if now - last >= between_messages then
       last = now
@@ -73,7 +75,8 @@ local function fingerprint_of(study, case, options)
   return own
 end
 
-local function run(options, study)
+--- Runs the case; begin() is called once it computes.
+local function run(options, study, begin)
   local cases, names = sweep.cases(study, options)
   local case = sweep.find(cases, options.case)
   local fingerprint = fingerprint_of(study, case, options)
@@ -84,14 +87,16 @@ local function run(options, study)
   local folder = output.case_folder(options.out, case)
   local result, answers
   if study.problem then
+    begin()
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = text,
       rehearse = options.rehearse or 0, alone = options.alone, stop_after = options["stop-after"] or 0,
       checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
       program = identity.program(), fingerprint = fingerprint, anew = options.force }
-    result = engine.run(study:scene_of(case), settings, progress_teller(), note)
+    result = engine.run(study:scene_of(case), settings, progress_teller(begin), note)
   end
+  engine.watch_lines(true)
   evaluation.note(study, case, result)
   result.fingerprint = fingerprint
   if result.verdict == "finished" then
@@ -109,13 +114,32 @@ local function run(options, study)
   return result.verdict == "finished" and 0 or 1
 end
 
+--- f(...) without noting the lines of scripts, as the sweep has run the same ones before; where that ends with a fault
+--- of theirs before anything is computed, again with them, for its place. `computes`: whether that has begun.
+local function unwatched(computes, f, ...)
+  engine.watch_lines(false)
+  local held, value = engine.call(f, ...)
+  engine.watch_lines(true)
+  if held then
+    return value
+  elseif computes() or (value.kind ~= "input" and value.kind ~= "script") then
+    error(value, 0)
+  end
+  return f(...)
+end
+
 --- The case on its own or, as part of a sweep, in the folder that this holds.
 local function run_in(options, followed)
-  local study = study_module.load(options.study, options.trust)
-  if followed then
-    return run(options, study)
+  local begun = false
+  local function computes() return begun end
+  local study = unwatched(computes, study_module.load, options.study, options.trust)
+  local function run_unwatched()
+    return unwatched(computes, run, options, study, function() begun = true end)
   end
-  return hold.folder(options.out, study, "case", run, options, study)
+  if followed then
+    return run_unwatched()
+  end
+  return hold.folder(options.out, study, "case", run_unwatched)
 end
 
 return function(options)

@@ -40,16 +40,18 @@ test [--all]   build and run the tests
 STUDY is a folder with study.lua, or a .lua file. 'stiction COMMAND --help' lists the options.
 Exit codes: 0 all held; 1 a case failed, a check did not hold, or the run was stopped; 2 bad input.
 Output of run, below out/<study> or --out DIR: summary.csv, checks.json, figures.json, figures/, and a
-folder per case with series.h5, fields.pvd, steps.csv, manifest.json, case.json, result.json; source/: the files read.
+folder per case with series.h5, manifest.json, fields.pvd and fields/, steps.csv; source/: the files read. A case without
+fields (output.frames = 0) that runs as it should leaves two files: series.h5 and manifest.json.
 
-steps.csv has a row for every step with contact problems, and for every cut and growth of the step with its reason;
+steps.csv has a row for every step with contact problems (without fields: where more than one method answered them),
+and for every cut and growth of the step with its reason;
 its column `contact` counts what answered the problems of that attempt ("sweeps 3 newton 1"), as that of summary.csv
 does for a whole case. The newton solver, the default, tries in this order: sweeps (Gauss-Seidel with Anderson's
 mixing; many points without bonds), newton, proximal (the proximal point method); without friction descent and
 minimisation of the potential; with it gauss_seidel (plain sweeps), pivoting (Lemke's method) and enumeration (every
 status of every point). none: nothing did.
 
-A remark at the end of a case (also in its result.json and manifest.json) tells where theory promises no single
+A remark at the end of a case (also in its manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
 of a pulled bond's force (bonds snap; RCC without viscosity: 3 C beta^2 A). Each kind is told once, at its first step,
 with the number of steps, and with the answers to that step that were found from other starts; of up to five dry points

@@ -7,7 +7,7 @@ local units = require "stiction.units"
 
 local record = {}
 
---- Counts that a run's cost consists of, as result.json names them.
+--- Counts that a run's cost consists of, as the result of its case names them.
 record.counts = { "factorizations", "solves", "cells_evaluated", "contact_iterations", "steps", "iterations" }
 
 --- Where the trade of a study is kept for `run --accuracy`.

@@ -63,6 +63,11 @@ test::Input with(test::Input table, std::vector<std::pair<std::string, test::Inp
   return table;
 }
 
+test::Input with_frames(test::Input table) {
+  test::at(table, "output.frames") = test::value(1);
+  return table;
+}
+
 double highest(std::vector<double> const& values) {
   return *std::max_element(values.begin(), values.end());
 }
@@ -90,7 +95,7 @@ TEST_CASE("without an accuracy the steps are as ever and tell no error") {
 }
 
 TEST_CASE("steps.csv tells of every step what answered its contact problems") {
-  auto const ran = run(landing(0.5));
+  auto const ran = run(with_frames(landing(0.5)));
   REQUIRE(ran.log.starts_with("time_s,dt_s,next_dt_s,what,cause,reason,contact\n"));
   std::regex const row(R"([^,]+,[^,]+,[^,]+,step,,"",((newton|descent) \d+)( descent \d+)?)"); // nothing rubs
   std::regex const count(R"(\d+)");
@@ -107,6 +112,28 @@ TEST_CASE("steps.csv tells of every step what answered its contact problems") {
   CHECK(problems == static_cast<long>(ran.result.counters.at("contact_problems")));
   CHECK(steps > 30);
   CHECK(std::regex_match(ran.result.contact, std::regex(R"(newton \d+ descent \d+|newton \d+|descent \d+)")));
+}
+
+TEST_CASE(
+    "without fields steps.csv tells of the steps that did not go as always, and is not there for others") {
+  std::string const head = "time_s,dt_s,next_dt_s,what,cause,reason,contact\n";
+  auto const eventful = [&](test::Input const& table) { // rows of a scene with fields that are to be left
+    std::istringstream rows(run(with_frames(table)).log);
+    std::string left, line;
+    for (std::getline(rows, line); std::getline(rows, line);)
+      if (line.find(",step,") == std::string::npos || line.find(" descent ") != std::string::npos)
+        left += line + "\n";
+    return left;
+  };
+  auto const adaptive = with(landing(0.5), {});
+  auto const left = eventful(adaptive);
+  REQUIRE_FALSE(left.empty());
+  CHECK(run(adaptive).log == head + left);
+  auto dry = landing(0.5);
+  std::get<core::Table>(test::at(dry, "pairs.sole").value).erase("adhesion");
+  REQUIRE_FALSE(run(with_frames(dry)).log.empty());
+  CHECK(eventful(dry).empty());
+  CHECK(run(dry).log.empty());
 }
 
 TEST_CASE("no step changes a bond by more than allowed or is off by more than the tolerance") {
