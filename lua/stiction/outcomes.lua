@@ -62,7 +62,9 @@ local function read_case(folder, name, row, known)
   local ended = output.read_result_in(path)
   local manifest = not ended and decoded(path .. "/manifest.json")
   local begun = manifest and table_or(manifest.made_of, {})
-  if not ended and not begun and engine.kind_of_path(path .. "/manifest.json") or manifest and manifest.result ~= nil then
+  if manifest and type(manifest.result) == "table" then
+    ended = manifest.result -- of which something is not as it should be
+  elseif not ended and not begun and engine.kind_of_path(path .. "/manifest.json") then
     ended = { verdict = "unreadable", reason = path .. "/manifest.json is damaged" }
   end
   if not (ended or begun or row) then

@@ -47,7 +47,7 @@ expect 2 "a/summary.csv is what this table is read from" ask show '{ study = "a"
 # cases that failed or never ended are shown with their reason
 changed raises 's/function(run) return run:at(1\*s, "sole", "force_y")/function(run, p) if p.mu == 0.2 then error("no force") end return run:at(1*s, "sole", "force_y")/'
 "$stiction" run raises --no-figures --jobs 1 >/dev/null 2>&1
-rm out/raises/mu0.4/manifest.json
+sed -i 's/^{"result":.*/{/' out/raises/mu0.4/manifest.json
 sed -i '/^mu0.4,/d' out/raises/summary.csv
 expect 0 "mu0.2  result failed  0.2              -         4.6709|mu0.2: result failed: result force_y: study.lua:34|no force|mu0.4  not finished|1 finished, 1 result failed, 1 not finished" \
   ask show '{ study = "raises" }'

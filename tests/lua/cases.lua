@@ -93,7 +93,7 @@ test("a case's name does not depend on how or in which unit its values are set",
 end)
 
 local function write(folder, case, text)
-  output.begin(folder, case)
+  output.begin(folder, case, engine.encode_json { made_of = { parameters = output.plain(case.p) } })
   engine.write_file(output.case_folder(folder, case) .. "/series.txt", text)
 end
 

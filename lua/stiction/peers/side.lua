@@ -1,6 +1,7 @@
 -- One side of a pair: this program on the study's case, the peer by its script, or what the peer once gave.
 local engine = require "stiction.engine"
 local jobs = require "stiction.jobs"
+local output = require "stiction.output"
 local ordered = require "stiction.ordered"
 
 local side = {}
@@ -20,8 +21,8 @@ end
 
 local function result_in(folder)
   for _, file in ipairs(engine.list(folder, true)) do
-    if file:find("/result%.json$") then
-      return engine.decode_json(engine.read_file(file) or "")
+    if file:find("/manifest%.json$") then
+      return (output.read_result_in(file:match("^(.*)/")))
     end
   end
 end
