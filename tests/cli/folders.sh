@@ -118,7 +118,7 @@ expect 2 "a case cannot be called 'figures'" "$stiction" run named --list
 
 # a case without fields leaves two files, whose manifest is JSON with the result before all else
 changed bare 's/      probes = { sole/      output = stiction.output { frames = 0 },\n&/'
-expect 0 "checks held" "$stiction" run bare --no-figures --case mu0.2 --out two
+expect 0 "mu0.2  finished" "$stiction" run bare --no-figures --case mu0.2 --out two
 holds "left: $(ls two/mu0.2)" [ "$(echo two/mu0.2/*)" = "two/mu0.2/manifest.json two/mu0.2/series.h5" ]
 holds "the result" grep -q '^{"result":{"case":"mu0.2".*"verdict":"finished"' two/mu0.2/manifest.json
 finish
