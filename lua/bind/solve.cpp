@@ -21,15 +21,16 @@ void push(lua_State* lua, scene::SolverAnswer const& answer) {
   set(lua, "work", answer.work);
   set(lua, "residual", answer.residual);
   set(lua, "relative", answer.relative);
+  if (answer.cone_error)
+    set(lua, "cone_error", *answer.cone_error);
   set(lua, "seconds", answer.seconds);
   set_vector(lua, "force", answer.force);
   set_vector(lua, "displacement", answer.displacement);
 }
 
 /// solve(path, solver, tolerance) -> {text =, converged =, contacts =, components =, doubts = {texts}, free =
-/// {}, answers = {solver = {converged =, method =, iterations =, work =, residual =, relative =, seconds =,
-/// force =,
-/// ...}}}
+/// {}, answers = {solver = {converged =, method =, iterations =, work =, residual =, relative =, cone_error =
+/// (of plain ones), seconds =, force =, ...}}}
 int solve(lua_State* lua) {
   EndsAtOnce const now; // nothing is written
   auto const report = scene::solve_file(text_at(lua, 1), text_at(lua, 2), luaL_checknumber(lua, 3));

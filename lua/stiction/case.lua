@@ -60,9 +60,12 @@ function Case:at(time, group, name, component)
   return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
 end
 
---- What a run took, of its result: its counters, seconds, steps, iterations, factorizations and cuts.
+--- What a run took, of its result: its counters, seconds, steps, iterations, factorizations and cuts; seconds_in_<phase>.
 function case_module.cost_of(result)
   local cost = {}
+  for name, value in pairs(result.phases or {}) do
+    cost["seconds_in_" .. name] = value
+  end
   for name, value in pairs(result.counters or {}) do
     cost[name] = value
   end

@@ -33,7 +33,7 @@ function problem.identity(study, p)
 end
 
 --- The result of a case as that of a run, and the answers: contacts, components, doubts, free, and by the solver's name
---- converged, method, iterations, work, residual, relative, seconds, force, displacement.
+--- converged, method, iterations, work, residual, relative, cone_error (or nil), seconds, force, displacement.
 function problem.solve(study, case)
   local asked, before = problem.read(study, case.p), engine.clock()
   local report = engine.solve(asked.file, asked.solver, asked.tolerance)

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <fmt/format.h>
 
+#include "contact/problem/cone_error.hpp"
 #include "contact/problem/uniqueness.hpp"
 #include "contact/solvers/answers.hpp"
 #include "core/error.hpp"
@@ -50,18 +51,22 @@ SolverAnswer answer_of(std::string const& name, contact::SolverChoice const& cho
                       solution.work,
                       solution.verdict.residual,
                       solution.verdict.relative(),
+                      {},
                       seconds,
                       {},
                       contact::displacement(problem, solution.force)};
+  answer.cone_error = contact::cone_error(problem, solution.force, answer.displacement);
   answer.force = std::move(solution.force);
   return answer;
 }
 
 std::string line_of(SolverAnswer const& answer) {
   return fmt::format(
-      "{:<14}{:<16}{:<14}{:>8} iterations  residual {:.3e} Pa, {:.3e} of the largest traction  {:.4f} s\n",
+      "{:<14}{:<16}{:<14}{:>8} iterations  residual {:.3e} Pa, {:.3e} of the largest traction{}  "
+      "{:.4f} s\n",
       answer.solver, answer.converged ? "converged by" : "NOT CONVERGED",
       answer.converged ? answer.method : "", answer.iterations, answer.residual, answer.relative,
+      answer.cone_error ? fmt::format(", {:.3e} in Siconos' measure", *answer.cone_error) : "",
       answer.seconds);
 }
 

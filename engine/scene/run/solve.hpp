@@ -1,6 +1,7 @@
 // Replays a saved contact problem against its solvers.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SolverAnswer {
   long iterations = 0;
   double work = 0;                   ///< in products W p
   double residual = 0, relative = 0; ///< Pa; over the largest traction
+  std::optional<double> cone_error;  ///< contact/problem/cone_error.hpp
   double seconds = 0;
   Vector force, displacement; ///< [components contacts], N and m
 };

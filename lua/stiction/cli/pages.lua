@@ -128,7 +128,8 @@ run:  id, p, time (list, s); series(group, name, component) -> list, unit; max(g
       interpolate(xs, ys, x), first_where(list, test, start), integral(xs, ys), map(list, f).
       Of a saved contact problem (problem: file relative to the study, solver = "all", tolerance = 1e-8): contacts,
       components, doubts, free, and for each solver a table like run.newton: converged, method, iterations, work (in
-      products W p), residual, relative, seconds, force, displacement. output{problems_every = n} saves such files.
+      products W p), residual, relative, cone_error (Siconos' measure; of dry problems with fixed mu), seconds, force,
+      displacement. output{problems_every = n} saves such files.
 cases: a list; cases:find{mu = 0} (nil if absent), cases:where{...}, cases:values("peak"), cases.quick;
       each case is a run with results by name.
 check: equal(name, value, expected, tolerance), close(name, value, expected, relative), within(name, value,
@@ -176,7 +177,8 @@ run:series(probe, column [, component])    list of values at those times, and th
 run:max(probe, column [, component])       largest value and its time; run:min likewise
 run:at(time, probe, column [, component])  value at a time, between steps on a straight line
 run:columns()            names "probe/column" of all there is; 'stiction help columns' says what they are
-run.cost                 counters of the run: seconds, steps, iterations, work, unknowns ...
+run.cost                 counters of the run: seconds, cpu_seconds, steps, iterations, work, unknowns, peak_memory,
+                         seconds_in_assembly (and _factorization, _solve, _contact, _output: processor time) ...
 It is run:max(...), with a colon. stiction.numeric works on lists: max, min, extreme, argmax, argmin, interpolate(xs, ys,
 x), first_where(list, test, start), integral(xs, ys), mean(list), amplitude(list), map(list, f).
 Results are computed when a case ends; a changed function needs 'stiction run STUDY' once more.]]
@@ -187,7 +189,9 @@ stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
 FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder;
 output{problems_every = n} in a scene, or 'stiction run STUDY --problems n', saves that of every n-th step there. It is
 solved by SOLVER ('stiction help solver' lists them; default: all in turn) to a relative natural-map residual (default
-1e-10), from no forces. Each line tells whether the solver converged, by which method ('stiction help commands' lists
+1e-10), from no forces. That is the largest of all points, over the largest traction; of dry problems with fixed mu Siconos'
+measure stands beside it, |r - P(r - (u + mu |u_t| n))| / |q| over all points, in units in which the mean diagonal of W and the
+largest component of q are 1. Each line tells whether the solver converged, by which method ('stiction help commands' lists
 them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
 single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one did not; 2: no such file or
 solver. A study may do the same in place of a scene: problem = function(p) return { file =

@@ -1,8 +1,10 @@
 -- Performance profiles (Dolan and More 2002): the part of the cases that a solver has answered within a multiple of the least
--- cost of all solvers on each. Cases are saved contact problems; their results hold <solver>_relative and <solver>_<measure>.
+-- cost of all solvers on each. Cases are saved contact problems; their results hold <solver>_relative and <solver>_<measure>,
+-- unless costs come from elsewhere.
 local profile = {}
 
---- {solvers = names, tolerance = of the largest traction} -> methods add_results, solved, least, ratios, figure.
+--- {solvers = names, tolerance = of the largest traction, lines = of figures, cost(case, solver) = if not from results: nil
+--- without an answer} -> methods add_results, solved, least, ratios, figure.
 function profile.of(settings)
   local solvers, own = settings.solvers, {}
 
@@ -25,6 +27,9 @@ function profile.of(settings)
 
   --- Nil without an answer; a problem solved by its guess costs 1.
   local function cost(case, solver, measure)
+    if settings.cost then
+      return settings.cost(case, solver)
+    end
     return own.solved(case, solver) and math.max(1, case.results[solver .. "_" .. measure]) or nil
   end
 

@@ -13,16 +13,17 @@ import numpy as np
 
 TOLERANCE = 1e-8
 SOLVERS = ("NSGS NSGS_POC NSN_AC NSN_AC_HYB NSN_FB NSN_NM ADMM PROX_NSN VI_EG VI_FPP TFP ACLMFP").split()
+FLAT = "NSGS LEMKE".split()  # of problems in the plane
 
 
 def load(path):
-    """u = W r + q, components (n, t1, t2) point by point; W symmetric, stored row by row from its diagonal on, or as a run
-    leaves it, then scaled as the others are."""
+    """u = W r + q, components (n, t1, t2) or (n, t1) point by point; W symmetric, stored row by row from its diagonal on, or as a
+    run leaves it, then scaled as the others are."""
     with h5py.File(path) as f:
         if "W" in f:
             points = f["points"][:]
-            if f["dim"][0] != 3 or (points[:, 2] >= 0).any() or (f["friction"][:] >= 0).any() or "shift" in f:
-                raise ValueError(path + " is not a dry problem in space")
+            if f["dim"][0] < 2 or (points[:, 2] >= 0).any() or (f["friction"][:] >= 0).any() or "shift" in f:
+                raise ValueError(path + " is not a dry problem with friction")
             W, q = f["W"][:].T, f["free"][:]
             return W / np.diag(W).mean(), q / np.abs(q).max(), points[:, 1]
         q, mu = f["q"][:], f["mu"][:]
@@ -33,7 +34,7 @@ def load(path):
 
 def project(x, mu):
     """On the cones |x_t| <= mu x_n."""
-    x = x.reshape(-1, 3)
+    x = x.reshape(len(mu), -1)
     n, t = x[:, 0], np.linalg.norm(x[:, 1:], axis=1)
     y = np.where((t <= mu * n)[:, None], x, 0.0)
     o = (t > mu * n) & (mu * t > -n)
@@ -44,12 +45,17 @@ def project(x, mu):
 
 def error(W, q, mu, r):
     """|r - P(r - (u + mu |u_t| n))| / |q|, Siconos' own measure."""
-    u = (W @ r + q).reshape(-1, 3)
+    u = (W @ r + q).reshape(len(mu), -1)
     u[:, 0] += mu * np.linalg.norm(u[:, 1:], axis=1)
     return float(np.linalg.norm(r - project(r - u.ravel(), mu)) / np.linalg.norm(q))
 
 
-def options(sn, name):
+def options(sn, name, dim):
+    if dim == 2:
+        o = sn.SolverOptions(getattr(sn, "SICONOS_FRICTION_2D_" + name))
+        o.dparam[sn.SICONOS_DPARAM_TOL] = TOLERANCE
+        o.iparam[sn.SICONOS_IPARAM_MAX_ITER] = 1000000
+        return o
     kind = {"NSGS_POC": "NSGS", "NSN_AC_HYB": "NSN_AC", "PROX_NSN": "PROX"}.get(name, name)
     o = sn.SolverOptions(getattr(sn, "SICONOS_FRICTION_3D_" + kind))
     o.dparam[sn.SICONOS_DPARAM_TOL] = TOLERANCE
@@ -73,12 +79,14 @@ def solve(path, name, limit, pipe):
     os.dup2(quiet, 2)
     import siconos.numerics as sn
     W, q, mu = load(path)
+    dim = len(q) // len(mu)
+    driver = sn.fc3d_driver if dim == 3 else sn.fc2d_driver
     times = []
     while len(times) < 3 and sum(times) < 1.0:
-        problem = sn.FrictionContactProblem(3, len(mu), np.asfortranarray(W), q.copy(), mu.copy())
-        r, u, o = np.zeros(len(q)), np.zeros(len(q)), options(sn, name)
+        problem = sn.FrictionContactProblem(dim, len(mu), np.asfortranarray(W), q.copy(), mu.copy())
+        r, u, o = np.zeros(len(q)), np.zeros(len(q)), options(sn, name, dim)
         start = time.thread_time()
-        sn.fc3d_driver(problem, r, u, o)
+        driver(problem, r, u, o)
         times.append(time.thread_time() - start)
     moved = W @ r
     pipe.send({"solver": name, "seconds": float(np.median(times)), "iterations": int(o.iparam[sn.SICONOS_IPARAM_ITER_DONE]),

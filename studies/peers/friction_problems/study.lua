@@ -31,6 +31,8 @@ local function results_of(solver, mark)
     { name = mark .. "error", unit = "1", meaning = "Siconos' measure of the error, " .. solver, function(run, p)
       return measure.error(run[solver].force, run[solver].displacement, run.free, friction_of(p))
     end },
+    { name = mark .. "told", unit = "1", meaning = "the same as 'stiction solve' tells it, " .. solver,
+      function(run) return run[solver].cone_error end },
     { name = mark .. "iterations", unit = "1", meaning = "iterations or sweeps, " .. solver,
       function(run) return run[solver].iterations end },
     { name = mark .. "work", unit = "1", meaning = "work in products W p, " .. solver, function(run) return run[solver].work end },
@@ -41,7 +43,7 @@ end
 
 local results = results_of(default, "default_")
 for _, solver in ipairs { "uzawa", "gauss_seidel" } do
-  table.move(results_of(solver, solver .. "_"), 1, 4, #results + 1, results)
+  table.move(results_of(solver, solver .. "_"), 1, 5, #results + 1, results)
 end
 table.move({
   { name = "slip", unit = "1", meaning = "|u| / |q|", function(run) return measure.slip(run[default].displacement, run.free) end },
@@ -63,6 +65,7 @@ return stiction.study {
     for _, case in ipairs(cases) do
       local pair = checks.of(known.pairs, case)[1]
       check.within(case.id .. ": error", case.results.default_error, 0, accuracy)
+      check.equal(case.id .. ": error as told", case.results.default_told, case.results.default_error, 1e-12)
       checks.counts(known, case, { iterations = case.results.default_iterations, work = case.results.default_work }, check)
       if not pair.answers then
         checks.results(known, case, check)

@@ -1,32 +1,35 @@
 #!/usr/bin/python3
-"""Siconos' solvers on the dry problems in space below a folder: how many each answers, and in what multiple of the least time.
-siconos_profile.py DIR [SECONDS of processor time that a solver may take]"""
+"""Siconos' solvers on the dry problems with friction below a folder: seconds of each that answers, as the table siconos.lua that
+study.lua draws. siconos_profile.py DIR [SECONDS of processor time that a solver may take] > siconos.lua"""
 import pathlib
-import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "friction_problems"))
-from siconos_solvers import SOLVERS, attempt, load  # noqa: E402
+from siconos_solvers import FLAT, SOLVERS, attempt, load  # noqa: E402
 
 
-def dry_in_space(path):
+def solvers_for(path):
+    """None where the problem is not one of theirs."""
     try:
-        return load(path) is not None
+        W, _, mu = load(path)
     except ValueError:
-        return False
+        return None
+    return SOLVERS if len(W) == 3 * len(mu) else FLAT
 
 
 def main():
     limit = int(sys.argv[2]) if len(sys.argv) > 2 else 5
-    files = sorted(str(p) for p in pathlib.Path(sys.argv[1]).rglob("problems/*.h5") if dry_in_space(str(p)))
-    found = {path: {name: attempt(path, name, limit) for name in SOLVERS} for path in files}
-    print("%d problems, %d answered by at least one" % (len(files), sum(any(own.values()) for own in found.values())))
-    for name in SOLVERS:
-        ratios = []
-        for own in found.values():
-            if own[name]:
-                ratios.append(own[name]["seconds"] / min(other["seconds"] for other in own.values() if other))
-        print("%-12s %4d answered, median %.1f of the least time" % (name, len(ratios), statistics.median(ratios or [0])))
+    top = pathlib.Path(sys.argv[1])
+    print("-- Processor seconds of Siconos' solvers on those of the problems that they take, made by siconos_profile.py.")
+    print("return {")
+    for path in sorted(top.rglob("problems/*.h5")):
+        names = solvers_for(str(path))
+        if names is None:
+            continue
+        found = {name: attempt(str(path), name, limit) for name in names}
+        own = ["%s = %.3g" % (name, found[name]["seconds"]) for name in names if found[name]]
+        print('  ["%s"] = { %s },' % (path.relative_to(top).with_suffix(""), ", ".join(own)), flush=True)
+    print("}")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,8 @@
 --     ./stiction run studies/peers/solver_profile --set folder=/tmp/problems
 --
 -- All start from no force. Cost: iterations or sweeps; work in products W p, so that it repeats. The quick form takes the
--- friction problems that are kept beside.
+-- friction problems that are kept beside. siconos.lua has the seconds that Siconos' solvers took on those that they take: dry
+-- ones with friction; seconds compare only if both sides ran on one machine.
 local stiction = require "stiction"
 local listed = require "problems"
 
@@ -14,7 +15,9 @@ local solvers = { "newton", "uzawa", "gauss_seidel" }
 local methods = { "none", "sweeps", "newton", "proximal", "descent", "minimisation", "gauss_seidel", "uzawa", "pivoting",
   "enumeration" }
 local tolerance = 1e-8
-local profile = require "../common/profile.lua".of { solvers = solvers, tolerance = tolerance, lines = stiction.figure.lines }
+local profiles = require "../common/profile.lua"
+local profile = profiles.of { solvers = solvers, tolerance = tolerance, lines = stiction.figure.lines }
+local siconos = require "siconos" -- problem -> solver -> s, of those that answered
 
 local names = {}
 for _, group in ipairs(listed) do
@@ -32,8 +35,36 @@ local results = {
       end
       return -1
     end },
+  { name = "seconds", unit = "s", meaning = "processor time of the newton solver", function(run) return run.newton.seconds end },
 }
 profile.add_results(results)
+
+local function least_of(seconds)
+  local least
+  for _, s in pairs(seconds) do
+    least = math.min(s, least or s)
+  end
+  return least
+end
+
+local beside = profiles.of { solvers = { "Stiction, default", "Siconos, the best for each", "Siconos, Gauss-Seidel" },
+  lines = stiction.figure.lines, cost = function(case, solver)
+    local theirs = siconos[case.p.problem]
+    if solver == "Stiction, default" then
+      return profile.solved(case, "newton") and case.results.seconds or nil
+    elseif solver == "Siconos, Gauss-Seidel" then
+      return theirs.NSGS
+    end
+    return least_of(theirs)
+  end }
+
+local function those_of_siconos(cases)
+  local chosen = {}
+  for _, case in ipairs(cases) do
+    chosen[#chosen + 1] = siconos[case.p.problem] and case or nil
+  end
+  return chosen
+end
 
 --- "sweeps 3 newton 1": what in the default solver answered these.
 local function words_of_methods(cases)
@@ -96,7 +127,10 @@ return stiction.study {
     check.within("median of the default's work over the least", ratios[(#ratios + 1) // 2] or math.huge, 1, 4)
   end,
   figures = function(cases)
-    return { stiction.figure.panel { name = "profile", columns = 2, figures = {
+    local drawn = { stiction.figure.panel { name = "profile", columns = 2, figures = {
       profile.figure(cases, "iterations", "by iterations"), profile.figure(cases, "work", "by work") } } }
+    local shared = those_of_siconos(cases)
+    drawn[2] = #shared > 0 and beside.figure(shared, "siconos", ("by processor time, %d dry problems"):format(#shared)) or nil
+    return drawn
   end,
 }
