@@ -1,6 +1,8 @@
 // Aggregates of nodes, prolongators smoothed from rigid-body modes, Galerkin products and the V cycle.
 #include "linear/multigrid.hpp"
 
+#include "linear/single_level.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -10,11 +12,9 @@ namespace stiction::linear {
 
 namespace level {
 
-constexpr int coarse = 6; ///< unknowns of a coarse node: the modes of its aggregate
-
 template<int B> using Square = Eigen::Matrix<double, B, B>;
 
-/// A level: its matrix, what smooths it, and the way to the next.
+/// A level as it is set up, and as cycles see it.
 template<int B> struct Level {
   BlockMatrix<B, B> const* A = nullptr;
   BlockMatrix<B, B> own;          ///< of all but the first
@@ -22,7 +22,7 @@ template<int B> struct Level {
   Indices own_block;              ///< [nodes], the diagonal ones
   std::vector<Square<B>> inverse; ///< of the diagonal blocks
   BlockMatrix<B, coarse> P;
-  Vector r{}, z{}, rest{};
+  SingleLevel<B> single;
 };
 
 } // namespace level
@@ -196,30 +196,12 @@ template<int B> Dense prepare(Level<B>& level, Dense const& modes) {
   return coarse_modes;
 }
 
-/// A sweep of block Gauss-Seidel forwards from nothing, and what it leaves: only of later nodes.
-template<int B> void relax_from_nothing(Level<B>& level) {
-  auto const& A = *level.A;
-  level.z.resize(level.r.size());
-  level.rest.resize(level.r.size());
-  for (Index i = 0; i < A.rows(); ++i)
-    level.z.template segment<B>(B * i) =
-        level.inverse[ix(i)] * (level.r.template segment<B>(B * i) -
-                                blocks_times(A, A.starts[ix(i)], level.own_block[ix(i)], level.z));
-  for (Index i = 0; i < A.rows(); ++i)
-    level.rest.template segment<B>(B * i) =
-        -blocks_times(A, level.own_block[ix(i)] + 1, A.starts[ix(i) + 1], level.z);
-}
-
-/// A sweep of block Gauss-Seidel backwards.
-template<int B> void relax_backwards(Level<B>& level) {
-  auto next = level.held.size();
-  for (Index i = level.A->rows() - 1; i >= 0; --i) {
-    Eigen::Matrix<double, B, 1> left = level.r.template segment<B>(B * i) - row_times(*level.A, i, level.z);
-    if constexpr (B == 3)
-      if (next > 0 && level.held[next - 1].node == i)
-        left -= level.held[--next].stiffness * level.z.template segment<3>(3 * i);
-    level.z.template segment<B>(B * i) += level.inverse[ix(i)] * left;
-  }
+/// What cycles need of a level that is set up.
+template<int B> void hand_over(Level<B>& level) {
+  level.single.take_matrix(*level.A);
+  for (Index i = 0; i < level.A->rows(); ++i)
+    level.single.set_inverse(i, level.inverse[ix(i)]);
+  level.single.take_prolongation(level.P);
 }
 
 } // namespace
@@ -240,22 +222,29 @@ struct Multigrid::Levels {
     for (auto& level : coarser)
       level.A = &level.own;
   }
-  /// All that follows from the matrix of the first coarse level.
+  /// All that follows from the matrix of the first coarse level; with aggregates and prolongators as they are
+  /// once it has changed.
   void make_coarser();
+  void follow();
+  void factor_last();
   void change(HeldNode const* was, HeldNode const* is);
-  /// r of the level is given, z is found.
-  template<int B> void cycle(Level<B>& level, std::size_t below) {
-    if (below == coarser.size() && B == coarse) {
-      level.z = last.solve(level.r);
-      return;
-    }
-    relax_from_nothing(level);
-    auto& down = coarser[below];
-    down.r.setZero(coarse * level.P.columns);
-    add_transposed_product(level.P, level.rest, down.r);
-    cycle(down, below + 1);
-    add_product(level.P, down.z, level.z);
-    relax_backwards(level);
+  /// z of the level is found from r, which is used up.
+  template<int B> void cycle(SingleLevel<B>& level, std::size_t below) {
+    auto& down = coarser[below].single;
+    level.forwards();
+    level.restrict_to(down.r);
+    if (below + 1 == coarser.size())
+      solve_last(down);
+    else
+      cycle(down, below + 1);
+    level.add_prolonged(down.z);
+    level.backwards();
+  }
+  void solve_last(SingleLevel<coarse>& level) const {
+    Dense b = unpadded<coarse>(level.r).template cast<double>();
+    Eigen::Map<Vector> all(b.data(), b.size());
+    last.solveInPlace(all);
+    unpadded<coarse>(level.z) = b.cast<float>();
   }
 };
 
@@ -281,9 +270,26 @@ void Multigrid::Levels::make_coarser() {
     now = prepare(level, now);
     if (level.P.columns == 0 || level.P.columns >= level.own.rows())
       break;
+    hand_over(level);
     coarser.emplace_back().own = product(transposed(level.P), product(level.own, level.P));
   }
+  factor_last();
+}
+
+void Multigrid::Levels::follow() {
+  for (std::size_t k = 0; k + 1 < coarser.size(); ++k) {
+    auto& level = coarser[k];
+    invert_diagonal(level);
+    hand_over(level);
+    coarser[k + 1].own = product(transposed(level.P), product(level.own, level.P));
+  }
+  factor_last();
+}
+
+void Multigrid::Levels::factor_last() {
   auto const& end = coarser.back().own;
+  for (auto* vector : {&coarser.back().single.r, &coarser.back().single.z})
+    vector->setZero(lanes<coarse> * end.rows());
   Dense all = Dense::Zero(coarse * end.rows(), coarse * end.rows());
   for (Index i = 0; i < end.rows(); ++i)
     for (Index k = end.starts[ix(i)]; k < end.starts[ix(i) + 1]; ++k)
@@ -300,6 +306,7 @@ void Multigrid::set_up(BlockMatrix<3, 3> const& A, Dense const& modes) {
   levels_->coarser.reserve(most_levels + 1);
   levels_->modes = prepare(finest, modes);
   levels_->free_P = finest.P;
+  hand_over(finest);
   levels_->coarser.emplace_back().own = product(transposed(finest.P), product(A, finest.P));
   levels_->make_coarser();
 }
@@ -314,6 +321,7 @@ void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
   Matrix3 const before = was != nullptr ? was->stiffness : Matrix3::Zero(),
                 after = is != nullptr ? is->stiffness : Matrix3::Zero();
   finest.inverse[ix(i)] = inverse_of<3>(own + after);
+  finest.single.set_inverse(i, finest.inverse[ix(i)]);
   Matrix3 const free = is != nullptr ? Matrix3(finest.inverse[ix(i)] * own) : Matrix3::Identity();
   using Rows = Eigen::Matrix<double, 3, coarse>;
   Indices const columns(P.column.begin() + P.starts[ix(i)], P.column.begin() + P.starts[ix(i) + 1]);
@@ -321,6 +329,7 @@ void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
   for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k) {
     old.emplace_back(P.block(k));
     P.block(k) = free * free_P.block(k);
+    finest.single.P.set(k, P.block(k));
     d.emplace_back(P.block(k) - old.back());
   }
   for (std::size_t a = 0; a < columns.size(); ++a)
@@ -358,13 +367,18 @@ void Multigrid::hold(std::vector<HeldNode> held) {
   }
   release(std::numeric_limits<Index>::max());
   now = std::move(held);
-  levels_->make_coarser();
+  levels_->follow();
 }
 
 void Multigrid::cycle(Vector const& r, Vector& z) {
-  levels_->finest.r = r;
-  levels_->cycle(levels_->finest, 0);
-  z = levels_->finest.z;
+  auto& finest = levels_->finest.single;
+  double const size = r.lpNorm<Eigen::Infinity>(); // keeps what is small within single precision's range
+  z.setZero(r.size());
+  if (!(size > 0))
+    return;
+  unpadded<3>(finest.r) = (1 / size * by_node<3>(r)).cast<float>();
+  levels_->cycle(finest, 0);
+  by_node<3>(z) = size * unpadded<3>(finest.z).cast<double>();
 }
 
 double Multigrid::complexity() const {

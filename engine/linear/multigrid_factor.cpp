@@ -8,6 +8,7 @@
 
 #include "linear/krylov.hpp"
 #include "linear/multigrid.hpp"
+#include "linear/symmetric_product.hpp"
 
 namespace stiction::linear {
 
@@ -138,6 +139,7 @@ private:
   std::shared_ptr<Pattern const> pattern_;
   std::shared_ptr<NodesOfUnknowns const> nodes_;
   BlockMatrix<3, 3> A_;
+  SymmetricProduct product_; ///< with A_
   Multigrid plain_, held_;
   bool holds_ = false; ///< has held_ been changed since it was plain_?
   SurfaceRows rows_;
@@ -190,6 +192,7 @@ bool MultigridFactor::take(std::span<double const> values) {
       A_.block(A_.find(a / 3, a / 3))(a % 3, a % 3) = mean;
     else if (own[a] < 0)
       return false;
+  product_.take(A_);
   plain_.set_up(A_, nodes_->modes);
   held_ = plain_;
   holds_ = false;
@@ -202,10 +205,7 @@ Vector MultigridFactor::solved(Vector const& b, Vector u) {
     u = Vector::Zero(b.size());
   if (b.isZero(0))
     return u;
-  auto const apply = [&](Vector const& x, Vector& y) {
-    y.setZero(x.size());
-    add_product(A_, x, y);
-  };
+  auto const apply = [&](Vector const& x, Vector& y) { product_(x, y); };
   auto const end = conjugate_gradients(apply, [&](Vector const& r, Vector& z) { plain_.cycle(r, z); }, b, u,
                                        {solved_to, most_for_load});
   spend(0, end.iterations * cycle_operations());
@@ -320,8 +320,7 @@ bool MultigridFactor::solve(PointLaws const& laws, Vector const& p, double toler
   Vector u, load, z;
   auto const apply = [&](Vector const& v, Vector& w) {
     u = v.head(n);
-    load.setZero(n);
-    add_product(A_, u, load);
+    product_(u, load);
     add_loads(v.tail(m), -1, load);
     w.resize(n + m);
     w.head(n) = load;
@@ -336,8 +335,7 @@ bool MultigridFactor::solve(PointLaws const& laws, Vector const& p, double toler
     w.tail(m) = by_blocks(inverse, v.tail(m) - by_blocks(laws.B, motion_at_points(z)));
   };
   Vector right = Vector::Zero(n + m), both;
-  load.setZero(n);
-  add_product(A_, motion_, load);
+  product_(motion_, load);
   add_loads(p, -1, load);
   right.head(n) = -load;
   right.tail(m) = laws.right;
