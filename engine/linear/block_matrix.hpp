@@ -4,9 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/types.hpp"
+#include "core/threads.hpp"
 
 namespace stiction::linear {
+
+inline constexpr Index few_rows = 128; ///< that one thread does best
 
 /// Rows of R x C blocks, in compressed rows.
 template<int R, int C> struct BlockMatrix {
@@ -30,6 +32,14 @@ template<int R, int C> struct BlockMatrix {
   }
 };
 
+/// act(i) for all rows, by all threads.
+template<class Act> void each_row(Index rows, Act const& act) {
+  core::each_piece(rows, few_rows, [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i)
+      act(i);
+  });
+}
+
 /// Blocks `first` to before `last`, of one row, times their parts of x.
 template<int R, int C>
 [[nodiscard]] Eigen::Matrix<double, R, 1> blocks_times(BlockMatrix<R, C> const& A, Index first, Index last,
@@ -48,34 +58,54 @@ template<int R, int C>
 
 /// y += A x
 template<int R, int C> void add_product(BlockMatrix<R, C> const& A, Vector const& x, Vector& y) {
-  for (Index i = 0; i < A.rows(); ++i)
-    y.segment<R>(R * i) += row_times(A, i, x);
+  each_row(A.rows(), [&](Index i) { y.segment<R>(R * i) += row_times(A, i, x); });
 }
 
-/// y += A^T x
-template<int R, int C> void add_transposed_product(BlockMatrix<R, C> const& A, Vector const& x, Vector& y) {
-  for (Index i = 0; i < A.rows(); ++i)
-    for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
-      y.segment<C>(C * A.column[ix(k)]).noalias() += A.block(k).transpose() * x.segment<R>(R * i);
-}
+/// Where the blocks of each column are, by ascending rows.
+struct Columns {
+  Indices starts;     ///< [columns + 1]
+  Indices row, place; ///< [blocks]
+};
 
-template<int R, int C> [[nodiscard]] BlockMatrix<C, R> transposed(BlockMatrix<R, C> const& A) {
-  BlockMatrix<C, R> T;
-  T.columns = A.rows();
-  T.starts.assign(ix(A.columns) + 1, 0);
+template<int R, int C> [[nodiscard]] Columns columns_of(BlockMatrix<R, C> const& A) {
+  Columns made{Indices(ix(A.columns) + 1, 0), Indices(A.column.size()), Indices(A.column.size())};
   for (Index const j : A.column)
-    ++T.starts[ix(j) + 1];
-  for (std::size_t j = 1; j < T.starts.size(); ++j)
-    T.starts[j] += T.starts[j - 1];
-  T.column.resize(A.column.size());
-  T.values.resize(A.values.size());
-  Indices next(T.starts.begin(), T.starts.end() - 1);
+    ++made.starts[ix(j) + 1];
+  for (std::size_t j = 1; j < made.starts.size(); ++j)
+    made.starts[j] += made.starts[j - 1];
+  Indices next(made.starts.begin(), made.starts.end() - 1);
   for (Index i = 0; i < A.rows(); ++i)
     for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k) {
-      Index const to = next[ix(A.column[ix(k)])]++;
-      T.column[ix(to)] = i;
-      T.block(to) = A.block(k).transpose();
+      auto const to = ix(next[ix(A.column[ix(k)])]++);
+      made.row[to] = i;
+      made.place[to] = k;
     }
+  return made;
+}
+
+/// y = A^T x
+template<int R, int C>
+void transposed_product(BlockMatrix<R, C> const& A, Columns const& at, Vector const& x, Vector& y) {
+  y.resize(C * A.columns);
+  each_row(A.columns, [&](Index j) {
+    Eigen::Matrix<double, C, 1> sum = Eigen::Matrix<double, C, 1>::Zero();
+    for (Index k = at.starts[ix(j)]; k < at.starts[ix(j) + 1]; ++k)
+      sum.noalias() += A.block(at.place[ix(k)]).transpose() * x.segment<R>(R * at.row[ix(k)]);
+    y.segment<C>(C * j) = sum;
+  });
+}
+
+template<int R, int C>
+[[nodiscard]] BlockMatrix<C, R> transposed(BlockMatrix<R, C> const& A, Columns const& at) {
+  BlockMatrix<C, R> T;
+  T.columns = A.rows();
+  T.starts = at.starts;
+  T.column = at.row;
+  T.values.resize(A.values.size());
+  each_row(A.columns, [&](Index j) {
+    for (Index k = at.starts[ix(j)]; k < at.starts[ix(j) + 1]; ++k)
+      T.block(k) = A.block(at.place[ix(k)]).transpose();
+  });
   return T;
 }
 
@@ -112,19 +142,60 @@ private:
   std::vector<Block> sums_;
 };
 
-/// A B, rows in ascending columns.
+/// Rows `first` to before `last` of A B alone.
 template<int R, int K, int C>
-[[nodiscard]] BlockMatrix<R, C> product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B) {
+[[nodiscard]] BlockMatrix<R, C> rows_of_product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B,
+                                                Index first, Index last) {
   BlockMatrix<R, C> AB;
-  AB.columns = B.columns;
   RowOfBlocks<R, C> row(B.columns);
-  for (Index i = 0; i < A.rows(); ++i) {
+  for (Index i = first; i < last; ++i) {
     for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
       for (Index l = B.starts[ix(A.column[ix(k)])]; l < B.starts[ix(A.column[ix(k)]) + 1]; ++l)
         row.at(B.column[ix(l)]).noalias() += A.block(k) * B.block(l);
     row.move_to(AB);
   }
   return AB;
+}
+
+/// A B, rows in ascending columns.
+template<int R, int K, int C>
+[[nodiscard]] BlockMatrix<R, C> product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B) {
+  std::vector<BlockMatrix<R, C>> parts(core::most_pieces);
+  core::each_piece(A.rows(), few_rows, [&](Index first, Index last) {
+    parts[ix(core::piece_of(A.rows(), few_rows, first))] = rows_of_product(A, B, first, last);
+  });
+  BlockMatrix<R, C> AB;
+  AB.columns = B.columns;
+  std::size_t blocks = 0;
+  for (auto const& part : parts)
+    blocks += part.column.size();
+  AB.column.reserve(blocks);
+  AB.values.reserve(R * C * blocks);
+  for (auto& part : parts) {
+    auto const before = static_cast<Index>(AB.column.size());
+    AB.column.insert(AB.column.end(), part.column.begin(), part.column.end());
+    AB.values.insert(AB.values.end(), part.values.begin(), part.values.end());
+    for (Index i = 1; i <= part.rows(); ++i)
+      AB.starts.push_back(before + part.starts[ix(i)]);
+    part = {}; // its memory is wanted for the next
+  }
+  return AB;
+}
+
+/// Rows in another order, or as they are, and columns with other numbers.
+template<int R, int C>
+[[nodiscard]] BlockMatrix<R, C> renumbered(BlockMatrix<R, C> const& A, Indices const* order,
+                                           Indices const& number) {
+  BlockMatrix<R, C> B;
+  B.columns = A.columns;
+  RowOfBlocks<R, C> row(A.columns);
+  for (Index i = 0; i < A.rows(); ++i) {
+    Index const from = order != nullptr ? (*order)[ix(i)] : i;
+    for (Index k = A.starts[ix(from)]; k < A.starts[ix(from) + 1]; ++k)
+      row.at(number[ix(A.column[ix(k)])]) = A.block(k);
+    row.move_to(B);
+  }
+  return B;
 }
 
 } // namespace stiction::linear

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <mutex>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "linear/cholmod_view.hpp"
+#include "linear/panels.hpp"
 #include "linear/recycling.hpp"
 
 extern "C" {
@@ -28,11 +31,59 @@ void refuse_lack_of_memory(cholmod_common const& common, Pattern const& pattern,
 
 } // namespace
 
+/// What a thread needs to solve with a factor.
+struct Cholesky::Solver {
+  cholmod_common common{};
+  cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
+
+  explicit Solver(cholmod_factor const& factor) {
+    cholmod_start(&common);
+    common.print = 0;
+    auto const n = factor.n, edge = std::max<std::size_t>(factor.maxesize, 1);
+    solution = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
+    scratch1 = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
+    scratch2 = cholmod_allocate_dense(edge, 1, edge, CHOLMOD_REAL, &common);
+  }
+  Solver(Solver const&) = delete;
+  Solver& operator=(Solver const&) = delete;
+  ~Solver() {
+    for (auto* dense : {&solution, &scratch1, &scratch2})
+      cholmod_free_dense(dense, &common);
+    cholmod_finish(&common);
+  }
+};
+
 struct Cholesky::Workspace {
   cholmod_common common{};
-  cholmod_sparse matrix{};
   cholmod_factor* factor = nullptr;
-  cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
+  std::optional<Panels> panels;
+  std::mutex guard; ///< of the solvers that nobody uses
+  std::vector<std::unique_ptr<Solver>> solvers;
+};
+
+/// A solver while it is used.
+class Cholesky::Borrowed {
+public:
+  explicit Borrowed(Workspace& from) : from_(&from) {
+    std::lock_guard const lock(from.guard);
+    if (from.solvers.empty()) {
+      solver_ = std::make_unique<Solver>(*from.factor);
+    } else {
+      solver_ = std::move(from.solvers.back());
+      from.solvers.pop_back();
+    }
+  }
+  Borrowed(Borrowed const&) = delete;
+  Borrowed& operator=(Borrowed const&) = delete;
+  ~Borrowed() {
+    std::lock_guard const lock(from_->guard);
+    from_->solvers.push_back(std::move(solver_));
+  }
+  Solver* operator->() const { return solver_.get(); }
+
+private:
+  Workspace* from_;
+  std::unique_ptr<Solver> solver_;
 };
 
 Cholesky::Cholesky(Pattern pattern, Index trailing, Order order)
@@ -50,23 +101,15 @@ Cholesky::Cholesky(Pattern pattern, Index trailing, Order order)
     common.method[0].ordering = CHOLMOD_NATURAL; // the pattern comes ordered
     common.postorder = 0;                        // and the trailing unknowns stay last
   }
-  auto& matrix = work_->matrix;
-  matrix = view_of(pattern_);
+  auto matrix = view_of(pattern_);
   work_->factor = cholmod_analyze(&matrix, &common);
   refuse_lack_of_memory(common, pattern_, sizeof(double) * common.lnz);
   core::expect(work_->factor != nullptr, "CHOLMOD to analyse the pattern");
-  matrix.xtype = CHOLMOD_REAL;
-  // what solving needs is taken now, lest it takes the blocks that the next factorization counts on
-  auto const n = matrix.nrow, edge = std::max<std::size_t>(work_->factor->maxesize, 1);
-  work_->solution = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
-  work_->scratch1 = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
-  work_->scratch2 = cholmod_allocate_dense(edge, 1, edge, CHOLMOD_REAL, &common);
+  work_->solvers.push_back(std::make_unique<Solver>(*work_->factor));
 }
 
 Cholesky::~Cholesky() {
   auto& w = *work_;
-  for (auto* dense : {&w.solution, &w.scratch1, &w.scratch2})
-    cholmod_free_dense(dense, &w.common);
   cholmod_free_factor(&w.factor, &w.common);
   cholmod_finish(&w.common);
 }
@@ -78,19 +121,21 @@ Effort Cholesky::effort() const {
 bool Cholesky::factorize(std::span<double const> values) {
   core::expect(values.size() == pattern_.rows.size(), "one value per entry of the pattern");
   auto& w = *work_;
-  w.matrix.x = const_cast<double*>(values.data()); // CHOLMOD reads only
   factor_ready_ = false;
   if (values.empty()) // nothing is unknown: CHOLMOD calls the empty matrix singular
     return true;
-  cholmod_factorize(&w.matrix, w.factor, &w.common);
-  refuse_lack_of_memory(w.common, pattern_, sizeof(double) * static_cast<double>(w.factor->xsize));
-  return w.common.status == CHOLMOD_OK && w.factor->minor == w.factor->n;
+  if (!w.panels) { // the first time
+    cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, w.factor, &w.common);
+    refuse_lack_of_memory(w.common, pattern_, sizeof(double) * static_cast<double>(w.factor->xsize));
+    w.panels.emplace(*w.factor, pattern_);
+  }
+  return w.panels->factorize(values, static_cast<double*>(w.factor->x));
 }
 
 void Cholesky::solve_system(int system, Eigen::Ref<Dense> B) {
   if (B.size() == 0)
     return;
-  auto& w = *work_;
+  Borrowed const solver(*work_);
   cholmod_dense rhs{};
   rhs.nrow = rhs.d = static_cast<std::size_t>(B.rows());
   rhs.ncol = static_cast<std::size_t>(B.cols());
@@ -98,10 +143,10 @@ void Cholesky::solve_system(int system, Eigen::Ref<Dense> B) {
   rhs.x = B.data();
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  int const solved = cholmod_solve2(system, w.factor, &rhs, nullptr, &w.solution, nullptr, &w.scratch1,
-                                    &w.scratch2, &w.common);
+  int const solved = cholmod_solve2(system, work_->factor, &rhs, nullptr, &solver->solution, nullptr,
+                                    &solver->scratch1, &solver->scratch2, &solver->common);
   core::expect(solved == 1, "CHOLMOD to solve with its factor");
-  std::copy_n(static_cast<double const*>(w.solution->x), B.size(), B.data());
+  std::copy_n(static_cast<double const*>(solver->solution->x), B.size(), B.data());
 }
 
 void Cholesky::solve(Vector& b) {

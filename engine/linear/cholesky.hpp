@@ -23,7 +23,7 @@ public:
   /// values[entries] of the lower triangle. False if the matrix is not positive definite; that of no
   /// unknowns is.
   [[nodiscard]] bool factorize(std::span<double const> values);
-  /// Solves A x = b in place; b[n], B[n, any].
+  /// Solves A x = b in place; b[n], B[n, any]. Several threads may solve at the same time.
   void solve(Vector& b);
   void solve(Dense& B);
   /// The halves of solve, in the given order: z = L^-1 b, then b = L^-T z, in place. Between them what acts
@@ -40,6 +40,8 @@ public:
 
 private:
   struct Workspace;
+  struct Solver;
+  class Borrowed;
   void solve_system(int system, Eigen::Ref<Dense> B);
 
   Pattern pattern_;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 
 namespace stiction::linear {
 
@@ -17,11 +18,13 @@ struct alignas(64) Header {
   Header* next;
 };
 
+std::mutex guard; ///< of both
 std::array<Header*, 64> freed{};
 std::size_t from_system = 0;
 
 void* take(std::size_t bytes) {
   auto const size_class = static_cast<std::size_t>(std::bit_width(bytes + sizeof(Header)));
+  std::lock_guard const lock(guard);
   if (auto* header = freed[size_class]) {
     freed[size_class] = header->next;
     return header + 1;
@@ -39,6 +42,7 @@ void give(void* block) {
   if (block == nullptr)
     return;
   auto* header = static_cast<Header*>(block) - 1;
+  std::lock_guard const lock(guard);
   header->next = freed[header->size_class];
   freed[header->size_class] = header;
 }

@@ -32,13 +32,14 @@ bool SkewColumns::add(Cholesky& factor, std::vector<ColumnEntry> entries, Index 
   return least > 0 && std::isfinite(least);
 }
 
-Index SkewColumns::compliance(Indices const& used, Dense& C) {
+long SkewColumns::compliance(Indices const& used, Dense& C) {
   auto const solve = [this](Index first, Dense& X) {
     X.setZero();
     X.middleRows(first, X.cols()).setIdentity();
     X = schur_.solve(X);
+    return 0.0;
   };
-  return columns_->gather(used, solve, C);
+  return columns_->gather(used, solve, C).columns;
 }
 
 Vector SkewColumns::condense(Cholesky& factor, Vector const& z) const {

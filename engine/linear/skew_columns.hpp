@@ -16,7 +16,7 @@ public:
   /// False if S + B is singular on the surface.
   [[nodiscard]] bool add(Cholesky& factor, std::vector<ColumnEntry> entries, Index surface);
   /// C(i, j): motion of surface unknown used[i] per load on used[j]; returns how many columns that took.
-  Index compliance(Indices const& used, Dense& C);
+  long compliance(Indices const& used, Dense& C);
   [[nodiscard]] double numbers() const { return columns_->numbers(); }
   /// As of SurfaceColumns.
   [[nodiscard]] Indices known() const { return columns_->known(); }

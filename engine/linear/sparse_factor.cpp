@@ -38,8 +38,10 @@ public:
     return std::make_shared<Carried const>(Carried{known(), {}, {}});
   }
   void compliance(Indices const& used, Dense& C) override {
-    auto const solve = [this](Index first, Dense& X) { solve_columns(first, X); };
-    spend(columns_.gather(used, solve, C), 0);
+    prepare_columns();
+    auto const spent = columns_.gather(
+        used, [this](Index first, Dense& X) { return solve_columns(first, X); }, C);
+    spend(spent.columns, spent.operations);
   }
 
 protected:
@@ -47,7 +49,10 @@ protected:
     columns_.clear();
     return factor_->factorize(values);
   }
-  virtual void solve_columns(Index first, Dense& X) = 0;
+  /// Before several threads solve for columns.
+  virtual void prepare_columns() {}
+  /// As of SurfaceColumns.
+  [[nodiscard]] virtual double solve_columns(Index first, Dense& X) = 0;
   [[nodiscard]] virtual Indices known() const { return columns_.known(); }
   [[nodiscard]] Cholesky& factor() { return *factor_; }
   [[nodiscard]] std::unique_ptr<Cholesky> fresh() const {
@@ -91,8 +96,8 @@ public:
     if (!skew_)
       return SparseFactor::compliance(used, C);
     auto const n = static_cast<double>(surface());
-    Index const columns = skew_->compliance(used, C);
-    spend(columns, 2 * n * n * columns);
+    long const columns = skew_->compliance(used, C);
+    spend(columns, 2 * n * n * static_cast<double>(columns));
   }
 
   [[nodiscard]] double surface_numbers() const override {
@@ -113,19 +118,20 @@ protected:
     return skew_.emplace().add(factor(), std::move(columns), surface());
   }
   [[nodiscard]] Indices known() const override { return skew_ ? skew_->known() : SparseFactor::known(); }
+  void prepare_columns() override { static_cast<void>(factor().trailing_factor()); }
   /// Rows above `first` want neither half of the solution.
-  void solve_columns(Index first, Dense& X) override {
+  [[nodiscard]] double solve_columns(Index first, Dense& X) override {
     auto const rows = surface() - first;
     auto const n = static_cast<double>(rows);
     if (X.cols() == surface()) {
-      spend(0, n * n * n);
-      return invert(X);
+      invert(X);
+      return n * n * n;
     }
     auto const L = factor().trailing_factor().bottomRightCorner(rows, rows);
     X.setIdentity();
     L.triangularView<Eigen::Lower>().solveInPlace(X);
     L.transpose().triangularView<Eigen::Upper>().solveInPlace(X);
-    spend(0, 2 * n * n * static_cast<double>(X.cols()));
+    return 2 * n * n * static_cast<double>(X.cols());
   }
 
 private:
@@ -166,16 +172,13 @@ protected:
     core::expect(columns.empty(), "columns beside the matrix only where the surface is last");
     return true;
   }
-  void solve_columns(Index first, Dense& X) override {
-    loads_.setZero(pattern().size(), X.cols());
-    loads_.middleRows(first_of_surface() + first, X.cols()).setIdentity();
-    factor().solve(loads_);
-    X = loads_.bottomRows(X.rows());
-    spend(0, 4 * effort().entries * static_cast<double>(X.cols()));
+  [[nodiscard]] double solve_columns(Index first, Dense& X) override {
+    Dense loads = Dense::Zero(pattern().size(), X.cols());
+    loads.middleRows(first_of_surface() + first, X.cols()).setIdentity();
+    factor().solve(loads);
+    X = loads.bottomRows(X.rows());
+    return 4 * effort().entries * static_cast<double>(X.cols());
   }
-
-private:
-  Dense loads_;
 };
 
 constexpr double small = 1000; // surface unknowns below which nothing but the surface last is looked at

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/threads.hpp"
+
 namespace stiction::linear {
 
 namespace {
@@ -37,28 +39,36 @@ void SurfaceColumns::drop(std::vector<bool> const& wanted) {
   numbers_ = needed;
 }
 
-Index SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) {
+Spent SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) {
   std::vector<bool> wanted(groups_.size(), false);
   for (Index const u : used)
     wanted[ix(u / width_)] = true;
-  Index columns = 0;
-  for (Index g = 0; g < static_cast<Index>(groups_.size()); ++g) {
-    if (!wanted[ix(g)] || groups_[ix(g)].size() > 0)
-      continue;
-    Index const first = g * width_, count = std::min(width_, surface_ - first);
-    groups_[ix(g)].resize(symmetric_ ? surface_ - first : surface_, count);
-    solve(first, groups_[ix(g)]);
-    columns += count;
-    numbers_ += static_cast<double>(groups_[ix(g)].size());
+  Indices missing;
+  for (Index g = 0; g < static_cast<Index>(groups_.size()); ++g)
+    if (wanted[ix(g)] && groups_[ix(g)].size() == 0)
+      missing.push_back(g);
+  std::vector<double> operations(missing.size());
+  core::each(static_cast<Index>(missing.size()), [&](Index k) {
+    Index const first = missing[ix(k)] * width_;
+    auto& group = groups_[ix(missing[ix(k)])];
+    group.resize(symmetric_ ? surface_ - first : surface_, std::min(width_, surface_ - first));
+    operations[ix(k)] = solve(first, group);
+  });
+  Spent spent;
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    auto const& group = groups_[ix(missing[k])];
+    spent.columns += group.cols();
+    spent.operations += operations[k];
+    numbers_ += static_cast<double>(group.size());
   }
-  if (columns > 0)
+  if (spent.columns > 0)
     drop(wanted);
   auto const n = static_cast<Index>(used.size());
   C.resize(n, n);
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       C(i, j) = entry(used[ix(i)], used[ix(j)]);
-  return columns;
+  return spent;
 }
 
 double SurfaceColumns::entry(Index row, Index column) const {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/types.hpp"
+#include "linear/bulk_factor.hpp"
 
 namespace stiction::linear {
 
@@ -17,10 +17,10 @@ public:
       : surface_(surface), width_(width), symmetric_(symmetric), groups_(ix((surface + width - 1) / width)) {}
 
   /// As many columns from `first` on as X has, [surface, any]; of a symmetric compliance their rows from
-  /// `first` on, [surface - first, any].
-  using Solve = std::function<void(Index first, Dense& X)>;
-  /// C(i, j): compliance between used[i] and used[j]; returns how many columns that took.
-  Index gather(Indices const& used, Solve const& solve, Dense& C);
+  /// `first` on, [surface - first, any]. Returns the operations that took; several threads may call it.
+  using Solve = std::function<double(Index first, Dense& X)>;
+  /// C(i, j): compliance between used[i] and used[j].
+  Spent gather(Indices const& used, Solve const& solve, Dense& C);
   void clear();
   /// The first column of each group that is known.
   [[nodiscard]] Indices known() const;

@@ -9,11 +9,13 @@ namespace stiction::solid {
 
 class BlockPasses;
 
-/// Cells of one kind with everything that stays: gradients and volumes at the quadrature points.
+/// Cells of one kind and law, all of them or a slab, with everything that stays: gradients and volumes at the
+/// quadrature points.
 struct PreparedBlock {
   mesh::CellKind kind;
   int nodes, points;
   Indices connectivity;          ///< [cells, nodes]
+  Indices number;                ///< [cells], of each in the body's mesh, from 0
   std::vector<double> gradients; ///< [cells, points, width, nodes], 1/m; width as in Geometry
   std::vector<double>
       volumes; ///< that the points stand for, [cells, points], m^2 (m^3 when axisymmetric or in 3D)

@@ -2,11 +2,15 @@
 #include "solid/cells.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/error.hpp"
+#include "core/threads.hpp"
 #include "solid/passes.hpp"
+#include "solid/slabs.hpp"
 
 namespace stiction::solid {
 
@@ -79,17 +83,49 @@ BlockPasses const& passes(Kinematics kinematics, int nodes) {
 
 Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics_(kinematics) {
   core::expect(body.mesh.nodes.cols() == dimension(kinematics), "a mesh of the kinematics' dimension");
-  for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i)
-    blocks_.push_back(prepare(body.mesh.blocks[i], body.law_of(i)));
+  Index first = 0;
+  for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i) {
+    auto const& block = body.mesh.blocks[i];
+    divide(block, body.law_of(i), first);
+    first += static_cast<Index>(block.nodes.size()) / mesh::info(block.kind).nodes;
+  }
+  core::each(static_cast<Index>(blocks_.size()), [&](Index i) { prepare(blocks_[ix(i)]); });
+  std::ptrdiff_t entry = 0;
+  for (auto const& block : blocks_) {
+    first_entry_.push_back(entry);
+    auto const dofs = std::ptrdiff_t{dimension(kinematics_)} * block.nodes;
+    entry += block.cells() * (dofs * (dofs + 1) / 2);
+  }
 }
 
-PreparedBlock Cells::prepare(mesh::Block const& block, material::Material const& law) const {
+/// The cells of a block in slabs, first every other one; a few cells in one piece. first: number of the first
+/// cell.
+void Cells::divide(mesh::Block const& block, material::Material const& law, Index first) {
   auto const& rule = mesh::stiffness_rule(block.kind);
   int const nodes = mesh::info(block.kind).nodes, points = static_cast<int>(rule.weights.size());
   core::expect(points <= most_points, "quadrature points within the capacity of a cell");
-  PreparedBlock prepared{block.kind, nodes, points, block.nodes, {}, {}, &passes(kinematics_, nodes), &law};
+  auto const cells = static_cast<Index>(block.nodes.size()) / nodes;
+  auto const slab = slabs(block.nodes, nodes);
+  Index const count = cells > 0 ? *std::ranges::max_element(slab) + 1 : 0,
+              before = static_cast<Index>(blocks_.size());
+  auto const place = [&](Index k) { return before + (k % 2 == 0 ? k / 2 : (count + k) / 2); };
+  for (Index k = 0; k < count; ++k)
+    blocks_.push_back({block.kind, nodes, points, {}, {}, {}, {}, &passes(kinematics_, nodes), &law});
+  for (Index c = 0; c < cells; ++c) {
+    auto& own = blocks_[ix(place(slab[ix(c)]))];
+    own.number.push_back(first + c);
+    own.connectivity.insert(own.connectivity.end(), &block.nodes[ix(c * nodes)],
+                            &block.nodes[ix(c * nodes)] + nodes);
+  }
+  waves_.push_back({before, before + (count + 1) / 2});
+  waves_.push_back({before + (count + 1) / 2, before + count});
+}
+
+void Cells::prepare(PreparedBlock& prepared) const {
+  auto const& rule = mesh::stiffness_rule(prepared.kind);
+  int const nodes = prepared.nodes, points = prepared.points;
   for (Index c = 0; c < prepared.cells(); ++c) {
-    Matrix const X = corners(body_->mesh, nodes_of(prepared, c));
+    Matrix const X = corners(body_->mesh, solid::nodes_of(prepared, c));
     for (int q = 0; q < points; ++q) {
       auto const [inverse, determinant] = jacobian(X, rule.gradients[ix(q)]);
       Dense const gradients = rule.gradients[ix(q)] * inverse; // columns follow each other in memory
@@ -102,7 +138,6 @@ PreparedBlock Cells::prepare(mesh::Block const& block, material::Material const&
           prepared.gradients.push_back(rule.shape(q, a) / R);
     }
   }
-  return prepared;
 }
 
 Index Cells::count() const {
@@ -112,29 +147,34 @@ Index Cells::count() const {
   return total;
 }
 
+/// Calls pass(number of a block, block), wave by wave.
+template<class BlockPass> void Cells::each_block(BlockPass const& pass) const {
+  for (auto const& wave : waves_)
+    core::each(wave.last - wave.first,
+               [&](Index k) { pass(ix(wave.first + k), blocks_[ix(wave.first + k)]); });
+}
+
 Pass Cells::add_force(std::span<double const> u, std::span<double> force) const {
+  std::vector<Pass> parts(blocks_.size());
+  each_block([&](std::size_t i, PreparedBlock const& block) {
+    Index const inverted = block.passes->add_force({block, *body_, u}, force, parts[i].energy);
+    parts[i].inverted_cell = inverted >= 0 ? block.number[ix(inverted)] : -1;
+  });
   Pass pass;
-  Index before = 0;
-  for (auto const& block : blocks_) {
-    Index const inverted = block.passes->add_force({block, *body_, u}, force, pass.energy);
-    if (inverted >= 0) {
-      pass.inverted_cell = before + inverted;
-      return pass;
-    }
-    before += block.cells();
+  for (auto const& part : parts) {
+    pass.energy += part.energy;
+    if (!part.sound() && (pass.sound() || part.inverted_cell < pass.inverted_cell))
+      pass.inverted_cell = part.inverted_cell;
   }
   return pass;
 }
 
 /// Calls pass(block, target) for each block with the part of the map that is its own.
 template<class BlockPass>
-void Cells::each_target(ScatterMap const& map, StiffnessTarget target, BlockPass&& pass) const {
-  target.map = map.data();
-  for (auto const& block : blocks_) {
-    pass(block, target);
-    int const dofs = dimension(kinematics_) * block.nodes;
-    target.map += static_cast<std::ptrdiff_t>(block.cells()) * (dofs * (dofs + 1) / 2);
-  }
+void Cells::each_target(ScatterMap const& map, StiffnessTarget target, BlockPass const& pass) const {
+  each_block([&](std::size_t i, PreparedBlock const& block) {
+    pass(block, StiffnessTarget{target.factor, map.data() + first_entry_[i], target.values});
+  });
 }
 
 void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
@@ -146,11 +186,13 @@ void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap c
 
 double Cells::add_damping(std::span<double const> u, std::span<double const> v,
                           std::span<double> force) const {
-  double power = 0;
-  if (damped())
-    for (auto const& block : blocks_)
-      power += block.passes->add_damping({block, *body_, u}, v, force);
-  return power;
+  if (!damped())
+    return 0;
+  std::vector<double> power(blocks_.size());
+  each_block([&](std::size_t i, PreparedBlock const& block) {
+    power[i] = block.passes->add_damping({block, *body_, u}, v, force);
+  });
+  return std::accumulate(power.begin(), power.end(), 0.0);
 }
 
 void Cells::add_damping_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
@@ -165,8 +207,9 @@ void Cells::add_damping_stiffness(std::span<double const> u, double factor, Scat
 NodalStress Cells::stress(std::span<double const> u) const {
   Index const nodes = body_->mesh.node_count();
   StressSums sums{Vector::Zero(nodes), Matrix::Zero(nodes, stress_components(kinematics_))};
-  for (auto const& block : blocks_)
+  each_block([&](std::size_t, PreparedBlock const& block) {
     block.passes->add_stress({block, *body_, u}, sums);
+  });
   NodalStress result{std::move(sums.cauchy), Vector::Zero(nodes)};
   for (Index i = 0; i < nodes; ++i) {
     if (sums.volume[i] > 0)
@@ -179,7 +222,7 @@ NodalStress Cells::stress(std::span<double const> u) const {
 void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const {
   for (auto const& block : blocks_)
     for (Index c = 0; c < block.cells(); ++c) {
-      auto const cell = nodes_of(block, c);
+      auto const cell = solid::nodes_of(block, c);
       Matrix const X = corners(body_->mesh, cell);
       visit(cell, consistent_mass(mesh::mass_rule(block.kind), X, body_->density, kinematics_));
     }
@@ -188,7 +231,19 @@ void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> 
 void Cells::each_cell(std::function<void(std::span<Index const>)> const& visit) const {
   for (auto const& block : blocks_)
     for (Index c = 0; c < block.cells(); ++c)
-      visit(nodes_of(block, c));
+      visit(solid::nodes_of(block, c));
+}
+
+std::span<Index const> Cells::nodes_of(Index cell) const {
+  for (auto const& block : body_->mesh.blocks) {
+    int const nodes = mesh::info(block.kind).nodes;
+    auto const cells = static_cast<Index>(block.nodes.size()) / nodes;
+    if (cell < cells)
+      return {&block.nodes[ix(cell * nodes)], ix(nodes)};
+    cell -= cells;
+  }
+  core::expect(false, "a cell of the mesh");
+  std::abort();
 }
 
 } // namespace stiction::solid

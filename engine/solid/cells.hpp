@@ -10,7 +10,7 @@ namespace stiction::solid {
 /// Outcome of one pass over the cells.
 struct Pass {
   double energy = 0;        ///< strain energy, J (J/m in plane strain)
-  Index inverted_cell = -1; ///< first cell with det F <= 0, whose stress does not exist
+  Index inverted_cell = -1; ///< a cell with det F <= 0, whose stress does not exist, as numbered in the mesh
   [[nodiscard]] bool sound() const { return inverted_cell < 0; }
 };
 
@@ -24,6 +24,8 @@ struct NodalStress {
   Vector von_mises; ///< [nodes], Pa
 };
 
+/// Many cells are kept in slabs, of which every other one can be worked on at the same time: what is summed
+/// at a node has an order that does not depend on the number of threads.
 class Cells {
 public:
   /// Throws nothing; the mesh must have passed mesh::check.
@@ -50,16 +52,26 @@ public:
   void each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const;
   /// Visits each cell's nodes in the order that add_stiffness reads its map.
   void each_cell(std::function<void(std::span<Index const>)> const& visit) const;
+  /// Of a cell as numbered in the mesh.
+  [[nodiscard]] std::span<Index const> nodes_of(Index cell) const;
   [[nodiscard]] Index count() const;
 
 private:
-  [[nodiscard]] PreparedBlock prepare(mesh::Block const& block, material::Material const& law) const;
+  /// Blocks that share no nodes: from `first` to before `last`.
+  struct Wave {
+    Index first, last;
+  };
+  void divide(mesh::Block const& block, material::Material const& law, Index first);
+  void prepare(PreparedBlock& block) const;
+  template<class BlockPass> void each_block(BlockPass const& pass) const;
   template<class BlockPass>
-  void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass&& pass) const;
+  void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass const& pass) const;
 
   Body const* body_;
   Kinematics kinematics_;
   std::vector<PreparedBlock> blocks_;
+  std::vector<std::ptrdiff_t> first_entry_; ///< [blocks], in the ScatterMap
+  std::vector<Wave> waves_;
 };
 
 } // namespace stiction::solid

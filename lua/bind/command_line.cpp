@@ -40,6 +40,9 @@ private:
     auto const keep = [this, key](T const& given) { line_.options[key] = given; };
     return sub.add_option_function<T>(name, keep, meaning)->type_name(type);
   }
+  void threads(CLI::App& sub, std::string const& meaning) {
+    value<double>(sub, "--threads", "N", meaning)->check(CLI::Range(1, 1024).description(""));
+  }
   void study_options(CLI::App& sub) {
     flag(sub, "quick", "The study's quick form: fewer cases, coarser");
     value<std::vector<std::string>>(sub, "--set", "NAME=VALUE",
@@ -101,6 +104,9 @@ void Commands::add_run() {
   add_sharing(run);
   value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
       ->check(CLI::Range(1, 4096).description(""));
+  threads(run,
+          "Threads of each case, whose numbers do not depend on it (default: cores that --jobs leaves free; "
+          "one where runs share a sweep)");
   out(run);
   value<std::string>(run, "--accuracy", "SHARE",
                      "With the cheapest settings that the study's trade measured to be so near, e.g. 2%");
@@ -259,6 +265,7 @@ void Commands::add_others() {
   study(bench);
   study_options(bench);
   one_case(bench);
+  threads(bench, "Threads of the case; times are of the processor, of all of them (default: 1)");
   flag(bench, "json", "Print JSON instead of a table");
   auto& help = command("help", "Explain commands, studies, units, and everything a scene can hold");
   value<std::string>(help, "topic", "TOPIC", "E.g. study, units, material, rcc");
@@ -274,6 +281,7 @@ void Commands::add_internal() {
   out(one)->required();
   flag(one, "trade", "");
   flag(one, "alone", "");
+  threads(one, "");
   value<std::string>(one, "--fingerprint", "HEX", "");
   value<std::string>(one, "--for", "WORKER", "");
   value<double>(one, "--rehearse", "N", "");

@@ -1,6 +1,7 @@
 // The verbs of a scene for scripts: validate, explain and run.
 #include "bind/engine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -200,8 +201,8 @@ scene::Keeping keeping(lua_State* lua) {
   return keeping;
 }
 
-/// run(scene, {out =, case_id =, manifest =, rehearse =, alone =, stop_after =, checkpoint = file to keep
-/// where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
+/// run(scene, {out =, case_id =, manifest =, threads =, rehearse =, alone =, stop_after =, checkpoint = file
+/// to keep where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
 /// progress, tell) -> result; progress(snapshot) is called once a step, tell(text) with a line on the
 /// checkpoint
 int run(lua_State* lua) {
@@ -212,6 +213,7 @@ int run(lua_State* lua) {
   options.out = option(lua, "out");
   options.case_id = option(lua, "case_id");
   options.manifest_json = option(lua, "manifest");
+  options.threads = std::max(1, static_cast<int>(number(lua, "threads")));
   options.rehearse = static_cast<int>(number(lua, "rehearse"));
   options.stop_after = static_cast<long>(number(lua, "stop_after"));
   options.alone = is_set(lua, "alone");

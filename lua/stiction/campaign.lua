@@ -263,7 +263,9 @@ function campaign.run(plan, rows)
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,
     checkpoint = options.checkpoint, force = options.force,
-    jobs = math.floor(options.jobs or engine.cores()), fingerprints = fingerprints,
+    jobs = math.floor(options.jobs or math.max(1, engine.cores() // (options.threads or 1))),
+    threads = options.threads or (plan.office or options.trade) and 1,
+    fingerprints = fingerprints,
     worker = (claims.of(plan.folder) or {}).worker }
   local tally
   settings.tick, tally = teller(plan, #rows)

@@ -8,7 +8,7 @@ local jobs = {}
 local patience = 15 -- s that a child told to stop may take to close its files
 
 --- Command line of the child that runs one case.
-local function words_for(case, options)
+local function words_for(case, options, threads)
   local words = { engine.program(), "case", options.study, "--case", case.id, "--out", options.folder }
   if options.fingerprints then
     words[#words + 1], words[#words + 2] = "--fingerprint", options.fingerprints[case.id]
@@ -19,6 +19,7 @@ local function words_for(case, options)
   if options.problems then
     words[#words + 1], words[#words + 2] = "--problems", ("%d"):format(options.problems)
   end
+  words[#words + 1], words[#words + 2] = "--threads", ("%d"):format(threads)
   if options.checkpoint then
     words[#words + 1], words[#words + 2] = "--checkpoint", ("%.17g"):format(options.checkpoint)
   end
@@ -58,9 +59,15 @@ local function server(pool)
   return alive and waiting or engine.spawn(words, { "OPENBLAS_NUM_THREADS=1" }, true)
 end
 
-local function start(pool, case)
+--- Of a case that begins, with so many others still to begin: as asked for, or the cores that nobody else needs.
+local function threads_of(pool, waiting)
+  local at_once = math.min(pool.options.jobs, #pool.running + 1 + waiting)
+  return math.floor(pool.options.threads or math.max(1, engine.cores() // at_once))
+end
+
+local function start(pool, case, waiting)
   local process = server(pool)
-  engine.request(process, words_for(case, pool.options))
+  engine.request(process, words_for(case, pool.options, threads_of(pool, waiting)))
   pool.running[#pool.running + 1] = { case = case, process = process, text = "", noted = engine.clock(),
     began = engine.clock() }
 end
@@ -186,7 +193,7 @@ local function begin(pool, cases, place)
   elseif not pool.display.width then
     pool.display:note_good(("%s  started (%d of %d)"):format(case.id, place, #cases))
   end
-  start(pool, case)
+  start(pool, case, #cases - place)
 end
 
 local function how_it_ended(result)
@@ -238,7 +245,7 @@ end
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
 --- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
 --- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
---- must find too; nil: any), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and
+--- must find too; nil: any), threads (of each case; nil: cores that the others leave free), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and
 --- then; a job that it marks `lost` is ended without a word), worker (name of what this process has in the folder).
 function jobs.run(cases, options, on_end)
   local pool = { options = options, running = {}, idle = {}, display = progress.display(options.quiet, #cases) }

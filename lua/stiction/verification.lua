@@ -102,7 +102,7 @@ local function run_group(group, place, options, told)
     list[i], by_id[id] = { id = id }, case
   end
   local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set,
-    trust = options.trust, jobs = math.floor(options.jobs or engine.cores()), tolerant = true }
+    trust = options.trust, jobs = math.floor(options.jobs or engine.cores()), threads = 1, tolerant = true }
   return jobs.run(list, settings, function(case, result)
     told(by_id[case.id], result)
   end) == "stopped"

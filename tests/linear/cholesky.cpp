@@ -8,6 +8,7 @@
 #include "linear/cholesky.hpp"
 #include "linear/recycling.hpp"
 #include "linear/systems.hpp"
+#include "threads.hpp"
 
 using namespace stiction;
 using namespace stiction::linear;
@@ -108,6 +109,25 @@ TEST_SUITE("linear") {
     Vector b = dense(cholesky.pattern(), good) * Vector::Ones(36);
     cholesky.solve(b);
     CHECK((b - Vector::Ones(36)).norm() < 1e-13);
+  }
+
+  TEST_CASE("factors and solutions do not depend on the number of threads, nor do refusals") {
+    for (auto const order : {Order::given, Order::free})
+      same_by_threads([&] {
+        Index const trailing = 200;
+        Cholesky cholesky(layers(20, 10, trailing), trailing, order); // some panels need only their own tree
+        auto const values = values_of(cholesky.pattern(), 3);
+        REQUIRE(cholesky.factorize(values));
+        Vector b = Vector::LinSpaced(cholesky.pattern().size(), -1, 2);
+        Vector const exact = b;
+        multiply(cholesky.pattern(), values, exact, b);
+        cholesky.solve(b);
+        CHECK((b - exact).norm() < 1e-12 * exact.norm());
+        auto bad = values;
+        bad[ix(cholesky.pattern().columns[ix(cholesky.pattern().size() - 1)])] = -1;
+        CHECK_FALSE(cholesky.factorize(bad));
+        return b;
+      });
   }
 
   TEST_CASE("no unknowns: the empty system is solved") {

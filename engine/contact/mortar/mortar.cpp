@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/threads.hpp"
 
 namespace stiction::contact {
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double negligible = 1e-9;
 /// How far beyond the primary's border a sample may start, in parts of a facet: rounding.
 constexpr double at_border = 0.01;
+constexpr Index few = 32; // facets or samples that one thread does best
 
 template<int D> Box<D> box_of(CellSurface const& surface, int facet, Positions x) {
   auto const nodes = surface.positions<D>(facet, x);
@@ -51,10 +53,11 @@ template<int D> void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obsta
   } else {
     cut(x);
   }
-  for (auto& sample : samples_) {
-    pairings_.push_back(pair(sample, sample.start, x));
-    sample.start = pairings_.back().foot;
-  }
+  pairings_.resize(samples_.size());
+  each_sample([&](std::size_t s) {
+    pairings_[s] = pair(samples_[s], samples_[s].start, x);
+    samples_[s].start = pairings_[s].foot;
+  });
   for (auto& point : points_)
     point.share = 0;
   for (std::size_t s = 0; s < samples_.size(); ++s)
@@ -79,15 +82,27 @@ template<int D> void Mortar<D>::cut(Positions x) {
     boxes.push_back(box_of<D>(*primary_, f, x));
   grid_.build(boxes);
   auto const sides = faced(x);
-  for (int f = 0; f < secondary_->size(); ++f)
-    for (auto const& point : cut_facet(sides, f, candidates(f, x), range_)) {
-      auto sample = make_sample(*secondary_, f, point.at, point.weight, around_);
-      Vec2 const middle = middle_coordinates(primary_->facet(point.primary).kind);
-      sample.start =
-          meet(*primary_, ray_of(sides, sample), {point.primary, middle.x(), middle.y()}, at_border, x);
-      if (sample.start.found())
-        samples_.push_back(sample);
-    }
+  std::vector<std::vector<Sample>> of_facet(static_cast<std::size_t>(secondary_->size()));
+  core::each_piece(secondary_->size(), few, [&](Index first, Index last) {
+    for (int f = first; f < last; ++f)
+      for (auto const& point : cut_facet(sides, f, candidates(f, x), range_)) {
+        auto sample = make_sample(*secondary_, f, point.at, point.weight, around_);
+        Vec2 const middle = middle_coordinates(primary_->facet(point.primary).kind);
+        sample.start =
+            meet(*primary_, ray_of(sides, sample), {point.primary, middle.x(), middle.y()}, at_border, x);
+        if (sample.start.found())
+          of_facet[ix(f)].push_back(sample);
+      }
+  });
+  for (auto const& samples : of_facet)
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+}
+
+template<int D> template<class Act> void Mortar<D>::each_sample(Act const& act) {
+  core::each_piece(static_cast<Index>(samples_.size()), few, [&](Index first, Index last) {
+    for (Index s = first; s < last; ++s)
+      act(ix(s));
+  });
 }
 
 /// An obstacle may lie anywhere.
@@ -160,16 +175,20 @@ template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obst
     point.kinematics = {};
     point.columns.clear();
   }
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
+  rows_.resize(samples_.size());
+  each_sample([&](std::size_t s) {
     Foot const guess = pairings_[s].found() ? pairings_[s].foot : samples_[s].start;
     pairings_[s] = pair(samples_[s], guess, x);
+    if (pairings_[s].found())
+      rows_[s] = rows(s, x);
+  });
+  for (std::size_t s = 0; s < samples_.size(); ++s)
     share(s);
-  }
   for (std::size_t p = 0; p < points_.size(); ++p)
     points_[p].kinematics.found = std::min(points_[p].share, points_[p].area) > negligible * hat_areas_[p];
   for (std::size_t s = 0; s < samples_.size(); ++s)
     if (pairings_[s].found())
-      add_mean(s, x);
+      add_mean(s);
   for (auto& [area, now, heaviest, kinematics, columns] : points_) {
     kinematics.count = static_cast<int>(kinematics.nodes.size());
     kinematics.H.resize(D, kinematics.unknowns());
@@ -188,9 +207,9 @@ template<int D> Mat<D>& Mortar<D>::PointMean::column_of(Index node) {
   return columns[slot];
 }
 
-template<int D> void Mortar<D>::add_mean(std::size_t s, Positions x) {
+template<int D> void Mortar<D>::add_mean(std::size_t s) {
   auto const& pairing = pairings_[s];
-  auto const [nodes, H] = rows(s, x);
+  auto const& [nodes, H] = rows_[s];
   int const facet = samples_[s].facet;
   for (int k = 0; k < secondary_->facet(facet).corners(); ++k) {
     auto& point = points_[ix(point_of(facet, k))];

@@ -86,7 +86,8 @@ private:
   [[nodiscard]] Slots touched(std::vector<std::size_t> const& samples, Positions x) const;
   void add_by_fans(Dense const& by_fans, Slots& slot, Dense& K, Positions x) const;
   void share(std::size_t s);
-  void add_mean(std::size_t s, Positions x);
+  void add_mean(std::size_t s);
+  template<class Act> void each_sample(Act const& act);
   [[nodiscard]] Local<D> force_on(std::size_t s, std::vector<Local<D>> const& forces) const;
   [[nodiscard]] double hat_area(std::size_t s, int corner) const {
     return samples_[s].area * samples_[s].hats[corner];
@@ -105,6 +106,7 @@ private:
   std::optional<PosedObstacle<D>> obstacle_;
   std::vector<Sample> samples_;
   std::vector<SamplePairing<D>> pairings_; ///< [samples]
+  std::vector<RowsOfSample> rows_;         ///< [samples], of those that found something
   std::vector<PointMean> points_;
 };
 

@@ -271,12 +271,9 @@ std::string BulkSystem::cell_words(Index cell) const {
   while (cell >= model_->cells[body].count())
     cell -= model_->cells[body++].count();
   Vector middle = Vector::Zero(dim_);
-  Index seen = 0;
-  model_->cells[body].each_cell([&](std::span<Index const> nodes) {
-    if (seen++ == cell)
-      for (Index const node : nodes)
-        middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
-  });
+  auto const nodes = model_->cells[body].nodes_of(cell);
+  for (Index const node : nodes)
+    middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
   return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
                      fmt::join(middle, ", "));
 }

@@ -12,10 +12,10 @@ public:
   Timer& operator=(Timer const&) = delete;
 
 private:
-  /// Of this thread so far, s.
+  /// Of all threads so far, s.
   [[nodiscard]] static double now() {
     timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 

@@ -5,11 +5,16 @@
 #include <limits>
 
 #include "contact/tunnelling/obstacle_tunnelling.hpp"
+#include "core/threads.hpp"
 #include "dynamics/contact/settle_bond.hpp"
 #include "dynamics/model/contact_level.hpp"
 #include "dynamics/model/rigid_load.hpp"
 
 namespace stiction::dynamics {
+
+namespace {
+constexpr Index few = 64; // points that one thread does best
+}
 
 template<int D, int C>
 ContactPoints<D, C>::ContactPoints(Model const& model, contact::Problem& problem)
@@ -64,17 +69,24 @@ template<int D, int C> void ContactPoints<D, C>::limit_rates(Point& point, doubl
     point.force.setZero();
 }
 
+template<int D, int C> template<class Act> void ContactPoints<D, C>::each_point(Act const& act) {
+  core::each_piece(static_cast<Index>(points_.size()), few, [&](Index first, Index last) {
+    std::for_each(points_.begin() + first, points_.begin() + last, act);
+  });
+}
+
 template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool settle) {
   geometry_.locate(u);
-  for (auto const& point : points_)
-    geometry_.see(point.id, point.kinematics.foot);
+  each_point([&](Point const& point) { geometry_.see(point.id, point.kinematics.foot); });
   geometry_.settle();
+  each_point([&](Point& point) {
+    point.kinematics = geometry_.kinematics(point.id, point.kinematics.foot);
+    choose_active(point);
+  });
   active_.clear();
   bonding_changed_ = false;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     auto& point = points_[k];
-    point.kinematics = geometry_.kinematics(point.id, point.kinematics.foot);
-    choose_active(point);
     if (!point.active)
       continue;
     active_.push_back(static_cast<Index>(k));

@@ -37,6 +37,7 @@ public:
 
 private:
   void add_pair(int number);
+  template<class Act> void each_point(Act const& act);
   void limit_rates(Point& point, double dt) const;
   void choose_active(Point& point) const;
   void settle_closing(Point& point);

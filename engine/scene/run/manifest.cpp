@@ -177,6 +177,7 @@ json manifest_of(core::Input const& input, Scene const& scene, RunOptions const&
   manifest["scene"] = record::to_json(input);
   manifest["build"] = record::build_identity();
   manifest["host"] = record::host_facts();
+  manifest["host"]["threads"] = options.threads;
   manifest["settings"] = settings_of(scene);
   manifest["parts"] = describe_parts(input, scene.part);
   return manifest;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/threads.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "scene/run/manifest.hpp"
@@ -78,6 +79,7 @@ void validate(core::Input const& scene) {
 }
 
 RunResult run(core::Input const& input, RunOptions const& options) {
+  core::use_threads(options.threads);
   Checkpoint checkpoint(options.keeping);
   auto story = checkpoint.open();
   for (;;) {

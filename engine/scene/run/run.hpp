@@ -38,6 +38,7 @@ struct RunOptions {
   std::function<void(Progress const&)> progress;
   std::atomic<bool> const* stop = nullptr; ///< set by a signal: the run ends with verdict "stopped"
   Keeping keeping;
+  int threads = 1; ///< that share its loops; its numbers do not depend on how many
   /// For tests: stopped when the run has asked so often whether it is to stop, within steps too; 0: never.
   long stop_after = 0;
   /// For tests: every so many steps is first made and thrown away, then made again; 0: none.

@@ -21,7 +21,7 @@ local standard = {
 local function measure(options, study, case, folder)
   local found
   local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
-    trust = options.trust, jobs = 1, quiet = true, alone = true,
+    trust = options.trust, jobs = 1, threads = options.threads or 1, quiet = true, alone = true,
     force = true }
   hold.note(folder, study)
   output.settle(folder, { case })
@@ -122,7 +122,7 @@ return function(options)
     for i, entry in ipairs(standard) do
       if i > 1 and not options.json then report.line() end
       found[i] = bench { study = loader.own_study(entry.study), case = entry.case, set = entry.set or {}, quick = options.quick,
-        trust = options.trust, json = options.json }
+        threads = options.threads, trust = options.trust, json = options.json }
     end
   end
   if options.json then

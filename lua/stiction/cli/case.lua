@@ -91,7 +91,7 @@ local function run(options, study, begin)
     result, answers = problem.solve(study, case)
   else
     local settings = { out = folder, case_id = case.id, manifest = text,
-      rehearse = options.rehearse or 0, alone = options.alone, stop_after = options["stop-after"] or 0,
+      rehearse = options.rehearse or 0, alone = options.alone, threads = options.threads or 1, stop_after = options["stop-after"] or 0,
       checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
       program = identity.program(), fingerprint = fingerprint, anew = options.force }
     result = engine.run(study:scene_of(case), settings, progress_teller(begin), note)

@@ -68,7 +68,7 @@ local function run_cells(plan, rows)
   local options = plan.options
   local limit = seconds_of_a_cell[options.quick and "quick" or "full"]
   local settings = { study = options.study, folder = plan.folder, quick = options.quick,
-    jobs = math.floor(options.jobs or engine.cores()), limit = limit, tolerant = true, fingerprints = fingerprints,
+    jobs = math.floor(options.jobs or engine.cores()), threads = 1, limit = limit, tolerant = true, fingerprints = fingerprints,
     force = true }
   hold.note(plan.folder, plan.study)
   output.settle(plan.folder, plan.cases)

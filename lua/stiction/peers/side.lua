@@ -48,7 +48,8 @@ end
 --- Runs the study's case as a user would: {seconds =, memory = MiB, unknowns =, iterations =, results =} or {failed = why}.
 function side.ours(pair, folder)
   local out = place(pair, folder)
-  local words = { engine.program(), "run", pair.folder, "--out", out, "--no-figures", "--force", "--jobs", "1" }
+  local words = { engine.program(), "run", pair.folder, "--out", out, "--no-figures", "--force", "--jobs", "1",
+    "--threads", "1" }
   for _, name in ipairs(ordered.keys(pair.set)) do
     words[#words + 1], words[#words + 2] = "--set", ("%s=%s"):format(name, pair.set[name])
   end
