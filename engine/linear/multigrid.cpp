@@ -37,6 +37,7 @@ constexpr double dependent = 1e-8; ///< of a mode's length, left after the other
 constexpr double none = 1e-10;     ///< of a block's largest eigenvalue
 constexpr int powers = 12;
 constexpr std::size_t most_levels = 20;
+constexpr Index few_in_slab = 64; ///< coarse nodes that one thread does best
 
 /// Pseudo-inverse of a symmetric block.
 template<int B> Square<B> inverse_of(Square<B> const& block) {
@@ -55,10 +56,10 @@ template<int B> Square<B> diagonal_block(Level<B> const& level, Index i) {
 template<int B> void invert_diagonal(Level<B>& level) {
   level.inverse.resize(ix(level.A->rows()));
   level.own_block.resize(level.inverse.size());
-  for (Index i = 0; i < level.A->rows(); ++i)
+  each_row(level.A->rows(), [&](Index i) {
     level.own_block[ix(i)] = level.A->find(i, i);
-  for (Index i = 0; i < level.A->rows(); ++i)
     level.inverse[ix(i)] = inverse_of<B>(diagonal_block(level, i));
+  });
 }
 
 /// Largest eigenvalue of D^-1 A, from below, by powers.
@@ -71,8 +72,8 @@ template<int B> double largest_eigenvalue(Level<B> const& level) {
     x /= x.norm();
     y.setZero(x.size());
     add_product(*level.A, x, y);
-    for (Index i = 0; i < level.A->rows(); ++i)
-      y.segment<B>(B * i) = level.inverse[ix(i)] * y.segment<B>(B * i);
+    each_row(level.A->rows(),
+             [&](Index i) { y.segment<B>(B * i) = level.inverse[ix(i)] * y.segment<B>(B * i); });
     value = y.norm();
     x.swap(y);
   }
@@ -83,14 +84,14 @@ template<int B> double largest_eigenvalue(Level<B> const& level) {
 template<int B> std::vector<Indices> strong_neighbours(BlockMatrix<B, B> const& A) {
   Index const n = A.rows();
   Vector size(n);
-  for (Index i = 0; i < n; ++i)
-    size[i] = A.block(A.find(i, i)).norm();
+  each_row(n, [&](Index i) { size[i] = A.block(A.find(i, i)).norm(); });
   std::vector<Indices> near(ix(n));
-  for (Index i = 0; i < n; ++i)
+  each_row(n, [&](Index i) {
     for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
       if (Index const j = A.column[ix(k)];
           j != i && A.block(k).squaredNorm() > strong * strong * size[i] * size[j])
         near[ix(i)].push_back(j);
+  });
   return near;
 }
 
@@ -180,27 +181,48 @@ BlockMatrix<B, coarse> tentative(Aggregates const& aggregates, Dense const& mode
 template<int B> BlockMatrix<B, coarse> smoothed(Level<B> const& level, BlockMatrix<B, coarse> const& P) {
   double const omega = 4.0 / 3.0 / largest_eigenvalue(level);
   auto S = product(*level.A, P);
-  for (Index i = 0; i < S.rows(); ++i) {
+  each_row(S.rows(), [&](Index i) {
     for (Index k = S.starts[ix(i)]; k < S.starts[ix(i) + 1]; ++k)
       S.block(k) = -omega * (level.inverse[ix(i)] * S.block(k)).eval();
     for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k)
       S.block(S.find(i, P.column[ix(k)])) += P.block(k);
-  }
+  });
   return S;
 }
 
-template<int B> Dense prepare(Level<B>& level, Dense const& modes) {
+/// The prolongation of a level; its modes become those of the next one. False if that has no fewer nodes.
+template<int B> bool prepare(Level<B>& level, Dense& modes) {
   Dense coarse_modes;
   auto const aggregates = aggregate(strong_neighbours(*level.A));
   level.P = smoothed(level, tentative<B>(aggregates, modes, coarse_modes));
-  return coarse_modes;
+  modes = std::move(coarse_modes);
+  return level.P.columns > 0 && level.P.columns < level.A->rows();
+}
+
+/// P^T A P
+template<int B> BlockMatrix<coarse, coarse> matrix_below(Level<B> const& level) {
+  return product(transposed(level.P, columns_of(level.P)), product(*level.A, level.P));
+}
+
+/// The matrix of the next level, its nodes numbered in waves.
+template<int B> void make_next(Level<B>& level, Dense& modes, Level<coarse>& next) {
+  next.own = matrix_below(level);
+  auto made = waves_of(next.own, {std::max(few_in_slab, next.own.rows() / 16), 2});
+  Indices number(made.order.size());
+  for (std::size_t k = 0; k < number.size(); ++k)
+    number[ix(made.order[k])] = static_cast<Index>(k);
+  next.own = renumbered(next.own, &made.order, number);
+  level.P = renumbered(level.P, nullptr, number);
+  Dense const old = modes;
+  for (std::size_t k = 0; k < number.size(); ++k)
+    modes.middleRows<coarse>(coarse * static_cast<Index>(k)) = old.middleRows<coarse>(coarse * made.order[k]);
+  next.single.waves = std::move(made.waves);
 }
 
 /// What cycles need of a level that is set up.
 template<int B> void hand_over(Level<B>& level) {
   level.single.take_matrix(*level.A);
-  for (Index i = 0; i < level.A->rows(); ++i)
-    level.single.set_inverse(i, level.inverse[ix(i)]);
+  each_row(level.A->rows(), [&](Index i) { level.single.set_inverse(i, level.inverse[ix(i)]); });
   level.single.take_prolongation(level.P);
 }
 
@@ -267,11 +289,10 @@ void Multigrid::Levels::make_coarser() {
     if (level.own.rows() <= few)
       break;
     invert_diagonal(level);
-    now = prepare(level, now);
-    if (level.P.columns == 0 || level.P.columns >= level.own.rows())
+    if (!prepare(level, now))
       break;
+    make_next(level, now, coarser.emplace_back());
     hand_over(level);
-    coarser.emplace_back().own = product(transposed(level.P), product(level.own, level.P));
   }
   factor_last();
 }
@@ -281,7 +302,7 @@ void Multigrid::Levels::follow() {
     auto& level = coarser[k];
     invert_diagonal(level);
     hand_over(level);
-    coarser[k + 1].own = product(transposed(level.P), product(level.own, level.P));
+    coarser[k + 1].own = matrix_below(level);
   }
   factor_last();
 }
@@ -298,16 +319,18 @@ void Multigrid::Levels::factor_last() {
   last.compute(all);
 }
 
-void Multigrid::set_up(BlockMatrix<3, 3> const& A, Dense const& modes) {
+void Multigrid::set_up(BlockMatrix<3, 3> const& A, Dense const& modes, Waves const& waves) {
   levels_ = std::make_unique<Levels>();
   auto& finest = levels_->finest;
   finest.A = &A;
+  finest.single.waves = waves;
   invert_diagonal(finest);
   levels_->coarser.reserve(most_levels + 1);
-  levels_->modes = prepare(finest, modes);
+  levels_->modes = modes;
+  static_cast<void>(prepare(finest, levels_->modes));
+  make_next(finest, levels_->modes, levels_->coarser.emplace_back());
   levels_->free_P = finest.P;
   hand_over(finest);
-  levels_->coarser.emplace_back().own = product(transposed(finest.P), product(A, finest.P));
   levels_->make_coarser();
 }
 
@@ -329,7 +352,7 @@ void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
   for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k) {
     old.emplace_back(P.block(k));
     P.block(k) = free * free_P.block(k);
-    finest.single.P.set(k, P.block(k));
+    finest.single.set_prolongation(k, P.block(k));
     d.emplace_back(P.block(k) - old.back());
   }
   for (std::size_t a = 0; a < columns.size(); ++a)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linear/block_matrix.hpp"
+#include "linear/layers.hpp"
 
 namespace stiction::linear {
 
@@ -24,8 +25,12 @@ public:
   Multigrid& operator=(Multigrid&&) noexcept;
   ~Multigrid();
 
-  /// modes: motions that take no energy where nothing is held, [3 nodes, 6]. The matrix has to outlive this.
-  void set_up(BlockMatrix<3, 3> const& A, Dense const& modes);
+  /// modes: motions that take no energy where nothing is held, [3 nodes, 6]; waves: of its nodes. The matrix
+  /// has to outlive this.
+  void set_up(BlockMatrix<3, 3> const& A, Dense const& modes, Waves const& waves);
+  void set_up(BlockMatrix<3, 3> const& A, Dense const& modes) {
+    set_up(A, modes, Waves::one_by_one(A.rows()));
+  }
   /// Holds these nodes and no others, in ascending order; takes work by how many that changes.
   void hold(std::vector<HeldNode> held);
   /// z = about (A + held)^-1 r, by one V cycle: symmetric and positive definite where A is.

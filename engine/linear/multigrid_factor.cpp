@@ -18,6 +18,7 @@ namespace {
 /// up.
 constexpr double stored = 2.4, set_up_passes = 30;
 constexpr double solved_to = 1e-12;
+constexpr Index few_in_slab = 500; ///< nodes that one thread does best
 constexpr int most_for_load = 400; ///< iterations for a load
 constexpr int most_coupled = 60;   ///< vectors of GMRES
 constexpr double softness = 0.15;  ///< of a point's compliance, which the preconditioner adds to it
@@ -28,13 +29,14 @@ using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 class MultigridFactor : public BulkFactor, public CoupledBulk {
 public:
   MultigridFactor(Pattern pattern, Index surface, NodesOfUnknowns nodes)
-      : BulkFactor(surface), pattern_(std::make_shared<Pattern const>(std::move(pattern))),
-        nodes_(std::make_shared<NodesOfUnknowns const>(std::move(nodes))) {
-    shape_blocks();
+      : BulkFactor(surface), pattern_(std::make_shared<Pattern const>(std::move(pattern))) {
+    shape_blocks(nodes);
+    number_in_waves(std::move(nodes));
+    shape_blocks(*nodes_);
   }
   MultigridFactor(MultigridFactor const& like, int /*another*/)
-      : BulkFactor(like.surface()), pattern_(like.pattern_), nodes_(like.nodes_) {
-    shape_blocks();
+      : BulkFactor(like.surface()), pattern_(like.pattern_), nodes_(like.nodes_), waves_(like.waves_) {
+    shape_blocks(*nodes_);
   }
   [[nodiscard]] std::unique_ptr<BulkFactor> another() const override {
     return std::make_unique<MultigridFactor>(*this, 0);
@@ -96,7 +98,8 @@ protected:
   [[nodiscard]] bool add(std::vector<ColumnEntry> columns) override { return columns.empty(); }
 
 private:
-  void shape_blocks();
+  void shape_blocks(NodesOfUnknowns const& nodes);
+  void number_in_waves(NodesOfUnknowns nodes);
   [[nodiscard]] double cycle_operations() const {
     return cycle_passes * 2 * static_cast<double>(A_.values.size());
   }
@@ -137,7 +140,8 @@ private:
   }
 
   std::shared_ptr<Pattern const> pattern_;
-  std::shared_ptr<NodesOfUnknowns const> nodes_;
+  std::shared_ptr<NodesOfUnknowns const> nodes_; ///< in waves
+  Waves waves_;
   BlockMatrix<3, 3> A_;
   SymmetricProduct product_; ///< with A_
   Multigrid plain_, held_;
@@ -149,14 +153,15 @@ private:
 };
 
 /// The blocks that the pattern fills, and those of the diagonal.
-void MultigridFactor::shape_blocks() {
-  Index const n = static_cast<Index>(nodes_->modes.rows()) / 3;
+void MultigridFactor::shape_blocks(NodesOfUnknowns const& nodes) {
+  A_ = {};
+  Index const n = static_cast<Index>(nodes.modes.rows()) / 3;
   std::vector<Indices> near(ix(n));
   for (Index i = 0; i < n; ++i)
     near[ix(i)].push_back(i);
   for (Index j = 0; j < pattern_->size(); ++j)
     for (Index k = pattern_->columns[ix(j)]; k < pattern_->columns[ix(j) + 1]; ++k) {
-      Index const a = nodes_->place[ix(j)] / 3, b = nodes_->place[ix(pattern_->rows[ix(k)])] / 3;
+      Index const a = nodes.place[ix(j)] / 3, b = nodes.place[ix(pattern_->rows[ix(k)])] / 3;
       if (near[ix(a)].back() != b)
         near[ix(a)].push_back(b);
       if (near[ix(b)].back() != a)
@@ -172,10 +177,25 @@ void MultigridFactor::shape_blocks() {
   }
 }
 
+/// Takes other numbers for the nodes, with which many of them are smoothed at the same time.
+void MultigridFactor::number_in_waves(NodesOfUnknowns nodes) {
+  auto made = waves_of(A_, {std::max(few_in_slab, A_.rows() / 24), 2});
+  Indices number(made.order.size());
+  Dense const modes = nodes.modes;
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    number[ix(made.order[k])] = static_cast<Index>(k);
+    nodes.modes.middleRows<3>(3 * static_cast<Index>(k)) = modes.middleRows<3>(3 * made.order[k]);
+  }
+  for (Index& place : nodes.place)
+    place = 3 * number[ix(place / 3)] + place % 3;
+  waves_ = std::move(made.waves);
+  nodes_ = std::make_shared<NodesOfUnknowns const>(std::move(nodes));
+}
+
 bool MultigridFactor::take(std::span<double const> values) {
   A_.values.assign(9 * A_.column.size(), 0.0);
   Vector own = Vector::Zero(3 * A_.rows());
-  for (Index j = 0; j < pattern().size(); ++j)
+  each_row(pattern().size(), [&](Index j) {
     for (Index k = pattern().columns[ix(j)]; k < pattern().columns[ix(j) + 1]; ++k) {
       Index const a = nodes_->place[ix(j)], b = nodes_->place[ix(pattern().rows[ix(k)])];
       double const value = values[ix(k)];
@@ -184,6 +204,7 @@ bool MultigridFactor::take(std::span<double const> values) {
       if (a == b)
         own[a] = value;
     }
+  });
   if (!own.allFinite())
     return false;
   double const mean = own.mean();
@@ -192,8 +213,8 @@ bool MultigridFactor::take(std::span<double const> values) {
       A_.block(A_.find(a / 3, a / 3))(a % 3, a % 3) = mean;
     else if (own[a] < 0)
       return false;
-  product_.take(A_);
-  plain_.set_up(A_, nodes_->modes);
+  product_.take(A_, waves_);
+  plain_.set_up(A_, nodes_->modes, waves_);
   held_ = plain_;
   holds_ = false;
   load_.resize(0);

@@ -25,6 +25,23 @@ template<int B> void SingleLevel<B>::take_prolongation(BlockMatrix<B, coarse> co
       P.push(from.column[ix(k)], from.block(k));
     P.end_row();
   }
+  auto const at = columns_of(from);
+  P_transposed = {};
+  P_transposed.reserve(from.columns, from.column.size());
+  place_transposed.resize(from.column.size());
+  for (Index j = 0, place = 0; j < from.columns; ++j) {
+    for (Index k = at.starts[ix(j)]; k < at.starts[ix(j) + 1]; ++k) {
+      place_transposed[ix(at.place[ix(k)])] = place++;
+      P_transposed.push(at.row[ix(k)], from.block(at.place[ix(k)]).transpose());
+    }
+    P_transposed.end_row();
+  }
+}
+
+template<int B>
+void SingleLevel<B>::set_prolongation(Index k, Eigen::Matrix<double, B, coarse> const& block) {
+  P.set(k, block);
+  P_transposed.set(place_transposed[ix(k)], block.transpose());
 }
 
 template<int B> void SingleLevel<B>::set_inverse(Index i, Square const& block) {
@@ -43,36 +60,46 @@ Lanes<float, B> SingleLevel<B>::answer(Index i, Eigen::Array<float, B, 1> const&
 
 template<int B> void SingleLevel<B>::forwards() {
   rest.setZero();
-  for (Index i = 0; i < left->rows(); ++i) {
-    Eigen::Array<float, B, 1> const own = load<B>(r.data() + lanes<B> * ix(i)).template head<B>();
-    Lanes<float, B> const motion = answer(i, own - left->template times<Way::up>(i, z.data()));
-    store<B, float>(motion, z.data() + lanes<B> * ix(i));
-    left->template add_transposed<Way::up>(i, -motion.template head<B>(), rest.data());
-  }
+  waves.forwards([&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      Eigen::Array<float, B, 1> const own = load<B>(r.data() + lanes<B> * ix(i)).template head<B>();
+      Lanes<float, B> const motion = answer(i, own - left->template times<Way::up>(i, z.data()));
+      store<B, float>(motion, z.data() + lanes<B> * ix(i));
+      left->template add_transposed<Way::up>(i, -motion.template head<B>(), rest.data());
+    }
+  });
+}
+
+template<int B> void SingleLevel<B>::clear_padding(Eigen::VectorXf& all) const {
+  constexpr int padding = lanes<B> - B;
+  each_row(left->rows(), [&](Index i) { all.segment<padding>(lanes<B> * i + B).setZero(); });
 }
 
 template<int B> void SingleLevel<B>::backwards() {
-  for (Index i = left->rows() - 1; i >= 0; --i) {
-    auto const at = lanes<B> * ix(i);
-    Eigen::Array<float, B, 1> const own = load<B>(r.data() + at).template head<B>();
-    Lanes<float, B> const motion = answer(i, own - left->template times<Way::down>(i, z.data()));
-    store<B, float>(motion, z.data() + at);
-    left->template add_transposed<Way::down>(i, -motion.template head<B>(), r.data());
-  }
+  waves.backwards([&](Index first, Index last) {
+    for (Index i = last - 1; i >= first; --i) {
+      auto const at = lanes<B> * ix(i);
+      Eigen::Array<float, B, 1> const own = load<B>(r.data() + at).template head<B>();
+      Lanes<float, B> const motion = answer(i, own - left->template times<Way::down>(i, z.data()));
+      store<B, float>(motion, z.data() + at);
+      left->template add_transposed<Way::down>(i, -motion.template head<B>(), r.data());
+    }
+  });
 }
 
-template<int B> void SingleLevel<B>::restrict_to(Eigen::VectorXf& coarse_r) const {
-  coarse_r.setZero();
-  for (Index i = 0; i < P.rows(); ++i)
-    P.template add_transposed<Way::up>(i, load<B>(rest.data() + lanes<B> * ix(i)).template head<B>(),
-                                       coarse_r.data());
+template<int B> void SingleLevel<B>::restrict_to(Eigen::VectorXf& coarse_r) {
+  clear_padding(rest);
+  each_row(P_transposed.rows(), [&](Index j) {
+    Eigen::Map<Eigen::Array<float, coarse, 1>>{coarse_r.data() + lanes<coarse> * ix(j)} =
+        P_transposed.template times<Way::up>(j, rest.data());
+  });
 }
 
 template<int B> void SingleLevel<B>::add_prolonged(Eigen::VectorXf const& coarse_z) {
-  for (Index i = 0; i < P.rows(); ++i) {
+  each_row(P.rows(), [&](Index i) {
     auto const more = P.template times<Way::up>(i, coarse_z.data());
     Eigen::Map<Eigen::Array<float, B, 1>>{z.data() + lanes<B> * ix(i)} += more;
-  }
+  });
 }
 
 template struct SingleLevel<3>;

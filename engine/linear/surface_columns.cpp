@@ -65,9 +65,11 @@ Spent SurfaceColumns::gather(Indices const& used, Solve const& solve, Dense& C) 
     drop(wanted);
   auto const n = static_cast<Index>(used.size());
   C.resize(n, n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      C(i, j) = entry(used[ix(i)], used[ix(j)]);
+  core::each_piece(n, 64, [&](Index from, Index to) {
+    for (Index j = from; j < to; ++j)
+      for (Index i = 0; i < n; ++i)
+        C(i, j) = entry(used[ix(i)], used[ix(j)]);
+  });
   return spent;
 }
 

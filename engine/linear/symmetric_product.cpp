@@ -3,7 +3,8 @@
 
 namespace stiction::linear {
 
-void SymmetricProduct::take(BlockMatrix<3, 3> const& A) {
+void SymmetricProduct::take(BlockMatrix<3, 3> const& A, Waves const& waves) {
+  waves_ = waves;
   left_ = {};
   left_.reserve(A.rows(), (A.column.size() - ix(A.rows())) / 2);
   own_.clear();
@@ -21,11 +22,13 @@ void SymmetricProduct::take(BlockMatrix<3, 3> const& A) {
 void SymmetricProduct::operator()(Vector const& x, Vector& y) {
   unpadded<3>(x_) = by_node<3>(x);
   y_.setZero();
-  for (Index i = 0; i < left_.rows(); ++i) {
-    Eigen::Vector3d const own = x.segment<3>(3 * i);
-    y_.segment<3>(lanes<3> * i) += left_.times<Way::up>(i, x_.data()).matrix() + own_[ix(i)] * own;
-    left_.add_transposed<Way::up>(i, own.array(), y_.data());
-  }
+  waves_.forwards([&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      Eigen::Vector3d const own = x.segment<3>(3 * i);
+      y_.segment<3>(lanes<3> * i) += left_.times<Way::up>(i, x_.data()).matrix() + own_[ix(i)] * own;
+      left_.add_transposed<Way::up>(i, own.array(), y_.data());
+    }
+  });
   y.resize(x.size());
   by_node<3>(y) = unpadded<3>(y_);
 }

@@ -45,7 +45,8 @@ end
 local function sbatch_words(plan, count, folder)
   local options = plan.options
   local words = { "sbatch", "--parsable", "--requeue", "--open-mode=append", "--ntasks=1",
-    ("--cpus-per-task=%d"):format((options.jobs or 1) * (options.threads or 1)), ("--signal=B:TERM@%d"):format(notice), ("--array=1-%d"):format(count),
+    ("--cpus-per-task=%d"):format((options.jobs or 1) * (options.threads or 1)),
+    ("--signal=B:TERM@%d"):format(notice), ("--array=1-%d"):format(count),
     "--job-name=" .. plan.study.name, ("--output=%s/%%A_%%a.log"):format(folder) }
   for _, name in ipairs { "time", "partition" } do
     words[#words + 1] = options[name] and ("--%s=%s"):format(name, options[name]) or nil

@@ -245,8 +245,9 @@ end
 --- Runs the cases, `options.jobs` at a time; on_end(case, result) after each. Bad input in one stops the rest.
 --- Returns "stopped" if the user asked to stop. options: study, folder, quick, set, trust, jobs, quiet (no progress),
 --- limit (s that a case may take), tolerant (bad input stops nothing), fingerprints (by the case's id, which its process
---- must find too; nil: any), threads (of each case; nil: cores that the others leave free), take(case) (or nil: whether this run may begin it), tick(running) (or nil: called now and
---- then; a job that it marks `lost` is ended without a word), worker (name of what this process has in the folder).
+--- must find too; nil: any), threads (of each case; nil: the cores that no other case needs), take(case) (or nil: whether
+--- this run may begin it), tick(running) (or nil: called now and then; a job that it marks `lost` is ended without a
+--- word), worker (name of what this process has in the folder).
 function jobs.run(cases, options, on_end)
   local pool = { options = options, running = {}, idle = {}, display = progress.display(options.quiet, #cases) }
   local held, value = engine.call(work, pool, cases, on_end)

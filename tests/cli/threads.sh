@@ -76,7 +76,7 @@ sed -i "s/given = { scale = 1 }/given = { scale = $scale }/" shared/study.lua
 
 for threads in 1 2 3; do
   expect 0 "" "$stiction" run shared --no-figures --jobs 1 --threads $threads --out by$threads
-  holds "the manifest says $threads threads" grep -q "\"threads\": *$threads" by$threads/plane/manifest.json
+  holds "the manifest says $threads threads" grep -q "\"threads\": *$threads" by$threads/kindplane/manifest.json
 done
 cat >same.lua <<'L'
 local engine = require "stiction.engine"
@@ -84,7 +84,7 @@ local test, equal = ...
 for _, id in ipairs { "plane", "bonded", "mortar", "space", "linear", "multigrid" } do
   for _, threads in ipairs { 2, 3 } do
     test(("%s by %d threads"):format(id, threads), function()
-      local a, b = engine.read_series("by1/" .. id .. "/series.h5"), engine.read_series("by" .. threads .. "/" .. id .. "/series.h5")
+      local a, b = engine.read_series("by1/kind" .. id .. "/series.h5"), engine.read_series("by" .. threads .. "/kind" .. id .. "/series.h5")
       local columns = engine.series_columns(a)
       equal(#columns > 10, true)
       for _, name in ipairs(columns) do
@@ -103,7 +103,7 @@ L
 "$stiction" luatest same.lua >output 2>&1 || complain "$(cat output)"
 
 # the number of threads is not what a case is made of
-expect 0 "plane  finished" "$stiction" run shared --list --threads 2 --out by1
+expect 0 "kindplane  finished" "$stiction" run shared --list --threads 2 --out by1
 expect 2 "--threads" "$stiction" run shared --threads 0
 expect 2 "--threads" "$stiction" run shared --threads two
 expect 2 "--threads" "$stiction" bench shared --threads 9999

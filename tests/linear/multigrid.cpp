@@ -10,6 +10,7 @@
 #include "linear/multigrid.hpp"
 #include "linear/multigrid_factor.hpp"
 #include "linear/symmetric_product.hpp"
+#include "threads.hpp"
 
 using namespace stiction;
 using namespace stiction::linear;
@@ -36,10 +37,10 @@ std::vector<HeldNode> held_bottom(Hexahedra const& block, double part, double st
 }
 
 /// Conjugate gradients to 1e-8 with the matrix and what is held.
-int iterations(Hexahedra const& block, std::vector<HeldNode> const& held) {
-  auto const A = block.matrix();
+int iterations(BlockMatrix<3, 3> const& A, Dense const& modes, Waves const& waves,
+               std::vector<HeldNode> const& held) {
   Multigrid multigrid;
-  multigrid.set_up(A, block.modes());
+  multigrid.set_up(A, modes, waves);
   multigrid.hold(held);
   auto const apply = [&](Vector const& x, Vector& y) {
     y.setZero(x.size());
@@ -47,11 +48,15 @@ int iterations(Hexahedra const& block, std::vector<HeldNode> const& held) {
     for (auto const& [node, stiffness] : held)
       y.segment<3>(3 * node) += stiffness * x.segment<3>(3 * node);
   };
-  Vector x = Vector::Zero(3 * block.nodes());
+  Vector x = Vector::Zero(3 * A.rows());
   auto const end = conjugate_gradients(apply, [&](Vector const& r, Vector& z) { multigrid.cycle(r, z); },
-                                       noise(3 * block.nodes(), 1), x, {1e-8, 100});
+                                       noise(3 * A.rows(), 1), x, {1e-8, 100});
   CHECK(end.converged);
   return end.iterations;
+}
+int iterations(Hexahedra const& block, std::vector<HeldNode> const& held) {
+  auto const A = block.matrix();
+  return iterations(A, block.modes(), Waves::one_by_one(A.rows()), held);
 }
 
 /// The lower triangle in columns, unknowns as the nodes number them; the bottom last.
@@ -98,6 +103,35 @@ TEST_CASE("iterations of multigrid follow neither the size nor what is held") {
     }
 }
 
+TEST_CASE("nodes in waves: iterations as one by one, and the same bits whatever the threads") {
+  Hexahedra const block{16};
+  auto const natural = block.matrix();
+  auto const made = waves_of(natural, {300, 2});
+  REQUIRE(made.waves.first > 1);
+  Indices number(made.order.size());
+  for (std::size_t k = 0; k < number.size(); ++k)
+    number[ix(made.order[k])] = static_cast<Index>(k);
+  auto const A = renumbered(natural, &made.order, number);
+  Dense const old = block.modes();
+  Dense modes = old;
+  for (Index k = 0; k < A.rows(); ++k)
+    modes.middleRows<3>(3 * k) = old.middleRows<3>(3 * made.order[ix(k)]);
+  auto held = held_bottom(block, 0.7, 3);
+  for (auto& one : held)
+    one.node = number[ix(one.node)];
+  std::ranges::sort(held, {}, &HeldNode::node);
+  same_by_threads([&] {
+    Multigrid multigrid;
+    multigrid.set_up(A, modes, made.waves);
+    multigrid.hold(held);
+    Vector z;
+    multigrid.cycle(noise(3 * A.rows(), 1), z);
+    return z;
+  });
+  CHECK(std::abs(iterations(A, modes, made.waves, held) - iterations(block, held_bottom(block, 0.7, 3))) <=
+        1);
+}
+
 TEST_CASE("a cycle of multigrid is symmetric and positive, and holding anew is holding at once") {
   Hexahedra const block{10};
   auto const A = block.matrix();
@@ -126,7 +160,7 @@ TEST_CASE("a product that reads half of a symmetric matrix is the product with a
   Vector whole = Vector::Zero(x.size()), half;
   add_product(A, x, whole);
   SymmetricProduct product;
-  product.take(A);
+  product.take(A, Waves::one_by_one(A.rows()));
   product(x, half);
   CHECK((half - whole).norm() <= 1e-15 * whole.norm());
 }

@@ -47,3 +47,34 @@ test("a process that ends without a word crashed, also by a signal that the user
   equal(ended("kill -TERM $$").reason, "its process ended by signal 15")
   equal(ended("kill -TERM $$").verdict, "crashed")
 end)
+
+--- The threads that each of so many cases is started with on eight cores.
+local function threads_of(count, settings)
+  local spawn, request, cores, cases, found = engine.spawn, engine.request, engine.cores, {}, {}
+  for i = 1, count do
+    cases[i] = { id = "c" .. i }
+  end
+  engine.spawn = function()
+    return spawn({ "sh", "-c", "exit 1" }, {}, true)
+  end
+  engine.request = function(_, words)
+    for i, word in ipairs(words) do
+      found[#found + 1] = word == "--threads" and words[i + 1] or nil
+    end
+  end
+  engine.cores = function() return 8 end
+  settings.study, settings.folder, settings.quiet = "s", "f", true
+  local held, reason = pcall(jobs.run, cases, settings, function() end)
+  engine.spawn, engine.request, engine.cores = spawn, request, cores
+  assert(held, reason)
+  return table.concat(found, " ")
+end
+
+test("a case gets the threads that are asked for, or the cores that no other case needs", function()
+  equal(threads_of(1, { jobs = 8 }), "8")
+  equal(threads_of(2, { jobs = 8 }), "4 4")
+  equal(threads_of(4, { jobs = 3 }):sub(1, 5), "2 2 2")
+  equal(threads_of(2, { jobs = 1 }), "8 8")
+  equal(threads_of(16, { jobs = 16 }):sub(1, 3), "1 1")
+  equal(threads_of(2, { jobs = 8, threads = 3 }), "3 3")
+end)

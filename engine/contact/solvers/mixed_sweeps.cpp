@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/threads.hpp"
+
 namespace stiction::contact {
 
 namespace {
@@ -15,6 +17,8 @@ constexpr Index memory = 10;       // sweeps that are mixed
 constexpr double astray = 10;      // times the least change of a sweep: forget what was before
 constexpr double refined = 1e-4;   // of the last change: x anew in double precision
 constexpr long enough_sweeps = 50; // in which the change has to halve
+constexpr Index together = 32;     // points whose changes reach the others at the same time
+constexpr Index few_rows = 512;    // that one thread does best
 
 template<int D> class MixedSweeps {
 public:
@@ -94,25 +98,49 @@ private:
     return interface::project<D>(old - block.rho * v, mu).value;
   }
 
-  /// p_ and x_ after one sweep; the largest change of a traction, of the yardstick.
+  /// p_ and x_ after one sweep; the largest change of a traction, of the yardstick. What a few points change
+  /// is at once seen by these alone, by all others when all of them have been answered for.
   double sweep() {
     before_ = p_;
     moved_.setZero(x_.size());
-    double largest = 0, scale = yardstick_;
-    for (Index i = 0; i < problem_.size(); ++i) {
-      double const area = problem_.points[ix(i)].area;
-      Local<D> const old = p_.segment<D>(D * i);
-      Local<D> const x = x_.segment<D>(D * i) + moved_.segment<D>(D * i).template cast<double>();
-      Local<D> const next = answer(i, x, old), change = next - old;
-      scale = std::max(scale, next.norm() / area);
-      if (change.isZero(0))
-        continue;
-      p_.segment<D>(D * i) = next;
-      moved_.noalias() += W_.middleCols<D>(D * i) * change.template cast<float>();
-      largest = std::max(largest, change.norm() / area);
+    largest_ = 0;
+    scale_ = yardstick_;
+    for (Index first = 0; first < problem_.size(); first += together) {
+      Index const last = std::min(first + together, problem_.size());
+      changed_.clear();
+      for (Index i = first; i < last; ++i)
+        if (Local<D> const change = answer(i); !change.isZero(0)) {
+          changed_.emplace_back(i, change.template cast<float>());
+          move(changed_.back(), D * first, D * last);
+        }
+      core::each_piece(static_cast<Index>(moved_.size()), few_rows, [&](Index from, Index to) {
+        for (auto const& one : changed_) {
+          move(one, from, std::min(to, D * first));
+          move(one, std::max(from, D * last), to);
+        }
+      });
     }
     x_ += moved_.template cast<double>();
-    return scale > 0 ? largest / scale : largest;
+    return scale_ > 0 ? largest_ / scale_ : largest_;
+  }
+
+  /// Gives a point its answer; its change.
+  Local<D> answer(Index i) {
+    double const area = problem_.points[ix(i)].area;
+    Local<D> const old = p_.segment<D>(D * i);
+    Local<D> const x = x_.segment<D>(D * i) + moved_.segment<D>(D * i).template cast<double>();
+    Local<D> const next = answer(i, x, old), change = next - old;
+    p_.segment<D>(D * i) = next;
+    scale_ = std::max(scale_, next.norm() / area);
+    largest_ = std::max(largest_, change.norm() / area);
+    return change;
+  }
+
+  /// Moves these rows by what a point has changed.
+  void move(std::pair<Index, Eigen::Vector<float, D>> const& one, Index from, Index to) {
+    if (from < to)
+      moved_.segment(from, to - from).noalias() +=
+          W_.middleCols<D>(D * one.first).middleRows(from, to - from) * one.second;
   }
 
   void forget() {
@@ -150,8 +178,10 @@ private:
   Eigen::MatrixXf W_;
   std::vector<Block> blocks_;
   Vector p_, x_, before_;
-  Eigen::VectorXf moved_; ///< by the present sweep, m
-  double yardstick_ = 0;  ///< Pa
+  Eigen::VectorXf moved_;                                          ///< by the present sweep, m
+  std::vector<std::pair<Index, Eigen::Vector<float, D>>> changed_; ///< points of the present few, N
+  double yardstick_ = 0;                                           ///< Pa
+  double largest_ = 0, scale_ = 0; ///< of the present sweep: change, traction, Pa
   bool has_last_ = false;
   Index kept_ = 0, next_ = 0;
   Dense changes_, forces_, displacements_; ///< differences of successive sweeps, [dim n, memory]

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/threads.hpp"
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/bulk/timer.hpp"
 #include "linear/multigrid_factor.hpp"
@@ -17,6 +18,7 @@ namespace {
 /// Of the grip, in the matrix alone where bonds hold a body: without it the bodies have no factor, and with
 /// it Newton's method still ends in the balance that has none.
 constexpr double steady = 1e-8;
+constexpr Index few_cells = 256; // that one thread does best
 
 /// Model nodes of every contact surface, secondary and primary, and of free rigid bodies.
 std::vector<bool> contact_nodes(Model const& model) {
@@ -194,15 +196,33 @@ linear::NodesOfUnknowns BulkSystem::nodes_of_unknowns(Model const& model) const 
 }
 
 void BulkSystem::build_maps(Model const& model) {
+  struct Cell {
+    std::size_t first, count, entry; ///< of its unknowns, of its map
+  };
+  std::vector<Indices> unknowns(model.cells.size());
+  std::vector<std::vector<Cell>> cells(model.cells.size());
+  std::vector<std::size_t> entries(model.cells.size(), 0);
+  each_cell_dofs(model, [&](std::size_t body, Indices const& cell) {
+    cells[body].push_back({unknowns[body].size(), cell.size(), entries[body]});
+    entries[body] += cell.size() * (cell.size() + 1) / 2;
+    for (Index const dof : cell)
+      unknowns[body].push_back(unknown_of(dof));
+  });
   maps_.resize(model.cells.size());
   auto const& pattern = kept_.front().factor->pattern();
-  each_cell_dofs(model, [&](std::size_t body, Indices const& cell) {
-    for (std::size_t i = 0; i < cell.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        Index const row = unknown_of(cell[i]), column = unknown_of(cell[j]);
-        maps_[body].push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+  for (std::size_t body = 0; body < maps_.size(); ++body) {
+    maps_[body].resize(entries[body]);
+    core::each_piece(static_cast<Index>(cells[body].size()), few_cells, [&](Index from, Index to) {
+      for (Index c = from; c < to; ++c) {
+        auto const [first, count, entry] = cells[body][ix(c)];
+        auto const* const cell = &unknowns[body][first];
+        auto at = maps_[body].begin() + static_cast<std::ptrdiff_t>(entry);
+        for (std::size_t i = 0; i < count; ++i)
+          for (std::size_t j = 0; j <= i; ++j)
+            *at++ = cell[i] >= 0 && cell[j] >= 0 ? pattern.find(cell[i], cell[j]) : -1;
       }
-  });
+    });
+  }
 }
 
 namespace {

@@ -64,6 +64,7 @@ stiction run STUDY --worker                  # a worker: cases that no other run
 stiction run STUDY --on slurm --workers 64 --time 12:00:00 --partition long      # one job array of 64 such workers
 stiction status STUDY                        # how far all that is, from anywhere
 
+A worker takes one thread a case; --threads N gives it more, and as many cores of each Slurm task as --jobs times that.
 Workers need nothing but an output folder (--out DIR, the same for all) that they all see, and this program. Start any
 number, at any time, with whatever starts processes; all take the same --set, --quick, --where:
 
