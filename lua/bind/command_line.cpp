@@ -15,6 +15,13 @@ constexpr char const* closing = "STUDY is a folder with study.lua, or a .lua fil
                                 "a case failed, a check did not\n"
                                 "hold, or the run was stopped; 2 bad input.";
 
+/// What is wrong with this as a time; "" if nothing.
+std::string seconds(std::string const& text) {
+  double value = -1;
+  bool const good = CLI::detail::lexical_cast(text, value) && value >= 0;
+  return good ? "" : fmt::format("{} is no number of seconds, 0 or more", text);
+}
+
 /// Adds the options of each command; what is given lands in `line`.
 class Commands {
 public:
@@ -118,7 +125,7 @@ void Commands::add_run() {
       ->check(CLI::Range(1, 1000000).description(""));
   value<double>(run, "--checkpoint", "SECONDS",
                 "Keep where a case stands so often, to go on from there (default: 600; 0: after every step)")
-      ->check(CLI::NonNegativeNumber.description(""));
+      ->check(CLI::Validator(seconds, ""));
   flag(run, "force", "Run finished cases again, and those that were stopped from their beginning");
   flag(run, "strict", "Run nothing that explain would warn of");
   flag(run, "no-figures", "Draw no figures");

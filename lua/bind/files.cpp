@@ -41,6 +41,16 @@ int read_file(lua_State* lua) {
   return 1;
 }
 
+/// first_line(path) -> the file's first line without its end, nil if there is no file to read
+int first_line(lua_State* lua) {
+  std::ifstream file(text_at(lua, 1), std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line))
+    return 0;
+  push(lua, line);
+  return 1;
+}
+
 /// write_file(path, text): the file is replaced as a whole or not at all. Fails with kind "run".
 int write_file(lua_State* lua) {
   auto const path = text_at(lua, 1);
@@ -247,6 +257,7 @@ int program_folder(lua_State* lua) {
 
 void add_file_functions(lua_State* lua) {
   add<read_file>(lua, "read_file");
+  add<first_line>(lua, "first_line");
   add<write_file>(lua, "write_file");
   add<make_folder>(lua, "make_folder");
   add<kind_of_path>(lua, "kind_of_path");

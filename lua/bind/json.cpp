@@ -1,7 +1,6 @@
 // JSON text from Lua values and back; keys are sorted, numbers keep every digit.
 #include "bind/engine.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -79,43 +78,79 @@ Json to_json(lua_State* lua, int index, int depth) {
   }
 }
 
-/// Whole, but more than an integer of Lua's holds.
-bool beyond_integers(Json const& json) {
-  return json.is_number_unsigned() && json.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
-}
+/// Makes Lua values of what a parser reads, without a tree in between. The table that is open stands on top
+/// of the stack, with the name that waits for its value above it.
+class Builder {
+public:
+  explicit Builder(lua_State* lua) : lua_(lua) {}
 
-bool nests_deeper(Json const& json, int depth) {
-  return depth < 0 || (json.is_structured() && std::any_of(json.begin(), json.end(), [&](Json const& part) {
-                         return nests_deeper(part, depth - 1);
-                       }));
-}
-
-void push(lua_State* lua, Json const& json) {
-  luaL_checkstack(lua, 4, "JSON");
-  if (json.is_object()) {
-    lua_newtable(lua);
-    for (auto const& [name, value] : json.items()) {
-      push(lua, value);
-      lua_setfield(lua, -2, name.c_str());
-    }
-  } else if (json.is_array()) {
-    lua_newtable(lua);
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      push(lua, json[i]);
-      lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
-    }
-  } else if (json.is_string()) {
-    bind::push(lua, json.get_ref<std::string const&>());
-  } else if (json.is_boolean()) {
-    bind::push(lua, json.get<bool>());
-  } else if (json.is_number_integer() && !beyond_integers(json)) {
-    bind::push(lua, json.get<long>());
-  } else if (json.is_number()) {
-    bind::push(lua, json.get<double>());
-  } else {
-    lua_pushnil(lua);
+  bool null() {
+    return put([&] { lua_pushnil(lua_); });
   }
-}
+  bool boolean(bool value) {
+    return put([&] { bind::push(lua_, value); });
+  }
+  bool number_integer(std::int64_t value) {
+    return put([&] { bind::push(lua_, static_cast<long>(value)); });
+  }
+  bool number_unsigned(std::uint64_t value) {
+    constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    return value > most ? number_float(static_cast<double>(value), "")
+                        : number_integer(static_cast<std::int64_t>(value));
+  }
+  bool number_float(double value, std::string const& /*text*/) {
+    return put([&] { bind::push(lua_, value); });
+  }
+  bool string(std::string const& value) {
+    return put([&] { bind::push(lua_, value); });
+  }
+  bool binary(Json::binary_t const& /*value*/) { return false; }
+  bool start_object(std::size_t /*count*/) { return open(in_object); }
+  bool key(std::string const& name) {
+    bind::push(lua_, name);
+    return true;
+  }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t /*count*/) { return open(0); }
+  bool end_array() { return close(); }
+  static bool parse_error(std::size_t /*place*/, std::string const& /*word*/,
+                          Json::exception const& /*why*/) {
+    return false;
+  }
+
+private:
+  static constexpr lua_Integer in_object = -1;
+
+  bool open(lua_Integer kind) {
+    if (open_.size() > deepest)
+      return false;
+    luaL_checkstack(lua_, 4, "JSON");
+    lua_newtable(lua_);
+    open_.push_back(kind);
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return store();
+  }
+  template<class Push> bool put(Push const& push) {
+    push();
+    return store();
+  }
+  /// The value on top goes into the table that it stands in.
+  bool store() {
+    if (open_.empty())
+      return true;
+    if (open_.back() == in_object)
+      lua_rawset(lua_, -3);
+    else
+      lua_rawseti(lua_, -2, ++open_.back());
+    return true;
+  }
+
+  lua_State* lua_;
+  std::vector<lua_Integer> open_; ///< a table each: how many a list has so far, or that it is an object
+};
 
 /// encode(value, indent) -> text; without indent on one line
 int encode(lua_State* lua) {
@@ -128,11 +163,13 @@ int encode(lua_State* lua) {
 /// decode(text) -> value; nil if the text is not JSON, as a file cut short is not, or nests too deeply to be
 /// ours
 int decode(lua_State* lua) {
-  auto const json = Json::parse(text_at(lua, 1), nullptr, false);
-  if (json.is_discarded() || nests_deeper(json, deepest))
-    return 0;
-  push(lua, json);
-  return 1;
+  auto const text = text_at(lua, 1);
+  int const before = lua_gettop(lua);
+  Builder builder(lua);
+  if (Json::sax_parse(text, &builder))
+    return 1;
+  lua_settop(lua, before);
+  return 0;
 }
 
 } // namespace

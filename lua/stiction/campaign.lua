@@ -39,20 +39,23 @@ end
 
 --- What stands of the plan's cases: rows as evaluation.row gives them.
 function campaign.survey(plan)
-  local rows = {}
+  local rows, few = {}, #plan.cases <= many
+  engine.watch_lines(few) -- of many, scenes are made again before they run
   for i, case in ipairs(plan.cases) do
-    rows[i] = evaluation.row(plan.study, plan.folder, case, #plan.cases > many)
+    rows[i] = evaluation.row(plan.study, plan.folder, case, not few)
   end
   adoption.find(plan, rows)
+  engine.watch_lines(true)
   tell_unread(plan)
   return rows
 end
 
---- Makes results anew where what makes them has changed since, and says so. all: of every case that has run.
+--- Makes results anew where what makes them has changed since, and says so. all: of every case that is wanted and has run.
 local function evaluate(plan, rows, all)
   local count = 0
   for _, row in ipairs(rows) do
-    if row.stale or all and row.computed and not plan.study.problem then
+    local wanted = all and (not plan.wanted or plan.wanted[row.case.id])
+    if row.stale or wanted and row.computed and not plan.study.problem then
       evaluation.anew(plan.study, plan.folder, row, plan.options)
       count = count + 1
     end
@@ -271,7 +274,7 @@ function campaign.run(plan, rows)
   settings.tick, tally = teller(plan, #rows)
   local function on_end(case, result)
     local row = row_of[case.id]
-    row.result, row.fresh, row.done = result, true, result.verdict == "finished"
+    row.result, row.fresh, row.done, row.place = result, true, result.verdict == "finished", case.id
     row.computed = row.done or result.verdict == "result failed"
     tally.done, tally.failed = tally.done + 1, tally.failed + (row.done and 0 or 1)
     note_crash(plan, row)
@@ -284,13 +287,13 @@ function campaign.run(plan, rows)
   else
     stopped = jobs.run(pending, settings, on_end)
   end
-  if not (stopped and options.worker) then -- what others do they tell
+  if (#pending > 0 or options.worker) and not (stopped and options.worker) then -- what others do they tell
     campaign.write_summary(plan, rows)
   end
   return stopped
 end
 
---- Makes the results of all that has run anew, and runs nothing.
+--- Makes the results of all that is wanted and has run anew, and runs nothing.
 function campaign.revisit(plan, rows)
   revive(plan, rows, {}, true)
 end

@@ -24,22 +24,37 @@ function evaluation.note(study, case, result)
   result.sources, result.files = identity.of_sources(study, case), identity.files_read(study, case)
 end
 
---- What stands of a case in the folder: {case =, fingerprint =, result = nil | table, mark = of its file, place = name of
---- its folder, computed = it need not run again, done = and has all its results, stale = these must be made anew, adopted =
---- the folder of other parameters that it takes over}.
-function evaluation.row(study, folder, case, many)
-  local result, mark, name = output.read_result(folder, case)
+--- A row as evaluation.row gives it, without its case's scene, of what output.read_result has read.
+local function row_of(study, folder, case, result, mark, name)
   local of_sources = output.is_of_sources(study, case, result)
   local same = of_sources and not study.source.trust
   local row = { case = case, result = result, mark = mark, place = name,
     fingerprint = same and result.fingerprint or identity.of(study, case) }
-  case.scene = not many and case.scene or nil -- thousands of them fill memory
   row.computed = output.is_computed(result, row.fingerprint)
     and (study.problem or engine.kind_of_path(folder .. "/" .. name .. "/series.h5") == "file") and true or false
   row.stale = row.computed and not study.problem and not of_sources
   row.adopted = row.stale and output.key_in(folder .. "/" .. name) ~= output.key(case) and name or nil
   row.done = row.computed and (row.stale or result.verdict == "finished")
   return row
+end
+
+--- What stands of a case in the folder: {case =, fingerprint =, result = nil | table, mark = of its file, place = name of
+--- its folder, computed = it need not run again, done = and has all its results, stale = these must be made anew, adopted =
+--- the folder of other parameters that it takes over}.
+function evaluation.row(study, folder, case, many)
+  local row = row_of(study, folder, case, output.read_result(folder, case))
+  case.scene = not many and case.scene or nil -- thousands of them fill memory
+  return row
+end
+
+--- The same of a case that has ended, nil of one that has not: its scene need not be made.
+function evaluation.row_of_ended(study, folder, case)
+  local result, mark, name = output.read_result(folder, case)
+  if result and result.verdict ~= "stopped" then
+    local row = row_of(study, folder, case, result, mark, name)
+    case.scene = nil
+    return row
+  end
 end
 
 --- Notes in the case's folder, and what they were made of beside it, results made anew under these options.

@@ -1,7 +1,6 @@
 -- What decides the results of a case: the scene that its script made, in SI, with files by their content, and the program.
 local engine = require "stiction.engine"
 local loader = require "stiction.loader"
-local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
 local problem = require "stiction.problem"
 local units = require "stiction.units"
@@ -11,8 +10,7 @@ local identity = {}
 --- Parameters as plain values for JSON: SI numbers with their dimension.
 function identity.plain(parameters)
   local plain = setmetatable({}, { json = "object" })
-  for _, name in ipairs(ordered.keys(parameters)) do
-    local value = parameters[name]
+  for name, value in next, parameters do
     if units.is_quantity(value) then
       plain[name] = { value = value.si, unit = engine.dimension_text(value.metre, value.kilogram, value.second) }
     else
@@ -20,6 +18,13 @@ function identity.plain(parameters)
     end
   end
   return plain
+end
+
+--- Parameters of a case as JSON.
+function identity.parameters_text(case)
+  local text = rawget(case, "parameters_text") or engine.encode_json(identity.plain(case.p))
+  rawset(case, "parameters_text", text)
+  return text
 end
 
 --- f(...), whose faults but a stop come as nil and a message.
@@ -75,7 +80,7 @@ end
 --- Of all from which the results of a case that has run are made anew, and its scene was: the study as it was loaded, the
 --- library, the program, the parameters. What is read later, changed_file tells.
 function identity.of_sources(study, case)
-  return engine.hash(study.identity .. library() .. identity.program() .. engine.encode_json(identity.plain(case.p))
+  return engine.hash(study.identity .. library() .. identity.program() .. identity.parameters_text(case)
     .. (case.problems or ""))
 end
 
@@ -125,10 +130,19 @@ function identity.files_read(study, case)
   return list
 end
 
+local absolute_of = {} -- by path
+
+--- Where a file stands that a result names.
+local function path_of(study, file)
+  local path = file.path:sub(1, 1) == "/" and file.path or study.source.folder .. "/" .. file.path
+  absolute_of[path] = absolute_of[path] or engine.absolute(path)
+  return absolute_of[path]
+end
+
 --- The first of such files that has another content now, nil if none has.
 function identity.changed_file(study, files)
   for _, file in ipairs(files or {}) do
-    local path = engine.absolute(file.path:sub(1, 1) == "/" and file.path or study.source.folder .. "/" .. file.path)
+    local path = path_of(study, file)
     if (study.source.hashes[path] or loader.file_hash(path)) ~= file.hash then
       return path
     end

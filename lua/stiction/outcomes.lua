@@ -208,6 +208,7 @@ end
 --- {folder =, owner = (study.json), columns = {{name =, of =, kind =, unit =, numeric =}}, by_name =, by_key = (of "<kind> <name>"),
 --- cases = {{name =, folder =, verdict =, reason =, values = by column}}}; bad input if there is nothing to read.
 function outcomes.read(folder)
+  engine.watch_lines(false) -- no script runs
   if engine.kind_of_path(folder) ~= "folder" then
     fault.input("there is no output folder %s; 'stiction run' on the study makes it", folder)
   end

@@ -35,13 +35,14 @@ end
 
 --- That of a case: as its parameters read back from a file.
 function output.key(case)
-  local own = rawget(case, "key") or key_of(engine.decode_json(engine.encode_json(identity.plain(case.p))))
+  local own = rawget(case, "key") or key_of(engine.decode_json(identity.parameters_text(case)))
   rawset(case, "key", own)
   return own
 end
 
 --- The manifest of a case is JSON whose first line, once the case has ended, holds its result alone: that of thousands of
 --- cases is read without the rest.
+local first_line = '^{"result":(.*),$'
 local result_line = '^{"result":([^\n]*),\n'
 
 local function manifest_in(case_folder)
@@ -104,12 +105,17 @@ function output.made_of(case, study)
     :gsub('"scene":"@"', function() return '"scene":' .. scene end))
 end
 
+local of_older_layouts = { "result.json", "case.json" } -- files of a case, of what the manifest holds now
+
 --- A case begins anew in its folder: its manifest, this text, has no mark of having finished.
 function output.begin(folder, case, manifest)
   local own_folder = folder .. "/" .. case.id
   output.settle(folder, { case })
   output.prepare(own_folder)
   engine.write_file(manifest_in(own_folder), manifest .. "\n")
+  for _, name in ipairs(of_older_layouts) do
+    engine.remove(own_folder .. "/" .. name)
+  end
 end
 
 output.data_identity, output.program = identity.of_data, identity.whole_program
@@ -138,15 +144,25 @@ end
 
 --- The result in a case's folder, nil if there is none or its file is damaged; and what tells whether it is still there.
 function output.read_result_in(case_folder)
-  local text = engine.read_file(manifest_in(case_folder)) or ""
-  local result = result_of(text)
-  return is_result(result) and result or nil, engine.hash(text:match(result_line) or text)
+  local line = (engine.first_line(manifest_in(case_folder)) or ""):match(first_line)
+  local text = line or engine.read_file(manifest_in(case_folder)) or ""
+  local result = line and engine.decode_json(line)
+  if result == nil then
+    result = result_of(text)
+  end
+  return is_result(result) and result or nil, engine.hash(text)
+end
+
+--- Whether parameters that a file tells are those of the case.
+local function are_of(case, parameters)
+  return type(parameters) == "table"
+    and (engine.encode_json(parameters) == identity.parameters_text(case) or key_of(parameters) == output.key(case))
 end
 
 --- What a case left behind, what tells whether that is still there, and the name of the folder that it is in.
 function output.read_result(folder, case)
   local result, mark = output.read_result_in(folder .. "/" .. case.id)
-  if result and type(result.parameters) == "table" and key_of(result.parameters) == output.key(case) then
+  if result and are_of(case, result.parameters) then
     return result, mark, case.id
   end
   local name = output.case_name(folder, case)
@@ -204,15 +220,24 @@ function output.is_current(study, kept, fingerprint)
     and not identity.changed_file(study, kept.files)
 end
 
---- "cells=8; steps=5": the parameters, apart from swept ones, that are not the study's own.
-local function words_set(study, case)
-  local words = {}
+--- What the study itself says of parameters that are not swept, by name.
+local function own_values(study)
+  local own = {}
   for _, section in ipairs { study.given, study.chosen } do
-    for _, name in ipairs(ordered.keys(section)) do
-      local own, value = section[name].value, rawget(case.p, name)
-      if value ~= nil and value ~= own then
-        words[#words + 1] = ("%s=%s"):format(name, tostring(value))
-      end
+    for name, entry in pairs(section) do
+      own[name] = entry.value
+    end
+  end
+  return own
+end
+
+--- "cells=8; steps=5": the parameters, apart from swept ones, that are not the study's own; own: those.
+local function words_set(own, case)
+  local words = {}
+  for name, standing in pairs(own) do
+    local value = rawget(case.p, name)
+    if value ~= nil and value ~= standing then
+      words[#words + 1] = ("%s=%s"):format(name, tostring(value))
     end
   end
   table.sort(words)
@@ -246,7 +271,7 @@ end
 --- be off by; empty where that is not known. Last: which parameters are not the study's own, and what was known against the
 --- case before it ran.
 function output.write_summary(folder, study, names, rows, claims)
-  local claimed = claims and claims.names or {}
+  local claimed, own = claims and claims.names or {}, own_values(study)
   local lines = { table.concat(summary_head(study, names, claimed), ",") }
   for _, row in ipairs(rows) do
     local words = { row.name or row.case.id }
@@ -265,7 +290,7 @@ function output.write_summary(folder, study, names, rows, claims)
     for _, name in ipairs(claimed) do
       add((claims.of[row.case.id] or {})[name])
     end
-    add(words_set(study, row.case))
+    add(words_set(own, row.case))
     add(words_warned(row.result))
     lines[#lines + 1] = table.concat(words, ",")
   end

@@ -32,7 +32,7 @@ local function finished_cases(plan, rows)
   local list = {}
   for _, row in ipairs(rows) do
     if row.done then
-      local case = case_module.new(row.case.id, row.case.p, output.case_folder(plan.folder, row.case))
+      local case = case_module.new(row.case.id, row.case.p, plan.folder .. "/" .. row.place)
       case.results = row.result.results
       list[#list + 1] = case
     end

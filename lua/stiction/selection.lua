@@ -38,14 +38,12 @@ local function check_names(outcome, text)
   end
 end
 
---- The names of a case; numbers that it does not have are no numbers, of which nothing holds but ~=.
-local function environment(outcome, case)
-  local names = { math = copy(math) }
+--- Puts the names of a case into `names`; numbers that it does not have are no numbers, of which nothing holds but ~=.
+local function fill(names, outcome, case)
   for _, column in ipairs(outcome.columns) do
     local value = case.values[column.name]
     names[column.name] = value == nil and column.numeric and 0/0 or value
   end
-  return names
 end
 
 --- Of these cases the one of this name, alone; bad input if the folder has none of it.
@@ -68,17 +66,17 @@ function selection.filter(outcome, text)
   if not text then
     return outcome.cases
   end
-  local kept = {}
+  local kept, names = {}, { math = copy(math) }
   local function refuse(reason)
-    fault.input("--where '%s': %s; %s", text, (tostring(reason):gsub("^%-%-where:1: ", "")), example)
+    fault.input("--where '%s': %s; %s", text, (tostring(reason):gsub("^%-%-where:%d+: ", "")), example)
   end
-  for i, case in ipairs(outcome.cases) do
-    local test, complaint = engine.load_script("return (" .. text .. "\n)", "--where", environment(outcome, case))
-    if not test then
-      refuse(complaint)
-    elseif i == 1 then
-      check_names(outcome, text)
-    end
+  local test, complaint = engine.load_script("return (" .. text .. "\n)", "--where", names)
+  if not test then
+    refuse(complaint)
+  end
+  check_names(outcome, text)
+  for _, case in ipairs(outcome.cases) do
+    fill(names, outcome, case)
     local held, value = engine.call_within(most_instructions, test)
     if not held or type(value) ~= "boolean" then
       refuse(held and ("it gives %s for %s, not true or false"):format(tostring(value), case.name)

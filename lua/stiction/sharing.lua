@@ -22,6 +22,7 @@ local function look_again(plan, row)
     return false
   end
   row.result, row.mark, row.computed, row.done, row.stale = new.result, new.mark, new.computed, new.done, new.stale
+  row.place = new.place
   row.fresh, row.elsewhere = false, true
   return true
 end

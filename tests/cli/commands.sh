@@ -13,6 +13,7 @@ expect 2 "run: study is required" "$stiction" run
 expect 2 "unexpected '--quik'; did you mean --quick?" "$stiction" run "$tiny" --quik
 expect 2 "--jobs" "$stiction" run "$tiny" --jobs 0
 expect 2 "--jobs" "$stiction" run "$tiny" --jobs many
+expect 2 "run: --checkpoint: -3 is no number of seconds, 0 or more" "$stiction" run "$tiny" --checkpoint -3
 
 expect 0 "material|blatz_ko|adhesion" "$stiction" help
 expect 0 "blatz_ko|neo_hookean" "$stiction" help materials

@@ -11,7 +11,7 @@ sed -i 's/"layout": 2/"layout": 3/' out/drag/study.json
 before=$(find out/drag -type f ! -name .lock -exec cksum {} + | sort)
 newer="out/drag was written by a newer version of Stiction (layout 3;|choose another folder with --out"
 for words in "run drag" "run drag --force" "run drag --list" "run drag --join" "why drag" "results drag" "figures drag" \
-  "clean drag" "show drag" "compare out/drag good/drag" "report drag" "verify out/drag" "pack out/drag"; do
+  "clean drag" "show drag" "compare out/drag good/drag" "report drag" "verify out/drag" "pack out/drag" "status drag" "status out/drag"; do
   # shellcheck disable=SC2086 # a list of words
   expect 2 "$newer" "$stiction" $words
 done

@@ -76,4 +76,14 @@ std::vector<FactorSource> BulkSystem::sources() const {
   return all;
 }
 
+std::vector<FactorSource> BulkSystem::lasting() const {
+  std::vector<FactorSource> all;
+  for (auto const& one : kept_)
+    if (linear_ && one.made && one.factor->coupled() == nullptr) {
+      all.push_back(one.source);
+      all.back().carried = one.factor->carried();
+    }
+  return all;
+}
+
 } // namespace stiction::dynamics

@@ -80,6 +80,8 @@ public:
   void make_again(std::vector<FactorSource> const& wanted, StepWeights const& weights);
   /// Those kept, the last used first; none where they do not depend on u and carry nothing.
   [[nodiscard]] std::vector<FactorSource> sources() const;
+  /// Those that `sources` leaves out, as they do not depend on u: who goes on elsewhere makes them again.
+  [[nodiscard]] std::vector<FactorSource> lasting() const;
   /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
   /// Where it is more than one, one more is held for a step that may yet be given up.
   void keep_factors(std::size_t count) { kept_at_most_ = count; }

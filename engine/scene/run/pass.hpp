@@ -52,7 +52,7 @@ public:
     rest(mark);
     visit(rest);
     recorder_.emplace(scene, options.out, &mark);
-    stepper_.go_on(state_, settled_);
+    stepper_.go_on(state_, lasting_, settled_);
   }
 
   RunResult go() {
@@ -114,7 +114,7 @@ public:
         {"cells_per_second",
          cells * static_cast<double>(cost.force_passes + cost.stiffness_passes) / cost.assembly},
         {"heap_blocks_of_factor_after_first_step",
-         static_cast<double>(linear::blocks_from_system() - blocks_)},
+         blocks_ ? static_cast<double>(linear::blocks_from_system() - *blocks_) : 0},
         {"work", operations(*scene_->model, stepper_)},
         {"cpu_seconds", cpu_before_ + cpu_seconds()},
         {"unknowns", static_cast<double>(stepper_.bulk().unknowns())},
@@ -307,6 +307,8 @@ private:
   /// Before an attempt, when all that the last one has left is in its place: is it to be made?
   bool goes_on() {
     settled_ = stepper_.cost();
+    if (checkpoint_->wanted())
+      lasting_ = stepper_.bulk().lasting();
     if (checkpoint_->due())
       keep();
     return !stopped();
@@ -329,7 +331,7 @@ private:
   /// Hands over all that a run changes on its way but its files, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
+    archive(state_, lasting_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
             result_.steps, result_.cuts, spent, cpu, output_);
     if (pace_)
       archive(*pace_);
@@ -368,7 +370,8 @@ private:
       recorder_->change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
-    if (++result_.steps == 1)
+    ++result_.steps;
+    if (!blocks_)
       blocks_ = linear::blocks_from_system();
     remarks_.examine(stepper_.contact(), state_.t, contact::Checked::bearing);
     remarks_.seek_beneath(state_);
@@ -423,15 +426,17 @@ private:
   RunResult result_;
   std::vector<Warning> warnings_;
   Place place_;
-  dynamics::Cost settled_;             ///< before the present attempt
-  double before_ = 0, cpu_before_ = 0; ///< s, before it was taken up
-  long asked_ = 0;                     ///< whether it is to stop
+  dynamics::Cost settled_;                      ///< before the present attempt
+  std::vector<dynamics::FactorSource> lasting_; ///< of the bulk, before the present attempt
+  double before_ = 0, cpu_before_ = 0;          ///< s, before it was taken up
+  long asked_ = 0;                              ///< whether it is to stop
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
   long attempts_ = 0;
   contact::Methods answered_before_{}; ///< the last attempt
-  std::size_t blocks_ = 0;             ///< that SuiteSparse had taken from the system after the first step
+  std::optional<std::size_t>
+      blocks_; ///< that SuiteSparse had taken from the system after this process's first step
 };
 
 } // namespace stiction::scene

@@ -16,14 +16,11 @@ local most_rows, most_failed = 40, 5 -- told
 --- Of one case of the study: "done", "failed", "waiting" or what standing knows of it.
 local function state_of(plan, case, known)
   local entry = known.cases[case.id]
-  local result = not (entry and entry.life == "lives") and output.read_result(plan.folder, case)
-  if result and result.verdict ~= "stopped" then
-    local row = evaluation.row(plan.study, plan.folder, case, true)
-    if row.computed then
-      return row.done and "done" or "failed", row.result
-    elseif row.result.fingerprint == row.fingerprint then
-      return "failed", row.result
-    end
+  local row = not (entry and entry.life == "lives") and evaluation.row_of_ended(plan.study, plan.folder, case)
+  if row and row.computed then
+    return row.done and "done" or "failed", row.result
+  elseif row and row.result.fingerprint == row.fingerprint then
+    return "failed", row.result
   end
   return entry and (entry.life == "dead" and "lost" or "running") or "waiting", entry
 end
@@ -46,6 +43,7 @@ local function sort_cases(plan, known)
     total = total + 1
     table.insert(states[state], { case = name, entry = entry })
   end
+  engine.watch_lines(false) -- no fault of a script is told
   for _, case in ipairs(plan.cases or {}) do
     add(case.id, state_of(plan, case, known))
   end
@@ -131,5 +129,6 @@ return function(options)
   if not plan.study and engine.kind_of_path(folder) ~= "folder" then
     fault.input("there is no output folder %s", folder)
   end
+  hold.owner(folder) -- refuses what it cannot read
   return show(plan)
 end
