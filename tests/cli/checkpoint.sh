@@ -111,6 +111,24 @@ changed large 's/mu = { 0, 0.2, 0.4 }/mu = { 0.2 }/; s/schedule = stiction/outpu
 printf 'x' | dd of=spoiled/mu0.3/checkpoint bs=1 seek=2000 conv=notrunc 2>/dev/null
 expect 0 "checkpoint spoiled/mu0.3/checkpoint is damaged: the case starts anew" \
   "$stiction" run drag --case mu0.3 --set steps=100 --no-figures --out spoiled
+# what is made anew to go on is no work of the case: also of a body whose factor lasts for the whole run
+changed linear 's/neo_hookean/linear_elastic/; s/mu = { 0, 0.2, 0.4 }/mu = { 0.3 }/
+  s/^  results = {/  results = { { name = "work", function(run) return run.cost.work end },\
+    { name = "factors", function(run) return run.cost.factorizations end },\
+    { name = "columns", function(run) return run.cost.compliance_columns end },/'
+settled="run linear --set steps=60 --no-figures --out"
+# shellcheck disable=SC2086 # words
+"$stiction" $settled at_once >output 2>&1 || complain "a linear body: $(cat output)"
+holds "factors: $(cat at_once/summary.csv)" grep -q '^mu0.3,0.3,[0-9.e+]*,[1-3],' at_once/summary.csv
+for after in 1 40 110; do
+  rm -rf in_two
+  "$stiction" case linear --case mu0.3 --set steps=60 --stop-after $after --out in_two >output 2>&1
+  # shellcheck disable=SC2086 # words
+  expect 0 "goes on from t = " "$stiction" $settled in_two
+  untimed at_once/summary.csv >a
+  untimed in_two/summary.csv >b
+  holds "costs after $after: $(diff a b)" cmp -s a b
+done
 "$stiction" case drag --case mu0.3 --set steps=100 --stop-after 99 --out again >output 2>&1
 expect 0 "finished" "$stiction" run drag --case mu0.3 --set steps=100 --no-figures --force --out again
 holds "--force goes on" sh -c '! grep -q "goes on" output'
