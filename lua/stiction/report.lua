@@ -112,8 +112,10 @@ local function show_table(lines, width)
   local rows = table.move(lines, 1, width and math.min(#lines, most_rows + 1) or #lines, 1, {})
   local left = width and fit(rows, width) or 0
   report.table(rows)
-  if #rows < #lines or left > 0 then
-    report.line("and %d more cases, %d more columns: stiction show", #lines - #rows, left)
+  local more = { #rows < #lines and ("%d more cases"):format(#lines - #rows) or nil }
+  more[#more + 1] = left > 0 and ("%d more column%s"):format(left, left == 1 and "" or "s") or nil
+  if #more > 0 then
+    report.line("and %s: stiction show", table.concat(more, ", "))
   end
 end
 

@@ -1,7 +1,10 @@
 -- A contact sheet: one small picture of a field for each of many cases.
+local case_module = require "stiction.case"
 local drawing = require "stiction.drawing"
+local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local field_pictures = require "stiction.field_pictures"
+local figure = require "stiction.figure"
 local provenance = require "stiction.provenance"
 local report = require "stiction.report"
 
@@ -35,10 +38,10 @@ end
 local function pictures(outcome, cases, field)
   local list, names = {}, varying(outcome, cases)
   for _, case in ipairs(cases) do
-    local file = field_pictures.file(case.folder)
-    if #list < most and file then
-      list[#list + 1] = { kind = "field", name = case.name, title = title(case, names), file = file, array = field,
-        unit = field_pictures.unit(field), time = "last", deformed = true, view = field_pictures.view(case.folder) }
+    if #list < most and field_pictures.file(case.folder) then
+      local run = case_module.new(case.name, {}, case.folder, engine.absolute(case.folder))
+      list[#list + 1] = figure.field { name = case.name, title = title(case, names), case = run, array = field,
+        unit = field_pictures.unit(field), deformed = true, view = field_pictures.view(case.folder) }
     end
   end
   return list

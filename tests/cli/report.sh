@@ -121,6 +121,10 @@ fi
 if [ $figures = yes ]; then
   expect 0 "sheet.png: von_mises of 3 of 3 cases" "$stiction" show out/tiny --sheet sheet.png
   holds "a picture" [ "$(head -c 4 sheet.png | tail -c 3)" = PNG ]
+  cp -r out/tiny floating
+  sed -i 's/"obstacles"/"others"/' floating/mu*/manifest.json
+  "$stiction" show floating --sheet floating.png >/dev/null
+  holds "the plane that the blocks stand on" sh -c '[ -s floating.png ] && ! cmp -s sheet.png floating.png'
   "$stiction" show out/tiny --where 'mu == 0.2' --sheet one.png --field contact_pressure >/dev/null
   holds "a smaller one" [ "$(wc -c <one.png)" -lt "$(wc -c <sheet.png)" ]
 fi
