@@ -28,6 +28,14 @@ rm out/drag/study.json
 expect 0 "checks held" "$stiction" run drag --no-figures
 holds "a case was run again" [ "$(grep -c started output)" = 0 ]
 
+# what older versions left: told, and gone once the case runs anew
+mkdir -p older/mu0
+sed '1s/.*/{/; s/"made_of"/"other"/' out/drag/mu0/manifest.json >older/mu0/manifest.json
+touch older/mu0/result.json older/mu0/case.json
+expect 0 "mu0  to run: an older version of the program ran it|mu0.2  to run: it has not run" "$stiction" why drag --out older
+expect 0 "checks held" "$stiction" run drag --no-figures --out older
+holds "left of an older version: $(ls older/mu0)" sh -c '! ls older/mu0/*.json | grep -v manifest'
+
 # a manifest that cannot be read is told where it counts
 echo '{ "x": ' >out/drag/mu0.2/manifest.json
 expect 2 "out/drag/mu0.2/manifest.json is damaged|--force" "$stiction" compare out/drag good/drag

@@ -33,11 +33,14 @@ end
 --- Why a case must run, and a list of what changed.
 local function why_run(plan, row)
   local folder = output.case_folder(plan.folder, row.case)
-  local kept = (output.read_file(folder .. "/manifest.json") or {}).made_of
+  local manifest = output.read_file(folder .. "/manifest.json")
+  local kept = manifest and manifest.made_of
   if row.result and row.result.fingerprint == row.fingerprint then
     return why_again(row, folder), {}
-  elseif type(kept) ~= "table" then
+  elseif not manifest then
     return "it has not run", {}
+  elseif type(kept) ~= "table" then
+    return "an older version of the program ran it", {}
   elseif type(kept.scene) ~= "table" then
     return plan.study.problem and "the study, a file that it reads, or the program has changed"
       or "what ran it noted no scene", {}
