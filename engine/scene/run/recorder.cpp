@@ -27,6 +27,18 @@ record::StepLog::Rows rows_of(Scene const& scene) {
   return scene.part.output.frames > 0 ? record::StepLog::Rows::all : record::StepLog::Rows::eventful;
 }
 
+/// Contact problems of an earlier run, which are not those of this.
+void remove_problems(std::filesystem::path const& folder) {
+  std::error_code ignored; // what cannot be removed is overwritten or reported when written
+  std::vector<std::filesystem::path> old;
+  for (auto const& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".h5")
+      old.push_back(entry.path());
+  for (auto const& file : old)
+    std::filesystem::remove(file, ignored);
+  std::filesystem::remove(folder, ignored); // if nothing is left in it
+}
+
 } // namespace
 
 Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from)
@@ -36,7 +48,7 @@ Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, Reco
   add_step_columns(scene, series_);
   samplers_ = add_probes(scene, series_);
   if (from == nullptr)
-    return;
+    return remove_problems(folder / "problems");
   series_.take_up(series_in(folder), from->series);
   changes_ = from->changes;
 }
