@@ -80,9 +80,10 @@ struct LeastSlab {
 struct Waves {
   Indices starts{0}; ///< of the slabs, and the end
   Index first = 0;   ///< slabs of the first wave
+  Indices number{};  ///< [rows], of each by what it was before the waves; empty: the same
 
   /// Rows in the order in which they are numbered.
-  static Waves one_by_one(Index rows) { return {{0, rows}, 1}; }
+  static Waves one_by_one(Index rows) { return {{0, rows}, 1, {}}; }
   /// act(first, last) for all slabs.
   template<class Act> void forwards(Act const& act) const {
     wave(0, first, act);
@@ -109,6 +110,7 @@ struct WaveOrder {
 [[nodiscard]] inline WaveOrder order_in_waves(Indices const& slab_of) {
   auto const rows = static_cast<Index>(slab_of.size());
   WaveOrder made{Indices(slab_of.size()), {}};
+  made.waves.number.resize(slab_of.size());
   std::iota(made.order.begin(), made.order.end(), 0);
   std::ranges::stable_sort(made.order, {},
                            [&](Index i) { return std::pair(slab_of[ix(i)] % 2, slab_of[ix(i)]); });
@@ -120,6 +122,8 @@ struct WaveOrder {
     made.waves.first = here == 1 ? static_cast<Index>(made.waves.starts.size()) - 1 : made.waves.first;
   }
   made.waves.starts.push_back(rows);
+  for (Index k = 0; k < rows; ++k)
+    made.waves.number[ix(made.order[ix(k)])] = k;
   made.waves.first = std::max(made.waves.first, 1);
   return made;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace stiction::linear {
 
@@ -101,8 +102,13 @@ struct Aggregates {
   Index count = 0;
 };
 
-Aggregates aggregate(std::vector<Indices> const& near) {
-  auto const n = static_cast<Index>(near.size());
+/// number: of the nodes in the order in which they are to be visited, or empty.
+Aggregates aggregate(std::vector<Indices> const& near, Indices const& number) {
+  Indices visited = number;
+  if (visited.empty()) {
+    visited.resize(near.size());
+    std::iota(visited.begin(), visited.end(), 0);
+  }
   Aggregates all;
   all.of.assign(near.size(), -1);
   auto const taken = [&](Index j) { return all.of[ix(j)] >= 0; };
@@ -113,14 +119,14 @@ Aggregates aggregate(std::vector<Indices> const& near) {
         all.of[ix(j)] = all.count;
     ++all.count;
   };
-  for (Index i = 0; i < n; ++i)
+  for (Index const i : visited)
     if (!near[ix(i)].empty() && !taken(i) && std::none_of(near[ix(i)].begin(), near[ix(i)].end(), taken))
       start(i);
   Indices const first = all.of;
-  for (Index i = 0; i < n; ++i)
+  for (Index const i : visited)
     for (std::size_t k = 0; k < near[ix(i)].size() && !taken(i); ++k)
       all.of[ix(i)] = first[ix(near[ix(i)][k])];
-  for (Index i = 0; i < n; ++i)
+  for (Index const i : visited)
     if (!near[ix(i)].empty() && !taken(i))
       start(i);
   return all;
@@ -193,7 +199,7 @@ template<int B> BlockMatrix<B, coarse> smoothed(Level<B> const& level, BlockMatr
 /// The prolongation of a level; its modes become those of the next one. False if that has no fewer nodes.
 template<int B> bool prepare(Level<B>& level, Dense& modes) {
   Dense coarse_modes;
-  auto const aggregates = aggregate(strong_neighbours(*level.A));
+  auto const aggregates = aggregate(strong_neighbours(*level.A), level.single.waves.number);
   level.P = smoothed(level, tentative<B>(aggregates, modes, coarse_modes));
   modes = std::move(coarse_modes);
   return level.P.columns > 0 && level.P.columns < level.A->rows();
@@ -208,13 +214,10 @@ template<int B> BlockMatrix<coarse, coarse> matrix_below(Level<B> const& level) 
 template<int B> void make_next(Level<B>& level, Dense& modes, Level<coarse>& next) {
   next.own = matrix_below(level);
   auto made = waves_of(next.own, {std::max(few_in_slab, next.own.rows() / 16), 2});
-  Indices number(made.order.size());
-  for (std::size_t k = 0; k < number.size(); ++k)
-    number[ix(made.order[k])] = static_cast<Index>(k);
-  next.own = renumbered(next.own, &made.order, number);
-  level.P = renumbered(level.P, nullptr, number);
+  next.own = renumbered(next.own, &made.order, made.waves.number);
+  level.P = renumbered(level.P, nullptr, made.waves.number);
   Dense const old = modes;
-  for (std::size_t k = 0; k < number.size(); ++k)
+  for (std::size_t k = 0; k < made.order.size(); ++k)
     modes.middleRows<coarse>(coarse * static_cast<Index>(k)) = old.middleRows<coarse>(coarse * made.order[k]);
   next.single.waves = std::move(made.waves);
 }

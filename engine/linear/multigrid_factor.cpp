@@ -180,14 +180,11 @@ void MultigridFactor::shape_blocks(NodesOfUnknowns const& nodes) {
 /// Takes other numbers for the nodes, with which many of them are smoothed at the same time.
 void MultigridFactor::number_in_waves(NodesOfUnknowns nodes) {
   auto made = waves_of(A_, {std::max(few_in_slab, A_.rows() / 24), 2});
-  Indices number(made.order.size());
   Dense const modes = nodes.modes;
-  for (std::size_t k = 0; k < number.size(); ++k) {
-    number[ix(made.order[k])] = static_cast<Index>(k);
+  for (std::size_t k = 0; k < made.order.size(); ++k)
     nodes.modes.middleRows<3>(3 * static_cast<Index>(k)) = modes.middleRows<3>(3 * made.order[k]);
-  }
   for (Index& place : nodes.place)
-    place = 3 * number[ix(place / 3)] + place % 3;
+    place = 3 * made.waves.number[ix(place / 3)] + place % 3;
   waves_ = std::move(made.waves);
   nodes_ = std::make_shared<NodesOfUnknowns const>(std::move(nodes));
 }

@@ -18,7 +18,7 @@ constexpr double astray = 10;      // times the least change of a sweep: forget 
 constexpr double refined = 1e-4;   // of the last change: x anew in double precision
 constexpr long enough_sweeps = 50; // in which the change has to halve
 constexpr Index together = 32;     // points whose changes reach the others at the same time
-constexpr Index few_rows = 512;    // that one thread does best
+constexpr Index few_rows = 1024;   // that one thread does best
 
 template<int D> class MixedSweeps {
 public:
@@ -114,10 +114,8 @@ private:
           move(changed_.back(), D * first, D * last);
         }
       core::each_piece(static_cast<Index>(moved_.size()), few_rows, [&](Index from, Index to) {
-        for (auto const& one : changed_) {
-          move(one, from, std::min(to, D * first));
-          move(one, std::max(from, D * last), to);
-        }
+        move_by_all(from, std::min(to, D * first));
+        move_by_all(std::max(from, D * last), to);
       });
     }
     x_ += moved_.template cast<double>();
@@ -136,11 +134,24 @@ private:
     return change;
   }
 
-  /// Moves these rows by what a point has changed.
-  void move(std::pair<Index, Eigen::Vector<float, D>> const& one, Index from, Index to) {
-    if (from < to)
-      moved_.segment(from, to - from).noalias() +=
-          W_.middleCols<D>(D * one.first).middleRows(from, to - from) * one.second;
+  using Change = std::pair<Index, Eigen::Vector<float, D>>;
+  /// What a point's change moves these rows by, [rows].
+  auto motion(Change const& one, Index from, Index rows) const {
+    return W_.middleCols<D>(D * one.first).middleRows(from, rows).lazyProduct(one.second);
+  }
+  void move(Change const& one, Index from, Index to) {
+    moved_.segment(from, to - from) += motion(one, from, to - from);
+  }
+  /// By all that have changed; by four at a time, as memory likes several columns at once.
+  void move_by_all(Index from, Index to) {
+    if (from >= to)
+      return;
+    auto one = changed_.begin();
+    auto const by = [&](int k) { return motion(one[k], from, to - from); };
+    for (; changed_.end() - one >= 4; one += 4)
+      moved_.segment(from, to - from) += (by(0) + by(1)) + (by(2) + by(3));
+    for (; one != changed_.end(); ++one)
+      move(*one, from, to);
   }
 
   void forget() {
@@ -178,9 +189,9 @@ private:
   Eigen::MatrixXf W_;
   std::vector<Block> blocks_;
   Vector p_, x_, before_;
-  Eigen::VectorXf moved_;                                          ///< by the present sweep, m
-  std::vector<std::pair<Index, Eigen::Vector<float, D>>> changed_; ///< points of the present few, N
-  double yardstick_ = 0;                                           ///< Pa
+  Eigen::VectorXf moved_;          ///< by the present sweep, m
+  std::vector<Change> changed_;    ///< of the present few, N
+  double yardstick_ = 0;           ///< Pa
   double largest_ = 0, scale_ = 0; ///< of the present sweep: change, traction, Pa
   bool has_last_ = false;
   Index kept_ = 0, next_ = 0;
