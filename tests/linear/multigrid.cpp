@@ -128,8 +128,6 @@ TEST_CASE("nodes in waves: iterations as one by one, and the same bits whatever 
   });
   int const in_waves = iterations(A, modes, made.waves, held),
             one_by_one = iterations(block, held_bottom(block, 0.7, 3));
-  MESSAGE("iterations ", in_waves, " in waves, ", one_by_one, " one by one; free ",
-          iterations(A, modes, made.waves, {}), " ", iterations(block, {}));
   CHECK(in_waves <= one_by_one + 1);
 }
 
