@@ -11,6 +11,7 @@
 #include "linear/cholmod_view.hpp"
 #include "linear/panels.hpp"
 #include "linear/recycling.hpp"
+#include "linear/supernodal.hpp"
 
 extern "C" {
 void openblas_set_num_threads(int threads);
@@ -35,6 +36,7 @@ void refuse_lack_of_memory(cholmod_common const& common, Pattern const& pattern,
 struct Cholesky::Solver {
   cholmod_common common{};
   cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
+  Vector under; ///< rows below a supernode
 
   explicit Solver(cholmod_factor const& factor) {
     cholmod_start(&common);
@@ -43,6 +45,7 @@ struct Cholesky::Solver {
     solution = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
     scratch1 = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common);
     scratch2 = cholmod_allocate_dense(edge, 1, edge, CHOLMOD_REAL, &common);
+    under.resize(static_cast<Eigen::Index>(edge));
   }
   Solver(Solver const&) = delete;
   Solver& operator=(Solver const&) = delete;
@@ -150,16 +153,25 @@ void Cholesky::solve_system(int system, Eigen::Ref<Dense> B) {
 }
 
 void Cholesky::solve(Vector& b) {
-  solve_system(CHOLMOD_A, b);
+  auto const* order = static_cast<int const*>(work_->factor->Perm);
+  Vector z(b.size());
+  for (Index k = 0; k < static_cast<Index>(b.size()); ++k)
+    z[k] = b[order[k]];
+  forward(z);
+  backward(z);
+  for (Index k = 0; k < static_cast<Index>(b.size()); ++k)
+    b[order[k]] = z[k];
 }
 void Cholesky::solve(Dense& B) {
   solve_system(CHOLMOD_A, B);
 }
 void Cholesky::forward(Vector& b) {
-  solve_system(CHOLMOD_L, b);
+  if (b.size() > 0)
+    solve_lower(*work_->factor, b, Borrowed(*work_)->under);
 }
 void Cholesky::backward(Vector& z) {
-  solve_system(CHOLMOD_Lt, z);
+  if (z.size() > 0)
+    solve_upper(*work_->factor, z, Borrowed(*work_)->under);
 }
 void Cholesky::forward(Dense& B) {
   solve_system(CHOLMOD_L, B);

@@ -86,7 +86,8 @@ double improve_point(Problem const& problem, Index point, Local<D> const& free, 
 } // namespace
 
 template<int D>
-Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p, double rho) {
+PointAnswer<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
+                           double rho) {
   double best = improve_point<D>(problem, point, free, p, rho);
   auto const done = [&] { return best <= 1e-8 * (p.norm() + rho * free.norm()); };
   auto const start_from = [&](Local<D> start) {
@@ -102,11 +103,11 @@ Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, 
     LocalMatrix<D> const W = problem.W.block<D>(point);
     start_from(-W.fullPivLu().solve(free - problem.points[ix(point)].shift.head<D>()));
   }
-  return p;
+  return {p, done()};
 }
 
-template Local<1> solve_point(Problem const&, Index, Local<1> const&, Local<1>, double);
-template Local<2> solve_point(Problem const&, Index, Local<2> const&, Local<2>, double);
-template Local<3> solve_point(Problem const&, Index, Local<3> const&, Local<3>, double);
+template PointAnswer<1> solve_point(Problem const&, Index, Local<1> const&, Local<1>, double);
+template PointAnswer<2> solve_point(Problem const&, Index, Local<2> const&, Local<2>, double);
+template PointAnswer<3> solve_point(Problem const&, Index, Local<3> const&, Local<3>, double);
 
 } // namespace stiction::contact

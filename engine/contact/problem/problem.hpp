@@ -66,12 +66,20 @@ template<class Call> auto by_dimension(int dim, Call&& call) {
 /// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.
 [[nodiscard]] double natural_scale(Problem const& problem, Index point);
 
+template<int D> struct PointAnswer {
+  Local<D> force;
+  bool found; ///< else the force whose residual is the least of those tried
+};
+
 /// The force of one point, everything else held fixed: x = free + W p with W of the point alone. Where the
 /// search from p gets stuck, as at the fold of a snapping bond or past the single answer of friction, it
 /// starts again from no force, then from the force that would make the point stick.
 template<int D>
-[[nodiscard]] Local<D> solve_point(Problem const& problem, Index point, Local<D> const& free, Local<D> p,
-                                   double rho);
+[[nodiscard]] PointAnswer<D> solve_point(Problem const& problem, Index point, Local<D> const& free,
+                                         Local<D> p, double rho);
+
+/// Sweeps in a row in each of which some point has no answer: more of them lead nowhere.
+inline constexpr int vain_sweeps = 10;
 
 /// x = free + W p.
 [[nodiscard]] Vector displacement(Problem const& problem, Vector const& force);

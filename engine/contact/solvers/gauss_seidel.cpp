@@ -39,18 +39,24 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
   for (Index i = 0; i < problem.size(); ++i)
     rho[i] = natural_scale(problem, i);
   best.converged = best.verdict.relative() <= tolerance;
+  int vain = 0;
   for (int sweeps = 1; !best.converged && best.iterations < iterations; sweeps = std::min(2 * sweeps, 32)) {
-    for (int k = 0; k < sweeps && best.iterations < iterations; ++k, ++best.iterations)
+    for (int k = 0; k < sweeps && best.iterations < iterations; ++k, ++best.iterations) {
+      bool found = true;
       for (Index i = 0; i < problem.size(); ++i) {
         Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
         Local<D> const free = here - problem.W.block<D>(i) * old;
-        Local<D> const change = update(i, free, old, rho[i]) - old;
+        PointAnswer<D> const answer = update(i, free, old, rho[i]);
+        Local<D> const change = answer.force - old;
+        found = found && answer.found;
         if (change.isZero(0))
           continue;
         p.segment<D>(D * i) += change;
         problem.W.add_column<D>(i, change, x);
         best.work += column;
       }
+      vain = found ? 0 : vain + 1;
+    }
     best.work += 2;
     x = displacement(problem, p); // no drift
     Verdict const verdict = judge(problem, p);
@@ -60,8 +66,8 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
       best.verdict = verdict;
     } else if (within_rounding(problem, best)) {
       best.converged = best.rounded = true;
-    } else if (!(verdict.residual <= 1e12 * best.verdict.residual)) {
-      break; // diverges
+    } else if (vain >= vain_sweeps || !(verdict.residual <= 1e12 * best.verdict.residual)) {
+      break; // in vain, or diverges
     }
   }
   return best;
@@ -81,7 +87,7 @@ private:
   template<int D> Solution run(Problem const& problem, Vector const& guess) const {
     auto update = [&](Index i, Local<D> const& free, Local<D> const& p, double rho) {
       if constexpr (std::is_same_v<Choice, BipotentialUzawa>)
-        return correct_point<D>(problem, i, free, p, choice_.relaxation * rho);
+        return PointAnswer<D>{correct_point<D>(problem, i, free, p, choice_.relaxation * rho), true};
       else
         return solve_point<D>(problem, i, free, p, rho);
     };

@@ -18,9 +18,11 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
-constexpr int quick = 12;     // iterations, before what is sure takes over
-constexpr int proximals = 8;  // in which the residual has to halve
-constexpr int pivotings = 12; // with the bonds linear about the last answer
+constexpr double near_by = 0.3; // residual of a guess that Newton takes first
+constexpr long huge = 600;      // rows, whose factorizations never pay
+constexpr int quick = 12;       // iterations, before what is sure takes over
+constexpr int proximals = 8;    // in which the residual has to halve
+constexpr int pivotings = 12;   // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -63,18 +65,28 @@ public:
     return false;
   }
 
+  /// Less often where that is in vain.
   void sweep(int times) {
-    for (int k = 0; k < times; ++k)
+    int k = 0, vain = 0;
+    for (; k < times && vain < vain_sweeps; ++k) {
+      bool found = true;
       for (Index i = 0; i < problem_.size(); ++i) {
         Local<D> const old = p_.segment<D>(D * i);
         Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D>(i) * old;
-        Local<D> const change = solve_point<D>(problem_, i, free, old, rho_[i]) - old;
+        auto const answer = solve_point<D>(problem_, i, free, old, rho_[i]);
+        Local<D> const change = answer.force - old;
+        found = found && answer.found;
         p_.segment<D>(D * i) += change;
         problem_.W.add_column<D>(i, change, x_);
       }
-    work_ += times;
+      vain = found ? 0 : vain + 1;
+    }
+    in_vain_ = vain == vain_sweeps;
+    work_ += k;
     merit_ = evaluate_all(p_, x_);
   }
+  /// Did the last sweeps end as no more of them would help?
+  [[nodiscard]] bool in_vain() const { return in_vain_; }
   [[nodiscard]] Vector const& force() const { return p_; }
   [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
   [[nodiscard]] double work() const { return work_; }
@@ -134,6 +146,7 @@ private:
   Dense matrix_;
   Vector right_;
   double merit_ = 0, work_ = 0;
+  bool in_vain_ = false;
 };
 
 /// Is the symmetric part positive semi-definite, but for `least`?
@@ -185,11 +198,16 @@ private:
     return judge(problem, force).relative() <= settings_.tolerance;
   }
 
-  /// Many plain points by sweeps, which cost less than one factorization while they take hold; then Newton
+  /// Many plain points by sweeps, which cost less than one factorization while they take hold, unless the
+  /// guess is so near that Newton needs hardly more than one; then Newton
   /// from where they end, and where it stagnates too, with more compliance, less and less of it.
   [[nodiscard]] Solution swept(Problem const& problem, Vector const& guess) {
-    if (static_cast<long>(problem.free.size()) < many || !plain(problem))
+    auto const rows = static_cast<long>(problem.free.size());
+    if (rows < many || !plain(problem))
       return {};
+    if (rows < huge && judge(problem, guess).relative() <= near_by)
+      if (auto found = polish(problem, guess, Stuck::hand_over); found.converged)
+        return found;
     auto solution = sweep_and_polish(problem, guess, settings_.tolerance);
     return proximal(problem, std::move(solution));
   }
@@ -362,7 +380,7 @@ private:
     auto method = Method::newton;
     for (int swept = 0; stuck == Stuck::sweep && stagnated && !solution.converged && swept < most_sweeps;
          swept += sweeps) {
-      if (!(solution.verdict.relative() < 0.99 * before))
+      if (!(solution.verdict.relative() < 0.99 * before) || newton.in_vain())
         break;
       before = solution.verdict.relative();
       newton.sweep(sweeps);

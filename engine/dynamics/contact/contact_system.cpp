@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "contact/solvers/descent.hpp"
 #include "dynamics/bulk/timer.hpp"
 #include "dynamics/contact/problem_assembly.hpp"
 #include "dynamics/contact/sharp_solver.hpp"
@@ -16,11 +17,15 @@ namespace {
 template<int D, int C> class System : public ContactSystem {
 public:
   System(Model const& model, BulkSystem const& bulk)
-      : points_(model, problem_), assembly_(model, bulk), solver_(sharp_solver(model)) {}
+      : points_(model, problem_), assembly_(model, bulk), solver_(sharp_solver(model)),
+        of_many_starts_(std::holds_alternative<contact::BipotentialNewton>(model.solver)) {}
   void begin(State const& old, double t1, double dt, bool turning) override {
     points_.begin(old, t1, dt);
     assembly_.begin(turning);
   }
+  void take(Vector const& forces) override { points_.take(forces); }
+  void keep(bool may) override { assembly_.keep(may); }
+  [[nodiscard]] bool kept() const override { return assembly_.kept(); }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {
@@ -42,8 +47,14 @@ private:
   ContactPoints<D, C> points_;
   ProblemAssembly<D, C> assembly_;
   std::unique_ptr<contact::Solver> solver_;
-  Indices rows_;  ///< into all points, behind the problem's rows
-  Vector forces_; ///< that the solver left
+  /// Does the solver start from nothing, too, where this problem's forces lead nowhere?
+  [[nodiscard]] bool starts_anew() const {
+    return of_many_starts_ && !contact::frictionless(problem_) && problem_.W.together() == nullptr;
+  }
+
+  bool of_many_starts_; ///< the solver
+  Indices rows_;        ///< into all points, behind the problem's rows
+  Vector forces_;       ///< that the solver left
 };
 
 template<int D, int C>
@@ -70,11 +81,16 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   };
   pose();
   bool answered = solve_from(guess);
+  if (!answered && assembly_.kept()) {
+    assembly_.keep(false);
+    pose();
+    answered = solve_from(guess);
+  }
   while (!answered && assembly_.tighten(points_)) { // next to buckling the answer may be far away
     pose();
     answered = solve_from(guess);
   }
-  if (!answered) // the forces may be a bad start
+  if (!answered && !starts_anew()) // the forces may be a bad start
     answered = solve_from(Vector::Zero(guess.size()));
   ++cost.contact_problems;
   ++cost.answered[static_cast<std::size_t>(found.method)];

@@ -9,14 +9,16 @@
 #include <utility>
 
 #include "dynamics/bulk/timer.hpp"
+#include "dynamics/step/mixing.hpp"
 
 namespace stiction::dynamics {
 
 namespace {
-constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
-constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
-constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
-constexpr double unreached = 1e100;    // gap of a point without counterpart, m
+constexpr int settle_after = 6;         // iterations after which no point changes its mind about bonding
+constexpr double refactor_above = 0.15; // contraction per iteration that a kept factor must beat
+constexpr double astray = 0.5;          // contraction that mixed iterations must beat
+constexpr double leap = 1e-2;           // of driven nodes, over a cell's size, into which bodies are led
+constexpr double unreached = 1e100;     // gap of a point without counterpart, m
 
 /// What an attempt did not reach; imbalance of the bodies, N. A point's residual is infinite where the last
 /// problem did not hold it.
@@ -284,13 +286,17 @@ bool Stepper::converged(Outcome& outcome) {
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
-/// one.
+/// one. Contact's own matrices are kept within a step in the same way, and made anew first.
 bool Stepper::correct(double dt, Outcome& outcome) {
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
-  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
+  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow || contact_->kept());
+  contact_->keep(outcome.iterations > 0 && !slow);
+  if (outcome.iterations == 0 || contraction_ > astray)
+    mixing_.forget();
   if (keep && apply_factor())
     return true;
   if (!keep || !bulk_.linear()) {
+    mixing_.forget();
     if (!bulk_.factorize(u_, weights_, dt, cost_)) {
       outcome.verdict = StepVerdict::indefinite;
       outcome.reason = "the effective stiffness is not positive definite";
@@ -326,9 +332,32 @@ bool Stepper::apply_factor() {
     bulk_.factor().expand(surface_load_, correction_);
     ++cost_.solves;
   }
+  if (!leads_ && !bulk_.linear() && bulk_.factor().coupled() == nullptr)
+    mix();
   for (Index k = 0; k < bulk_.unknowns(); ++k)
     d_[bulk_.dof_of(k)] += correction_[k];
   return correction_.allFinite();
+}
+
+/// What free unknowns lack to balance, N.
+void Stepper::gather_imbalance(Vector& force) const {
+  force.resize(bulk_.unknowns());
+  for (Index k = 0; k < bulk_.unknowns(); ++k) {
+    Index const dof = bulk_.dof_of(k);
+    force[k] = unbalanced_[dof] - weights_.contact * reaction_[dof];
+  }
+}
+
+/// Correction and contact forces become those of the last iterations with this factor together.
+void Stepper::mix() {
+  Timer const timer(cost_.solve);
+  Vector imbalance, forces;
+  gather_imbalance(imbalance);
+  if (!contact_->problem().points.empty())
+    forces = contact_->forces();
+  mixing_.mix(imbalance, correction_, forces);
+  if (forces.size() > 0)
+    contact_->take(forces);
 }
 
 /// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
