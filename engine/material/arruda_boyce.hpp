@@ -16,11 +16,13 @@ struct ArrudaBoyce {
   static constexpr bool linear = false;
 
   /// Value / mu, and first and second derivative by I1', of the series.
-  [[nodiscard]] std::array<double, 3> series(double I1) const {
+  template<class S> [[nodiscard]] std::array<S, 3> series(S const& I1) const {
     static constexpr std::array<double, 5> c{1.0 / 2, 1.0 / 20, 11.0 / 1050, 19.0 / 7000, 519.0 / 673750};
     double const r = 1 / (lambda_m * lambda_m);
-    double const a = I1 * r, b = 3 * r; // sum of c_i (a^i - b^i) / r
-    double value = 0, slope = 0, bend = 0, rest = 0;
+    S const a = I1 * r; // sum of c_i (a^i - b^i) / r
+    S value = 0, slope = 0, bend = 0;
+    double const b = 3 * r;
+    double rest = 0;
     for (std::size_t i = c.size(); i-- > 0;) {
       bend = bend * a + 2 * slope;
       slope = slope * a + value;
@@ -30,15 +32,15 @@ struct ArrudaBoyce {
     // value = sum c_i a^(i-1), and so on: one factor a is still missing
     return {value * I1 - 3 * rest, value + a * slope, r * (2 * slope + a * bend)};
   }
-  [[nodiscard]] double rubbery() const { return shear_modulus / (2 * series(3)[1]); } ///< mu
-  [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
+  [[nodiscard]] double rubbery() const { return shear_modulus / (2 * series(3.0)[1]); } ///< mu
+  template<class S> [[nodiscard]] Distortion<S> distortion(S const& I1, S const& /*I2*/) const {
     double const mu = rubbery();
     auto const [value, slope, bend] = series(I1);
     return {mu * value, mu * slope, 0, mu * bend};
   }
   [[nodiscard]] double bulk() const { return bulk_modulus; }
-  template<int N, Wanted wanted = Wanted::tangent>
-  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted wanted = Wanted::tangent, class S>
+  [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return Moduli::from(shear_modulus, bulk_modulus); }

@@ -11,7 +11,8 @@ struct LinearElastic {
   static constexpr bool small_strain = true;
   static constexpr bool linear = true;
 
-  template<int N, Wanted = Wanted::tangent> [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted = Wanted::tangent, class S>
+  [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return hooke<N>(moduli(), strain);
   }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }

@@ -15,12 +15,12 @@ struct MooneyRivlin {
   static constexpr bool small_strain = false;
   static constexpr bool linear = false;
 
-  [[nodiscard]] Distortion distortion(double I1, double I2) const {
+  template<class S> [[nodiscard]] Distortion<S> distortion(S const& I1, S const& I2) const {
     return {c10 * (I1 - 3) + c01 * (I2 - 3), c10, c01, 0};
   }
   [[nodiscard]] double bulk() const { return bulk_modulus; }
-  template<int N, Wanted wanted = Wanted::tangent>
-  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted wanted = Wanted::tangent, class S>
+  [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return Moduli::from(2 * (c10 + c01), bulk_modulus); }

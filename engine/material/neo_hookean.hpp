@@ -12,13 +12,13 @@ struct NeoHookean {
   static constexpr bool small_strain = false;
   static constexpr bool linear = false;
 
-  [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
+  template<class S> [[nodiscard]] Distortion<S> distortion(S const& I1, S const& /*I2*/) const {
     double const half = moduli().shear() / 2;
     return {half * (I1 - 3), half, 0, 0};
   }
   [[nodiscard]] double bulk() const { return moduli().bulk(); }
-  template<int N, Wanted wanted = Wanted::tangent>
-  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted wanted = Wanted::tangent, class S>
+  [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }

@@ -6,17 +6,18 @@ namespace stiction::material {
 
 /// Strain (11, 22, 33, 2*12 [, 2*23, 2*13]) or stress (11, 22, 33, 12 [, 23, 13]).
 /// N = 4 serves plane strain and axisymmetry, N = 6 three dimensions: laws always see the full 3x3 state.
-template<int N> using Voigt = Eigen::Matrix<double, N, 1>;
-template<int N> using VoigtMatrix = Eigen::Matrix<double, N, N>;
+/// S: double, or Pack for four cells at once.
+template<int N, class S = double> using Voigt = Eigen::Matrix<S, N, 1>;
+template<int N, class S = double> using VoigtMatrix = Eigen::Matrix<S, N, N>;
 
 /// How much of a Response is filled: force passes need no tangent.
 enum class Wanted { stress, tangent };
 
 /// W [J/m^3 of the reference volume], S = dW/dE [Pa], D = dS/dE [Pa] (physics.md 4; (35), (39)).
-template<int N> struct Response {
-  double energy = 0;
-  Voigt<N> stress;
-  VoigtMatrix<N> tangent;
+template<int N, class S = double> struct Response {
+  S energy = 0;
+  Voigt<N, S> stress;
+  VoigtMatrix<N, S> tangent;
 };
 
 /// Young's modulus [Pa] and Poisson's ratio of the law at rest.

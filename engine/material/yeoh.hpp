@@ -13,13 +13,13 @@ struct Yeoh {
   static constexpr bool small_strain = false;
   static constexpr bool linear = false;
 
-  [[nodiscard]] Distortion distortion(double I1, double /*I2*/) const {
-    double const x = I1 - 3;
+  template<class S> [[nodiscard]] Distortion<S> distortion(S const& I1, S const& /*I2*/) const {
+    S const x = I1 - 3;
     return {x * (c10 + x * (c20 + x * c30)), c10 + x * (2 * c20 + x * 3 * c30), 0, 2 * c20 + 6 * c30 * x};
   }
   [[nodiscard]] double bulk() const { return bulk_modulus; }
-  template<int N, Wanted wanted = Wanted::tangent>
-  [[nodiscard]] Response<N> respond(Voigt<N> const& strain) const {
+  template<int N, Wanted wanted = Wanted::tangent, class S>
+  [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
   [[nodiscard]] Moduli moduli() const { return Moduli::from(2 * c10, bulk_modulus); }

@@ -1,8 +1,10 @@
 // What is known of a block of cells before it deforms, and the passes that read it.
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "core/pack.hpp"
 #include "solid/body.hpp"
 
 namespace stiction::solid {
@@ -14,14 +16,24 @@ class BlockPasses;
 struct PreparedBlock {
   mesh::CellKind kind;
   int nodes, points;
-  Indices connectivity;          ///< [cells, nodes]
-  Indices number;                ///< [cells], of each in the body's mesh, from 0
-  std::vector<double> gradients; ///< [cells, points, width, nodes], 1/m; width as in Geometry
-  std::vector<double>
-      volumes; ///< that the points stand for, [cells, points], m^2 (m^3 when axisymmetric or in 3D)
+  Indices connectivity;        ///< [cells, nodes]
+  Indices number;              ///< [cells], of each in the body's mesh, from 0
+  std::vector<Pack> gradients; ///< [groups, points, width, nodes], 1/m; width as in Geometry
+  std::vector<Pack>
+      volumes; ///< that the points stand for, [groups, points], m^2 (m^3 when axisymmetric or in 3D)
   BlockPasses const* passes;     ///< the code for this kind
   material::Material const* law; ///< of all its cells
   [[nodiscard]] Index cells() const { return static_cast<Index>(connectivity.size()) / nodes; }
+  /// Cells are computed in groups of four, one in each lane of a Pack.
+  [[nodiscard]] Index groups() const { return (cells() + Pack::lanes - 1) / Pack::lanes; }
+  /// Of a group; the last one may be short.
+  [[nodiscard]] int cells_in(Index group) const {
+    return std::min(Pack::lanes, cells() - Pack::lanes * group);
+  }
+  /// In a lane of a group; where none is left the block's last.
+  [[nodiscard]] Index cell(Index group, int lane) const {
+    return std::min(Pack::lanes * group + lane, cells() - 1);
+  }
 };
 
 /// One block with its body and the displacement, dim * nodes of it.

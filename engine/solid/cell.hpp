@@ -1,4 +1,4 @@
-// One cell in deformed state: strain, stress, force and stiffness, all of fixed size.
+// Four cells in deformed state, side by side: strain, stress, force and stiffness, all of fixed size.
 #pragma once
 #include <array>
 #include <utility>
@@ -12,29 +12,38 @@ namespace stiction::solid {
 
 inline constexpr int most_points = 27;
 
-/// Reused from cell to cell. Call deform, then respond or flow, then what is wanted.
-template<Kinematics kinematics, int Nodes> class Cell {
+/// One group of a block's cells after the other. Call deform, then respond or flow, then what is wanted. What
+/// lanes say that no cell is left for is that of the last one.
+template<Kinematics kinematics, int Nodes> class CellGroup {
 public:
   using G = Geometry<kinematics>;
   static constexpr int nodes = Nodes, dim = G::dim, voigt = G::voigt, width = G::width;
-  using Voigt = material::Voigt<voigt>;
-  using Nodal = Eigen::Matrix<double, Nodes, dim>;
-  using Gradients = Eigen::Map<Eigen::Matrix<double, Nodes, width> const>;
-  using Square = Eigen::Matrix<double, Nodes, Nodes>;
+  using Voigt = material::Voigt<voigt, Pack>;
+  using Nodal = Eigen::Matrix<Pack, Nodes, dim>;
+  using Gradients = Eigen::Map<Eigen::Matrix<Pack, Nodes, width> const>;
+  using Square = Eigen::Matrix<Pack, Nodes, Nodes>;
   using Stiffness = std::array<Square, G::pairs>; ///< between components i >= j, lower ones by symmetry
 
-  Cell(PreparedBlock const& block, Body const& body)
+  CellGroup(PreparedBlock const& block, Body const& body)
       : block_(block), body_(body), finite_(!small_strain(*block.law)),
         mean_(body.interpolation == Interpolation::mean_dilatation) {}
 
-  [[nodiscard]] Index const* connectivity() const { return &block_.connectivity[ix(number_ * nodes)]; }
+  /// How many lanes have a cell of their own.
+  [[nodiscard]] int cells() const { return block_.cells_in(number_); }
+  /// Of the cell in a lane.
+  [[nodiscard]] Index const* connectivity(int lane) const {
+    return &block_.connectivity[ix(block_.cell(number_, lane) * nodes)];
+  }
   [[nodiscard]] int points() const { return block_.points; }
-  [[nodiscard]] double volume(int q) const { return block_.volumes[ix(number_ * points() + q)]; }
+  [[nodiscard]] Pack const& volume(int q) const { return block_.volumes[ix(number_ * points() + q)]; }
+  /// Had the cell in this lane det F > 0 at all points?
+  [[nodiscard]] bool sound(int lane) const { return sound_[lane] > 0; }
 
-  /// Takes the displacements of cell `number`; false if a point has det F <= 0.
-  bool deform(Index number, std::span<double const> u) {
+  /// Takes the displacements of group `number`; the lane of the first cell with det F <= 0 at a point, or -1.
+  int deform(Index number, std::span<double const> u) {
     number_ = number;
     gather(u);
+    sound_ = 1;
     for (int q = 0; q < points(); ++q) {
       Point& point = points_[at(q)];
       typename G::Gradient const H = gradient(q);
@@ -44,30 +53,32 @@ public:
       if (finite_) {
         point.F = G::deformation(H);
         point.jacobian = G::jacobian(point.F);
-        if (!(point.jacobian > 0))
-          return false;
+        sound_ = where_positive(point.jacobian, sound_);
       }
     }
     if (mean_)
       average_dilatation();
-    return true;
+    int lane = 0;
+    while (lane < Pack::lanes && sound(lane))
+      ++lane;
+    return lane < Pack::lanes ? lane : -1;
   }
 
-  /// The law's response at every point; its energy in this cell.
-  template<material::Wanted wanted> double respond() {
+  /// The law's response at every point; its energy in each cell.
+  template<material::Wanted wanted> Pack respond() {
     solid::respond<voigt>(*block_.law, wanted, {strains_.data(), at(points())},
                           {responses_.data(), at(points())});
-    double energy = 0;
+    Pack energy = 0;
     for (int q = 0; q < points(); ++q)
       energy += volume(q) * responses_[at(q)].energy;
     return energy;
   }
 
   /// The viscous response to velocities v at every point; the power it dissipates.
-  double flow(std::span<double const> v) {
+  Pack flow(std::span<double const> v) {
     gather(v);
-    auto const D = body_.damping->viscosity<voigt>();
-    double tau_rate = 0, power = 0;
+    auto const D = body_.damping->viscosity<voigt>().template cast<Pack>().eval();
+    Pack tau_rate = 0, power = 0;
     for (int q = 0; q < points(); ++q) {
       strains_[at(q)] = G::strain_rate(points_[at(q)].F, gradient(q));
       if (mean_)
@@ -84,14 +95,14 @@ public:
   void be_viscous() {
     for (int q = 0; q < points(); ++q) {
       responses_[at(q)].stress.setZero();
-      responses_[at(q)].tangent = body_.damping->viscosity<voigt>();
+      responses_[at(q)].tangent = body_.damping->viscosity<voigt>().template cast<Pack>();
     }
   }
 
   /// sigma = F S F^T / det F, of Fbar with mean dilatation.
-  [[nodiscard]] Matrix3 cauchy(int q) const {
+  [[nodiscard]] material::Tensor<Pack> cauchy(int q) const {
     Point const& point = points_[at(q)];
-    double const scale = mean_ && finite_ ? dilatations_[at(q)].a / mean_ratio_ : 1 / point.jacobian;
+    Pack const scale = mean_ && finite_ ? dilatations_[at(q)].a / mean_ratio_ : 1 / point.jacobian;
     return scale * point.F * stress_tensor<voigt>(responses_[at(q)].stress) * point.F.transpose();
   }
 
@@ -121,8 +132,8 @@ public:
 
 private:
   struct Point {
-    Matrix3 F; ///< identity for small strains
-    double jacobian;
+    material::Tensor<Pack> F; ///< identity for small strains
+    Pack jacobian;
   };
   [[nodiscard]] static std::size_t at(int q) { return static_cast<std::size_t>(q); }
   [[nodiscard]] Gradients gradients(int q) const {
@@ -136,18 +147,20 @@ private:
     return H;
   }
   void gather(std::span<double const> field) {
-    Index const* node = connectivity();
-    for (int a = 0; a < Nodes; ++a)
-      for (int i = 0; i < dim; ++i)
-        field_(a, i) = field[ix(dim * node[a] + i)];
+    for (int lane = 0; lane < Pack::lanes; ++lane) {
+      Index const* node = connectivity(lane);
+      for (int a = 0; a < Nodes; ++a)
+        for (int i = 0; i < dim; ++i)
+          field_(a, i).set(lane, field[ix(dim * node[a] + i)]);
+    }
   }
 
   void average_dilatation() {
-    double whole = 0, sum = 0;
+    Pack whole = 0, sum = 0;
     for (int q = 0; q < points(); ++q) {
       Voigt const& E = strains_[at(q)];
       whole += volume(q);
-      sum += volume(q) * (finite_ ? points_[at(q)].jacobian : E.template head<3>().sum());
+      sum += volume(q) * (finite_ ? points_[at(q)].jacobian : Pack(E.template head<3>().sum()));
     }
     mean_ratio_ = sum / whole;
     mean_volume_ = finite_ ? sum : whole;
@@ -158,15 +171,15 @@ private:
   }
 
   /// Sum over the points of the stress conjugate to tau.
-  [[nodiscard]] double tau_stress() const {
-    double sum = 0;
+  [[nodiscard]] Pack tau_stress() const {
+    Pack sum = 0;
     for (int q = 0; q < points(); ++q)
       sum += volume(q) * dilatations_[at(q)].by_tau(responses_[at(q)].stress);
     return sum;
   }
   /// Turns the stress conjugate to Ebar into the one that B^T S wants.
   void conjugate_stress() {
-    double const pressure = tau_stress() / mean_volume_;
+    Pack const pressure = tau_stress() / mean_volume_;
     for (int q = 0; q < points(); ++q) {
       Voigt& S = responses_[at(q)].stress;
       S = (dilatations_[at(q)].by_strain(S) + pressure * dilatations_[at(q)].volume_gradient()).eval();
@@ -174,15 +187,15 @@ private:
   }
 
   /// f += factor B^T S at a point.
-  void add_pulled(int q, double factor, Voigt const& S, Nodal& f) const {
+  void add_pulled(int q, Pack const& factor, Voigt const& S, Nodal& f) const {
     for (int i = 0; i < dim; ++i)
       f.col(i) += gradients(q).lazyProduct((factor * G::pull(points_[at(q)].F, i, S)).eval());
   }
 
   /// Adds the terms of grad tau, and replaces the responses by those that B^T D B + G S G^T wants.
   void add_mean_terms(double factor, Stiffness& K) {
-    double const conjugate = tau_stress(), pressure = conjugate / mean_volume_;
-    double by_tau = finite_ ? -conjugate : 0.0;
+    Pack const conjugate = tau_stress(), pressure = conjugate / mean_volume_;
+    Pack by_tau = finite_ ? -conjugate : Pack(0);
     Nodal slope = Nodal::Zero(), mixed = Nodal::Zero(); // grad tau, and what it is paired with
     for (int q = 0; q < points(); ++q) {
       auto const& dilatation = dilatations_[at(q)];
@@ -203,7 +216,7 @@ private:
   }
 
   /// Adds the share of a point to the blocks between all components.
-  void add_point(int q, double factor, Stiffness& K) const {
+  void add_point(int q, Pack const& factor, Stiffness& K) const {
     [&]<int... j>(std::integer_sequence<int, j...>) {
       (add_column<j>(q, factor, K, std::make_integer_sequence<int, dim - j>()), ...);
     }
@@ -211,24 +224,24 @@ private:
   }
   /// K_ij += G (L_i^T D L_j + delta_ij S) G^T for i = j + k, where L_i^T is G::pull.
   template<int j, int... k>
-  void add_column(int q, double factor, Stiffness& K, std::integer_sequence<int, k...>) const {
+  void add_column(int q, Pack const& factor, Stiffness& K, std::integer_sequence<int, k...>) const {
     auto const& D = responses_[at(q)].tangent;
-    Eigen::Matrix<double, voigt, G::active(j)> T;
+    Eigen::Matrix<Pack, voigt, G::active(j)> T;
     for (int v = 0; v < voigt; ++v)
       T.row(v) = factor * G::pull(points_[at(q)].F, j, D.col(v)).template head<G::active(j)>();
     (add_block<j + k, j>(q, factor, T, K), ...);
   }
   template<int i, int j, class Pulled>
-  void add_block(int q, double factor, Pulled const& T, Stiffness& K) const {
+  void add_block(int q, Pack const& factor, Pulled const& T, Stiffness& K) const {
     constexpr int rows = G::active(i), columns = G::active(j);
-    Eigen::Matrix<double, rows, columns> A;
+    Eigen::Matrix<Pack, rows, columns> A;
     for (int c = 0; c < columns; ++c)
       A.col(c) = G::pull(points_[at(q)].F, i, T.col(c)).template head<rows>();
     if constexpr (i == j)
       if (finite_)
         A += factor * G::initial_stress(responses_[at(q)].stress, i).template topLeftCorner<rows, rows>();
     Gradients const g = gradients(q);
-    Eigen::Matrix<double, Nodes, columns> const left = g.template leftCols<rows>().lazyProduct(A);
+    Eigen::Matrix<Pack, Nodes, columns> const left = g.template leftCols<rows>().lazyProduct(A);
     K[at(G::pair(i, j))] += left.lazyProduct(g.template leftCols<columns>().transpose());
   }
 
@@ -236,12 +249,13 @@ private:
   Body const& body_;
   bool finite_, mean_;
   Index number_ = 0;
+  Pack sound_ = 1; ///< 0 where det F was not positive at a point
   Nodal field_;
-  double mean_ratio_ = 1;  ///< theta, or the mean of tr(E) with small strains
-  double mean_volume_ = 1; ///< theta V, or V with small strains
+  Pack mean_ratio_ = 1;  ///< theta, or the mean of tr(E) with small strains
+  Pack mean_volume_ = 1; ///< theta V, or V with small strains
   std::array<Point, most_points> points_;
   std::array<Voigt, most_points> strains_; ///< what the law sees
-  std::array<material::Response<voigt>, most_points> responses_;
+  std::array<material::Response<voigt, Pack>, most_points> responses_;
   std::array<Dilatation<voigt>, most_points> dilatations_; ///< only with mean dilatation
 };
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -122,22 +123,34 @@ void Cells::divide(mesh::Block const& block, material::Material const& law, Inde
 }
 
 void Cells::prepare(PreparedBlock& prepared) const {
-  auto const& rule = mesh::stiffness_rule(prepared.kind);
-  int const nodes = prepared.nodes, points = prepared.points;
-  for (Index c = 0; c < prepared.cells(); ++c) {
-    Matrix const X = corners(body_->mesh, solid::nodes_of(prepared, c));
-    for (int q = 0; q < points; ++q) {
-      auto const [inverse, determinant] = jacobian(X, rule.gradients[ix(q)]);
-      Dense const gradients = rule.gradients[ix(q)] * inverse; // columns follow each other in memory
-      prepared.gradients.insert(prepared.gradients.end(), gradients.data(),
-                                gradients.data() + gradients.size());
-      double const R = rule.shape.row(q).dot(X.col(0));
-      prepared.volumes.push_back(rule.weights[q] * determinant * circumference(kinematics_, R));
-      if (kinematics_ == Kinematics::axisymmetric)
-        for (int a = 0; a < nodes; ++a)
-          prepared.gradients.push_back(rule.shape(q, a) / R);
-    }
+  for (Index g = 0; g < prepared.groups(); ++g) {
+    std::array<Matrix, Pack::lanes> X;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+      X[ix(lane)] = corners(body_->mesh, solid::nodes_of(prepared, prepared.cell(g, lane)));
+    for (int q = 0; q < prepared.points; ++q)
+      prepare_point(X, q, prepared);
   }
+}
+
+/// Adds point q of a group of cells with these corners.
+void Cells::prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, PreparedBlock& prepared) const {
+  auto const& rule = mesh::stiffness_rule(prepared.kind);
+  bool const axisymmetric = kinematics_ == Kinematics::axisymmetric;
+  auto const first = prepared.gradients.size();
+  prepared.gradients.resize(first + ix(prepared.nodes * (dimension(kinematics_) + (axisymmetric ? 1 : 0))));
+  Pack volume;
+  for (int lane = 0; lane < Pack::lanes; ++lane) {
+    auto const [inverse, determinant] = jacobian(X[ix(lane)], rule.gradients[ix(q)]);
+    Dense const gradients = rule.gradients[ix(q)] * inverse; // columns follow each other in memory
+    double const R = rule.shape.row(q).dot(X[ix(lane)].col(0));
+    auto const count = static_cast<Index>(gradients.size());
+    for (Index k = 0; k < count; ++k)
+      prepared.gradients[first + ix(k)].set(lane, gradients(k));
+    for (int a = 0; axisymmetric && a < prepared.nodes; ++a)
+      prepared.gradients[first + ix(count + a)].set(lane, rule.shape(q, a) / R);
+    volume.set(lane, rule.weights[q] * determinant * circumference(kinematics_, R));
+  }
+  prepared.volumes.push_back(volume);
 }
 
 Index Cells::count() const {

@@ -1,5 +1,6 @@
 // The cells of one body prepared for assembly, and the passes over them.
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 
@@ -63,6 +64,7 @@ private:
   };
   void divide(mesh::Block const& block, material::Material const& law, Index first);
   void prepare(PreparedBlock& block) const;
+  void prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, PreparedBlock& prepared) const;
   template<class BlockPass> void each_block(BlockPass const& pass) const;
   template<class BlockPass>
   void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass const& pass) const;

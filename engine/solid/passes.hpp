@@ -8,94 +8,109 @@
 namespace stiction::solid {
 
 template<Kinematics kinematics, int Nodes> class Passes final : public BlockPasses {
-  using Element = Cell<kinematics, Nodes>;
-  static constexpr int dim = Element::dim;
+  using Group = CellGroup<kinematics, Nodes>;
+  static constexpr int dim = Group::dim;
 
 public:
   static constexpr int nodes = Nodes;
 
   Index add_force(Deformed const& at, std::span<double> force, double& energy) const override {
-    Element cell(at.block, at.body);
-    for (Index c = 0; c < at.block.cells(); ++c) {
-      if (!cell.deform(c, at.u))
-        return c;
-      energy += cell.template respond<material::Wanted::stress>();
-      scatter(cell, cell.force(), force);
+    Group group(at.block, at.body);
+    for (Index g = 0; g < at.block.groups(); ++g) {
+      if (int const bad = group.deform(g, at.u); bad >= 0)
+        return at.block.cell(g, bad);
+      add_lanes(group, group.template respond<material::Wanted::stress>(), energy);
+      scatter(group, group.force(), force);
     }
     return -1;
   }
 
   void add_stiffness(Deformed const& at, StiffnessTarget const& target) const override {
-    add_matrices(at, target, [](Element& cell) { cell.template respond<material::Wanted::tangent>(); });
+    add_matrices(at, target, [](Group& group) { group.template respond<material::Wanted::tangent>(); });
   }
 
   double add_damping(Deformed const& at, std::span<double const> v, std::span<double> force) const override {
-    Element cell(at.block, at.body);
+    Group group(at.block, at.body);
     double power = 0;
-    for (Index c = 0; c < at.block.cells(); ++c) {
-      cell.deform(c, at.u);
-      power += cell.flow(v);
-      scatter(cell, cell.force(), force);
+    for (Index g = 0; g < at.block.groups(); ++g) {
+      group.deform(g, at.u);
+      add_lanes(group, group.flow(v), power);
+      scatter(group, group.force(), force);
     }
     return power;
   }
 
   void add_damping_stiffness(Deformed const& at, StiffnessTarget const& target) const override {
-    add_matrices(at, target, [](Element& cell) { cell.be_viscous(); });
+    add_matrices(at, target, [](Group& group) { group.be_viscous(); });
   }
 
   void add_stress(Deformed const& at, StressSums& sums) const override {
-    Element cell(at.block, at.body);
-    for (Index c = 0; c < at.block.cells(); ++c) {
-      if (!cell.deform(c, at.u))
-        continue;
-      cell.template respond<material::Wanted::stress>();
-      for (int q = 0; q < cell.points(); ++q)
-        add_stress_of(cell, q, sums);
+    Group group(at.block, at.body);
+    for (Index g = 0; g < at.block.groups(); ++g) {
+      group.deform(g, at.u);
+      group.template respond<material::Wanted::stress>();
+      for (int q = 0; q < group.points(); ++q)
+        add_stress_of(group, q, sums);
     }
   }
 
 private:
-  static void add_stress_of(Element const& cell, int q, StressSums& sums) {
-    auto const cauchy = material::stress_vector<Element::voigt>(cell.cauchy(q));
-    for (int a = 0; a < Nodes; ++a) {
-      Index const node = cell.connectivity()[a];
-      sums.cauchy.row(node) += cell.volume(q) * cauchy.transpose();
-      sums.volume[node] += cell.volume(q);
-    }
+  static void add_lanes(Group const& group, Pack const& of_cells, double& sum) {
+    for (int lane = 0; lane < group.cells(); ++lane)
+      sum += of_cells[lane];
   }
 
-  static void scatter(Element const& cell, typename Element::Nodal const& f, std::span<double> force) {
-    for (int a = 0; a < Nodes; ++a)
-      for (int i = 0; i < dim; ++i)
-        force[ix(dim * cell.connectivity()[a] + i)] += f(a, i);
+  static void add_stress_of(Group const& group, int q, StressSums& sums) {
+    auto const cauchy = material::stress_vector<Group::voigt>(group.cauchy(q));
+    for (int lane = 0; lane < group.cells(); ++lane)
+      for (int a = 0; a < Nodes && group.sound(lane); ++a) {
+        Index const node = group.connectivity(lane)[a];
+        double const volume = group.volume(q)[lane];
+        sums.volume[node] += volume;
+        for (int i = 0; i < Group::voigt; ++i)
+          sums.cauchy(node, i) += volume * cauchy[i][lane];
+      }
+  }
+
+  static void scatter(Group const& group, typename Group::Nodal const& f, std::span<double> force) {
+    for (int lane = 0; lane < group.cells(); ++lane) {
+      Index const* node = group.connectivity(lane);
+      for (int a = 0; a < Nodes; ++a)
+        for (int i = 0; i < dim; ++i)
+          force[ix(dim * node[a] + i)] += f(a, i)[lane];
+    }
   }
 
   template<class Respond>
   static void add_matrices(Deformed const& at, StiffnessTarget const& target, Respond const& respond) {
-    Element cell(at.block, at.body);
-    typename Element::Stiffness K;
+    Group group(at.block, at.body);
+    typename Group::Stiffness K;
     Index const* map = target.map;
-    for (Index c = 0; c < at.block.cells(); ++c) {
-      cell.deform(c, at.u);
-      respond(cell);
-      cell.stiffness(target.factor, K);
-      for (int a = 0; a < Nodes; ++a)
-        for (int i = 0; i < dim; ++i) {
-          scatter_row(K, a, i, {1, map, target.values});
-          map += dim * a + i + 1;
-        }
+    for (Index g = 0; g < at.block.groups(); ++g) {
+      group.deform(g, at.u);
+      respond(group);
+      group.stiffness(target.factor, K);
+      for (int lane = 0; lane < group.cells(); ++lane)
+        for (int a = 0; a < Nodes; ++a)
+          for (int i = 0; i < dim; ++i) {
+            scatter_row(K, {a, i, lane}, {1, map, target.values});
+            map += dim * a + i + 1;
+          }
     }
   }
-  /// Row (a, i) of the lower triangle.
-  static void scatter_row(typename Element::Stiffness const& K, int a, int i, StiffnessTarget const& to) {
+  struct Row {
+    int node, component, lane;
+  };
+  /// Row of the lower triangle.
+  static void scatter_row(typename Group::Stiffness const& K, Row const& row, StiffnessTarget const& to) {
+    auto const [a, i, lane] = row;
     Index const* map = to.map;
     for (int b = 0; b <= a; ++b)
       for (int j = 0; j < (b < a ? dim : i + 1); ++j, ++map)
         if (*map >= 0)
-          to.values[ix(*map)] += i >= j ? K[pair(i, j)](a, b) : K[pair(j, i)](b, a);
+          to.values[ix(*map)] += (i >= j ? K[pair(i, j)](a, b) : K[pair(j, i)](b, a))[lane];
   }
-  static constexpr std::size_t pair(int i, int j) { return static_cast<std::size_t>(Element::G::pair(i, j)); }
+  static constexpr std::size_t pair(int i, int j) { return static_cast<std::size_t>(Group::G::pair(i, j)); }
 };
 
 /// The one of Passes<kinematics, Nodes>... with so many nodes.

@@ -119,11 +119,11 @@ void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
 /// Of its stiffness at rest against compression along x by this strain, sides held.
 double kept_stiffness(material::Material const& law, double strain) {
   double const stretch = std::max(1 - strain, 0.01), squared = stretch * stretch;
-  std::array<material::Voigt<4>, 2> strains{material::Voigt<4>::Zero(), material::Voigt<4>::Zero()};
-  strains[1][0] = (squared - 1) / 2;
-  std::array<material::Response<4>, 2> at;
-  solid::respond<4>(law, material::Wanted::tangent, strains, at);
-  return (at[1].stress[0] + squared * at[1].tangent(0, 0)) / at[0].tangent(0, 0);
+  material::Voigt<4, Pack> strains = material::Voigt<4, Pack>::Zero(); // the first lane is at rest
+  strains[0].set(1, (squared - 1) / 2);
+  material::Response<4, Pack> at;
+  solid::respond<4>(law, material::Wanted::tangent, {&strains, 1}, {&at, 1});
+  return (at.stress[0][1] + squared * at.tangent(0, 0)[1]) / at.tangent(0, 0)[0];
 }
 
 /// Where nothing of it is left, in words; "" where that is nowhere.
