@@ -5,8 +5,7 @@
 namespace stiction::material {
 
 /// W = lambda/2 tr(E)^2 + G E:E.
-template<int N, class S>
-[[nodiscard]] Response<N, S> hooke(Moduli const& moduli, Voigt<N, S> const& strain) {
+template<int N, class S> [[nodiscard]] Response<N, S> hooke(Moduli const& moduli, Voigt<N, S> const& strain) {
   Response<N, S> response;
   double const G = moduli.shear();
   response.tangent.setZero();

@@ -5,9 +5,7 @@
 namespace stiction::material {
 
 /// Energy of the distortion, linear in I2', and its derivatives by I1' = I3^-1/3 I1 and I2' = I3^-2/3 I2.
-template<class S> struct Distortion {
-  S energy = 0, by1 = 0, by2 = 0, by11 = 0;
-};
+template<class S> struct Distortion { S energy = 0, by1 = 0, by2 = 0, by11 = 0; };
 
 /// A law that offers `Distortion<S> distortion(I1', I2')` and `double bulk()`, as energy of I1, I2, I3.
 template<class Law> struct OfDistortion {

@@ -1,5 +1,5 @@
-// Mean dilatation at one point of four cells: the strain whose volume change is the cell's mean, and what is conjugate to
-// it.
+// Mean dilatation at one point of four cells: the strain whose volume change is the cell's mean, and what is
+// conjugate to it.
 #pragma once
 #include "core/pack.hpp"
 #include "material/isotropic.hpp"

@@ -1,4 +1,5 @@
-// How displacement gradients become strain, and stress becomes force, in each kinematics: of four cells at once.
+// How displacement gradients become strain, and stress becomes force, in each kinematics: of four cells at
+// once.
 #pragma once
 #include "core/pack.hpp"
 #include "material/response.hpp"

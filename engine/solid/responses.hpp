@@ -16,9 +16,7 @@ template<int N, material::Wanted wanted, class Law>
                                                            material::Voigt<N, Pack> const& strain) {
   using material::Response, material::Voigt;
   if constexpr (requires {
-                  {
-                    law.template respond<N, wanted>(strain)
-                    } -> std::same_as<Response<N, Pack>>;
+                  { law.template respond<N, wanted>(strain) } -> std::same_as<Response<N, Pack>>;
                 })
     return law.template respond<N, wanted>(strain);
   Response<N, Pack> all;

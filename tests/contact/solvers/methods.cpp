@@ -36,6 +36,26 @@ TEST_SUITE("contact") {
     CHECK(solve(once, problem).method == Method::none);
   }
 
+  TEST_CASE("Newton answers a large problem at once whose guess is near") {
+    auto const problem = random_problem(3, 20, 1, 0.5);
+    BipotentialNewton solver;
+    solver.tolerance = 1e-8;
+    auto const far = solve(solver, problem);
+    REQUIRE(far.method == Method::sweeps);
+    auto const near = solver.make()->solve(problem, 1.01 * far.force);
+    CHECK(near.method == Method::newton);
+    CHECK(near.iterations <= 4);
+    CHECK((near.force - far.force).norm() <= 1e-6 * far.force.norm());
+  }
+
+  TEST_CASE("sweeps end soon where a point has no answer") {
+    Dense W(2, 2);
+    W << -1e-6, 0, 0, 1e-6; // what presses it makes it sink
+    auto const solution = solve(GaussSeidel{}, one_point(W, Eigen::Vector2d(-1e-3, 0), 0.4));
+    CHECK_FALSE(solution.converged);
+    CHECK(solution.iterations <= 20);
+  }
+
   TEST_CASE("counts of methods in words") {
     Methods counts{};
     CHECK(words(counts).empty());
