@@ -90,9 +90,17 @@ Root root_of(Dense const& W) {
   return root;
 }
 
+template<int D> struct Kept : MinimumMemory {
+  explicit Kept(Dense const& of) : W(of), root(root_of(of)), hessian(root.F) {}
+  Dense W;
+  Root root;
+  KeptHessian<D> hessian;
+};
+
 template<int D> class Minimum {
 public:
-  Minimum(Problem const& problem, Root root) : problem_(problem), root_(std::move(root)), hessian_(root_.F) {
+  Minimum(Problem const& problem, Kept<D>& kept)
+      : problem_(problem), root_(kept.root), hessian_(kept.hessian) {
     for (auto const& law : problem.adhesions)
       opening_ = std::min(opening_, interface::scales(law).opening);
     active_.assign(ix(problem.size()), false);
@@ -249,8 +257,8 @@ private:
   }
 
   Problem const& problem_;
-  Root root_;
-  KeptHessian<D> hessian_;
+  Root const& root_;
+  KeptHessian<D>& hessian_;
   bool quadratic_ = false;                                   ///< without bonds
   double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m
   Vector z_, x_, bonds_, gradient_, step_, moved_;
@@ -261,12 +269,17 @@ private:
 
 } // namespace
 
-std::optional<Descended> minimise(Problem const& problem, Vector const& guess, long iterations) {
+std::optional<Descended> minimise(Problem const& problem, Vector const& guess, long iterations,
+                                  std::unique_ptr<MinimumMemory>& memory) {
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
-    Root root = root_of(problem.W.dense());
-    if (!root.sound)
+    Dense const& W = problem.W.dense();
+    auto const* kept = dynamic_cast<Kept<D> const*>(memory.get());
+    if (kept == nullptr || kept->W.rows() != W.rows() || kept->W != W)
+      memory = std::make_unique<Kept<D>>(W);
+    auto& now = static_cast<Kept<D>&>(*memory);
+    if (!now.root.sound)
       return std::nullopt;
-    return Minimum<D>(problem, std::move(root)).run(guess, iterations);
+    return Minimum<D>(problem, now).run(guess, iterations);
   });
 }
 

@@ -182,6 +182,8 @@ public:
     return solution;
   }
 
+  void forget() override { memory_.reset(); }
+
   /// Newton's steps from the guess.
   [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
     auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
@@ -260,9 +262,10 @@ private:
       if (solution.converged)
         return solution;
     }
-    for (auto const& [go, method] :
-         {std::pair{&descend, Method::descent}, std::pair{&minimise, Method::minimisation}})
-      if (auto const end = go(problem, guess, 20L * settings_.iterations)) {
+    long const most = 20L * settings_.iterations;
+    for (auto const method : {Method::descent, Method::minimisation})
+      if (auto const end = method == Method::descent ? descend(problem, guess, most)
+                                                     : minimise(problem, guess, most, memory_)) {
         solution = by(method, landed(problem, *end));
         if (solution.converged)
           return solution;
@@ -409,6 +412,7 @@ private:
     double work = 0;
   };
   Spent spent_;
+  std::unique_ptr<MinimumMemory> memory_;
   double there_ = std::numeric_limits<double>::infinity(); ///< Pa
   BipotentialNewton settings_;
 };

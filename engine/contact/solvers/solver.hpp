@@ -25,6 +25,8 @@ public:
   virtual ~Solver() = default;
   /// guess[dim n]: starting forces, N.
   [[nodiscard]] virtual Solution solve(Problem const& problem, Vector const& guess) = 0;
+  /// Forgets what earlier problems left, on which the last digits of answers may depend.
+  virtual void forget() {}
 };
 
 /// Semismooth Newton on the bi-potential's natural map, with a line search and Gauss-Seidel sweeps to restart

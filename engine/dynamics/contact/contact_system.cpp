@@ -21,6 +21,7 @@ public:
         of_many_starts_(std::holds_alternative<contact::BipotentialNewton>(model.solver)) {}
   void begin(State const& old, double t1, double dt, bool turning) override {
     points_.begin(old, t1, dt);
+    solver_->forget();
     assembly_.begin(turning);
   }
   void take(Vector const& forces) override { points_.take(forces); }
