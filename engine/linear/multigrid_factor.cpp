@@ -18,11 +18,11 @@ namespace {
 /// up.
 constexpr double stored = 2.4, set_up_passes = 30;
 constexpr double solved_to = 1e-12;
-constexpr Index few_in_slab = 500; ///< nodes that one thread does best
-constexpr int most_for_load = 400; ///< iterations for a load
-constexpr int most_coupled = 60;   ///< vectors of GMRES
-constexpr double softness = 0.15;  ///< of a point's compliance, which the preconditioner adds to it
-constexpr double wider = 2.5;      ///< compliance of a node in a body over that of the node alone
+constexpr Index few_nodes_in_slab = 500; ///< nodes that one thread does best
+constexpr int most_for_load = 400;       ///< iterations for a load
+constexpr int most_coupled = 60;         ///< vectors of GMRES
+constexpr double softness = 0.15;        ///< of a point's compliance, which the preconditioner adds to it
+constexpr double wider = 2.5;            ///< compliance of a node in a body over that of the node alone
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
@@ -179,7 +179,7 @@ void MultigridFactor::shape_blocks(NodesOfUnknowns const& nodes) {
 
 /// Takes other numbers for the nodes, with which many of them are smoothed at the same time.
 void MultigridFactor::number_in_waves(NodesOfUnknowns nodes) {
-  auto made = waves_of(A_, {std::max(few_in_slab, A_.rows() / 24), 2});
+  auto made = waves_of(A_, {std::max(few_nodes_in_slab, A_.rows() / 24), 2});
   Dense const modes = nodes.modes;
   for (std::size_t k = 0; k < made.order.size(); ++k)
     nodes.modes.middleRows<3>(3 * static_cast<Index>(k)) = modes.middleRows<3>(3 * made.order[k]);
