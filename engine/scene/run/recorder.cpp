@@ -47,8 +47,10 @@ Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, Reco
       log_(folder, from != nullptr ? from->steps : 0, rows_of(scene)) {
   add_step_columns(scene, series_);
   samplers_ = add_probes(scene, series_);
-  if (from == nullptr)
-    return remove_problems(folder / "problems");
+  if (from == nullptr) {
+    remove_problems(folder / "problems");
+    return;
+  }
   series_.take_up(series_in(folder), from->series);
   changes_ = from->changes;
 }
