@@ -14,6 +14,8 @@
 #include "core/build_identity.hpp"
 #include "record/manifest.hpp"
 
+extern "C" char* openblas_get_corename();
+
 namespace stiction::record {
 
 namespace {
@@ -42,11 +44,6 @@ std::string read_processor() {
   return "unknown";
 }
 
-std::string const& processor() { // the system takes its time to make that file
-  static auto const found = read_processor();
-  return found;
-}
-
 /// The name of the distribution, and of the kernel: "Debian GNU/Linux 12 (bookworm), Linux 6.1.0 x86_64".
 std::string operating_system() {
   std::string words;
@@ -60,6 +57,12 @@ std::string operating_system() {
 }
 
 } // namespace
+
+std::string const& processor() { // the system takes its time to make that file
+  static auto const found =
+      fmt::format("{}, kernels of OpenBLAS: {}", read_processor(), openblas_get_corename());
+  return found;
+}
 
 nlohmann::json host_facts() {
   return {{"processor", processor()},

@@ -24,6 +24,10 @@ namespace stiction::record {
 /// Program version, commit, compiler and flags, libraries, processor.
 [[nodiscard]] nlohmann::json build_identity();
 
+/// What decides last digits beside the program: the processor, and for which one OpenBLAS computes on it, as
+/// OPENBLAS_CORETYPE may say.
+[[nodiscard]] std::string const& processor();
+
 /// What the run is made on: {"processor", "cores", "system"}.
 [[nodiscard]] nlohmann::json host_facts();
 

@@ -42,6 +42,12 @@ int terminal_width(lua_State* lua) {
   return 1;
 }
 
+/// processor() -> its name, and for which one OpenBLAS computes on it
+int processor(lua_State* lua) {
+  push(lua, record::processor());
+  return 1;
+}
+
 /// utc_now() -> "2026-01-31T12:00:00Z"
 int utc_now(lua_State* lua) {
   push(lua, record::utc_now());
@@ -79,6 +85,7 @@ void add_terminal_functions(lua_State* lua) {
   add<write>(lua, "write");
   add<complain>(lua, "complain");
   add<terminal_width>(lua, "terminal_width");
+  add<processor>(lua, "processor");
   add<utc_now>(lua, "utc_now");
   add<clock>(lua, "clock");
   add<cores>(lua, "cores");

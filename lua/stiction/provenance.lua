@@ -4,16 +4,11 @@ local fault = require "stiction.fault"
 
 local provenance = { folder = "source" } -- in the output folder
 
---- The processor's name, "unknown" where the system tells none.
-function provenance.processor()
-  return (engine.read_file "/proc/cpuinfo" or ""):match "model name%s*:%s*([^\n]*)" or "unknown"
-end
-
 --- What a case that begins is run with: what the command line asked, the program (its identity), the processor, the
 --- time.
 function provenance.begin(options, program)
   return { quick = options.quick or false, set = options.set or {}, program = program, version = engine.version,
-    processor = provenance.processor(), started = engine.utc_now() }
+    processor = engine.processor(), started = engine.utc_now() }
 end
 
 --- The same when the case has ended.

@@ -128,7 +128,7 @@ local function compare(report, case, result, scales, tolerance)
       or ("it ended as '%s'%s"):format(result.verdict, result.reason ~= "" and ": " .. tostring(result.reason) or "") }
     return
   end
-  local same_build = how.program == output.program() and how.processor == provenance.processor()
+  local same_build = how.program == output.program() and how.processor == engine.processor()
   report.cases, report.foreign = report.cases + 1, report.foreign + (same_build and 0 or 1)
   for _, name in ipairs(ordered.keys_of(case.results, result.results or {})) do
     local kept, got = case.results[name], (result.results or {})[name]
