@@ -23,6 +23,10 @@ template<int R, int C> struct BlockMatrix {
     return Eigen::Map<Block const>(values.data() + R * C * ix(k));
   }
   [[nodiscard]] Eigen::Map<Block> block(Index k) { return Eigen::Map<Block>(values.data() + R * C * ix(k)); }
+  void push(Index in_column, Block const& block) {
+    column.push_back(in_column);
+    values.insert(values.end(), block.data(), block.data() + R * C);
+  }
   /// Ends a row: all blocks since the last one are its.
   void end_row() { starts.push_back(static_cast<Index>(column.size())); }
   /// Position of block (i, j), which has to be there; columns ascend within a row.
@@ -142,15 +146,19 @@ private:
   std::vector<Block> sums_;
 };
 
-/// Rows `first` to before `last` of A B alone.
+/// What of a product is wanted: all, or what stands left of the diagonal and on it.
+enum class Part { all, left };
+
+/// Rows `first` to before `last` of A B alone; columns of B ascend.
 template<int R, int K, int C>
 [[nodiscard]] BlockMatrix<R, C> rows_of_product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B,
-                                                Index first, Index last) {
+                                                Index first, Index last, Part part) {
   BlockMatrix<R, C> AB;
   RowOfBlocks<R, C> row(B.columns);
   for (Index i = first; i < last; ++i) {
     for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
-      for (Index l = B.starts[ix(A.column[ix(k)])]; l < B.starts[ix(A.column[ix(k)]) + 1]; ++l)
+      for (Index l = B.starts[ix(A.column[ix(k)])], end = B.starts[ix(A.column[ix(k)]) + 1];
+           l < end && (part == Part::all || B.column[ix(l)] <= i); ++l)
         row.at(B.column[ix(l)]).noalias() += A.block(k) * B.block(l);
     row.move_to(AB);
   }
@@ -159,10 +167,11 @@ template<int R, int K, int C>
 
 /// A B, rows in ascending columns.
 template<int R, int K, int C>
-[[nodiscard]] BlockMatrix<R, C> product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B) {
+[[nodiscard]] BlockMatrix<R, C> product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B,
+                                        Part wanted = Part::all) {
   std::vector<BlockMatrix<R, C>> parts(core::most_pieces);
   core::each_piece(A.rows(), few_rows, [&](Index first, Index last) {
-    parts[ix(core::piece_of(A.rows(), few_rows, first))] = rows_of_product(A, B, first, last);
+    parts[ix(core::piece_of(A.rows(), few_rows, first))] = rows_of_product(A, B, first, last, wanted);
   });
   BlockMatrix<R, C> AB;
   AB.columns = B.columns;
@@ -180,6 +189,22 @@ template<int R, int K, int C>
     part = {}; // its memory is wanted for the next
   }
   return AB;
+}
+
+/// The symmetric matrix of which this is what stands left of the diagonal and on it.
+template<int B> [[nodiscard]] BlockMatrix<B, B> mirrored(BlockMatrix<B, B> const& left) {
+  auto const right = transposed(left, columns_of(left));
+  BlockMatrix<B, B> all;
+  all.columns = left.columns;
+  for (Index i = 0; i < left.rows(); ++i) {
+    for (Index k = left.starts[ix(i)]; k < left.starts[ix(i) + 1]; ++k)
+      all.push(left.column[ix(k)], left.block(k));
+    for (Index k = right.starts[ix(i)]; k < right.starts[ix(i) + 1]; ++k)
+      if (right.column[ix(k)] > i)
+        all.push(right.column[ix(k)], right.block(k));
+    all.end_row();
+  }
+  return all;
 }
 
 /// Rows in another order, or as they are, and columns with other numbers.

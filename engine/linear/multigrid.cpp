@@ -36,12 +36,17 @@ constexpr Index few = 100;         ///< coarse nodes that are factored at once
 constexpr double strong = 0.02;    ///< of the geometric mean of the diagonal blocks
 constexpr double dependent = 1e-8; ///< of a mode's length, left after the others are taken out
 constexpr double none = 1e-10;     ///< of a block's largest eigenvalue
+constexpr double regular = 1e-6;   ///< pivot over the largest diagonal, from which on there is an inverse
 constexpr int powers = 12;
 constexpr std::size_t most_levels = 20;
 constexpr Index few_in_slab = 64; ///< coarse nodes that one thread does best
 
 /// Pseudo-inverse of a symmetric block.
 template<int B> Square<B> inverse_of(Square<B> const& block) {
+  if (Eigen::LLT<Square<B>> const factor(block);
+      factor.info() == Eigen::Success &&
+      factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() > regular * block.diagonal().maxCoeff())
+    return factor.solve(Square<B>::Identity());
   Eigen::SelfAdjointEigenSolver<Square<B>> const parts(block);
   Eigen::Matrix<double, B, 1> values = parts.eigenvalues();
   double const least = none * values[B - 1];
@@ -205,9 +210,9 @@ template<int B> bool prepare(Level<B>& level, Dense& modes) {
   return level.P.columns > 0 && level.P.columns < level.A->rows();
 }
 
-/// P^T A P
+/// P^T A P, as symmetric as A.
 template<int B> BlockMatrix<coarse, coarse> matrix_below(Level<B> const& level) {
-  return product(transposed(level.P, columns_of(level.P)), product(*level.A, level.P));
+  return mirrored(product(transposed(level.P, columns_of(level.P)), product(*level.A, level.P), Part::left));
 }
 
 /// The matrix of the next level, its nodes numbered in waves.
@@ -252,7 +257,9 @@ struct Multigrid::Levels {
   void make_coarser();
   void follow();
   void factor_last();
+  using Rows = Eigen::Matrix<double, 3, coarse>;
   void change(HeldNode const* was, HeldNode const* is);
+  [[nodiscard]] std::vector<std::pair<Index, Rows>> around(Index i) const;
   /// z of the level is found from r, which is used up.
   template<int B> void cycle(SingleLevel<B>& level, std::size_t below) {
     auto& down = coarser[below].single;
@@ -349,7 +356,6 @@ void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
   finest.inverse[ix(i)] = inverse_of<3>(own + after);
   finest.single.set_inverse(i, finest.inverse[ix(i)]);
   Matrix3 const free = is != nullptr ? Matrix3(finest.inverse[ix(i)] * own) : Matrix3::Identity();
-  using Rows = Eigen::Matrix<double, 3, coarse>;
   Indices const columns(P.column.begin() + P.starts[ix(i)], P.column.begin() + P.starts[ix(i) + 1]);
   std::vector<Rows> d, old;
   for (Index k = P.starts[ix(i)]; k < P.starts[ix(i) + 1]; ++k) {
@@ -363,16 +369,29 @@ void Multigrid::Levels::change(HeldNode const* was, HeldNode const* is) {
       next.block(next.find(columns[a], columns[b])) +=
           (old[a] + d[a]).transpose() * (own + after) * (old[b] + d[b]) -
           old[a].transpose() * (own + before) * old[b];
+  for (auto const& [column, AP] : around(i))
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      Square<coarse> const more = d[a].transpose() * AP;
+      next.block(next.find(columns[a], column)) += more;
+      next.block(next.find(column, columns[a])) += more.transpose();
+    }
+}
+
+/// Row i of A P without the diagonal block of A.
+std::vector<std::pair<Index, Multigrid::Levels::Rows>> Multigrid::Levels::around(Index i) const {
   auto const& A = *finest.A;
+  auto const& P = finest.P;
+  std::vector<std::pair<Index, Rows>> sums;
   for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k) {
     Index const j = A.column[ix(k)];
-    for (Index l = P.starts[ix(j)]; l < P.starts[ix(j) + 1] && j != i; ++l)
-      for (std::size_t a = 0; a < columns.size(); ++a) {
-        Eigen::Matrix<double, coarse, coarse> const more = d[a].transpose() * A.block(k) * P.block(l);
-        next.block(next.find(columns[a], P.column[ix(l)])) += more;
-        next.block(next.find(P.column[ix(l)], columns[a])) += more.transpose();
-      }
+    for (Index l = P.starts[ix(j)]; l < P.starts[ix(j) + 1] && j != i; ++l) {
+      auto sum = std::ranges::find(sums, P.column[ix(l)], &std::pair<Index, Rows>::first);
+      if (sum == sums.end())
+        sum = sums.insert(sum, {P.column[ix(l)], Rows::Zero()});
+      sum->second.noalias() += A.block(k) * P.block(l);
+    }
   }
+  return sums;
 }
 
 void Multigrid::hold(std::vector<HeldNode> held) {

@@ -16,15 +16,44 @@ namespace {
 
 /// Of a block of hexahedra, over the numbers of its matrix: matrix and both hierarchies; twice-passes to set
 /// up.
-constexpr double stored = 2.4, set_up_passes = 30;
+constexpr double stored = 3.8, set_up_passes = 30;
 constexpr double solved_to = 1e-12;
 constexpr Index few_nodes_in_slab = 500; ///< nodes that one thread does best
 constexpr int most_for_load = 400;       ///< iterations for a load
 constexpr int most_coupled = 60;         ///< vectors of GMRES
+constexpr std::size_t remembered = 2;    ///< answers of earlier steps
+constexpr double independent = 1e-16;    ///< part of a motion's energy that has to be its own
 constexpr double softness = 0.15;        ///< of a point's compliance, which the preconditioner adds to it
 constexpr double wider = 2.5;            ///< compliance of a node in a body over that of the node alone
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+
+/// A load and the motion of all that it causes.
+struct Answered {
+  Vector load, motion;
+};
+
+/// Loads on the surface end to end, and motions.
+Carried packed(std::vector<Answered> const& all) {
+  Carried carried;
+  for (auto const& [load, motion] : all) {
+    carried.load.conservativeResize(carried.load.size() + load.size());
+    carried.load.tail(load.size()) = load;
+    carried.motion.conservativeResize(carried.motion.size() + motion.size());
+    carried.motion.tail(motion.size()) = motion;
+  }
+  return carried;
+}
+
+std::vector<Answered> unpacked(Carried const& carried, Index surface) {
+  auto const count = surface > 0 ? carried.load.size() / surface : 0;
+  std::vector<Answered> all;
+  for (auto k = 0; k < count; ++k)
+    all.push_back(
+        {carried.load.segment(k * surface, surface),
+         carried.motion.segment(k * (carried.motion.size() / count), carried.motion.size() / count)});
+  return all;
+}
 
 class MultigridFactor : public BulkFactor, public CoupledBulk {
 public:
@@ -49,7 +78,9 @@ public:
   [[nodiscard]] CoupledBulk* coupled() override { return this; }
 
   [[nodiscard]] Vector condense(Vector& b) override {
-    alone_ = solved(scattered(b), alone_);
+    Vector load = scattered(b);
+    alone_ = solved(load, nearest(load));
+    alone_load_ = std::move(load);
     b = gathered(alone_);
     return b.tail(surface());
   }
@@ -68,12 +99,17 @@ public:
   }
 
   [[nodiscard]] std::shared_ptr<Carried const> carried() const override {
-    return std::make_shared<Carried const>(Carried{{}, load_, motion_});
+    auto all = earlier_;
+    if (load_.size() > 0)
+      all.insert(all.begin(), {load_, motion_});
+    all.resize(std::min(all.size(), remembered));
+    return std::make_shared<Carried const>(packed(all));
   }
   void carry_on(Carried const* what) override {
     alone_.resize(0);
-    load_ = what != nullptr ? what->load : Vector();
-    motion_ = what != nullptr ? what->motion : Vector();
+    earlier_ = what != nullptr ? unpacked(*what, surface()) : std::vector<Answered>();
+    load_ = !earlier_.empty() ? earlier_.front().load : Vector();
+    motion_ = !earlier_.empty() ? earlier_.front().motion : Vector();
     if (std::exchange(holds_, false)) // changes of what is held add up roundings
       held_ = plain_;
   }
@@ -124,7 +160,14 @@ private:
       load[h.column] += rows_.weight * h.value * p[h.row];
     return load;
   }
+  [[nodiscard]] Vector on_surface(Vector const& load) const {
+    Vector all = Vector::Zero(3 * A_.rows());
+    for (Index c = 0; c < load.size(); ++c)
+      all[surface_place(c)] = load[c];
+    return all;
+  }
   [[nodiscard]] Vector const& motion_of(Vector const& load);
+  [[nodiscard]] Vector nearest(Vector const& b) const;
   [[nodiscard]] Vector solved(Vector const& b, Vector u);
   void add_held(std::vector<SurfaceEntry> const& own, Small const& S, std::vector<Matrix3>& stiffness) const;
   void hold_points(PointLaws const& laws, Dense const& inverse);
@@ -147,9 +190,10 @@ private:
   Multigrid plain_, held_;
   bool holds_ = false; ///< has held_ been changed since it was plain_?
   SurfaceRows rows_;
-  Vector alone_;         ///< motion of the loads last condensed, of all
-  Vector load_, motion_; ///< on the surface, empty where the motion is not quite its; of all
-  Vector change_;        ///< of the motion, last found
+  Vector alone_load_, alone_;     ///< the loads last condensed and their motion, of all
+  Vector load_, motion_;          ///< on the surface, empty where the motion is not quite its; of all
+  std::vector<Answered> earlier_; ///< by the same matrix in earlier steps
+  Vector change_;                 ///< of the motion, last found
 };
 
 /// The blocks that the pattern fills, and those of the diagonal.
@@ -210,6 +254,7 @@ bool MultigridFactor::take(std::span<double const> values) {
       A_.block(A_.find(a / 3, a / 3))(a % 3, a % 3) = mean;
     else if (own[a] < 0)
       return false;
+  earlier_.clear();
   product_.take(A_, waves_);
   plain_.set_up(A_, nodes_->modes, waves_);
   held_ = plain_;
@@ -232,14 +277,36 @@ Vector MultigridFactor::solved(Vector const& b, Vector u) {
   return u;
 }
 
+/// Among combinations of motions that are known the one that comes nearest in energy to that of b (Fischer
+/// 1998). Under steady driving the loads of two steps give that of the next.
+Vector MultigridFactor::nearest(Vector const& b) const {
+  std::vector<Answered> known; // of all; made orthogonal
+  for (auto const& one : earlier_)
+    known.push_back({on_surface(one.load), one.motion});
+  if (alone_.size() > 0)
+    known.push_back({alone_load_, alone_});
+  Vector u = Vector::Zero(b.size());
+  for (auto one = known.begin(); one != known.end(); ++one) {
+    double const whole = one->load.dot(one->motion);
+    for (auto other = known.begin(); other != one; ++other) {
+      double const part = other->load.dot(one->motion);
+      one->load -= part * other->load;
+      one->motion -= part * other->motion;
+    }
+    double const energy = one->load.dot(one->motion);
+    double const scale = energy > independent * whole ? 1 / std::sqrt(energy) : 0;
+    one->load *= scale;
+    one->motion *= scale;
+    u += one->motion.dot(b) * one->motion;
+  }
+  return u;
+}
+
 /// Of all for a load on the surface alone; the last one is kept, and is where the next begins.
 Vector const& MultigridFactor::motion_of(Vector const& load) {
   if (load_.size() == load.size() && load_ == load)
     return motion_;
-  Vector all = Vector::Zero(3 * A_.rows());
-  for (Index c = 0; c < load.size(); ++c)
-    all[surface_place(c)] = load[c];
-  motion_ = solved(all, std::move(motion_));
+  motion_ = solved(on_surface(load), std::move(motion_));
   load_ = load;
   return motion_;
 }

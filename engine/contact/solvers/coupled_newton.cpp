@@ -1,6 +1,7 @@
 // Semismooth Newton on the natural map, its linear systems solved together with the bulk.
 #include "contact/solvers/coupled_newton.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "contact/solvers/rounding.hpp"
@@ -9,9 +10,9 @@ namespace stiction::contact {
 
 namespace {
 
-/// Of the linear system's right-hand side, left by its solution: as long as points change their status, and
-/// then.
-constexpr double coarse_step = 1e-2, fine_step = 1e-4;
+/// Of the linear system's right-hand side, left by its solution: as long as points change their status, then;
+/// and of what is asked for in the end, if that comes within reach.
+constexpr double coarse_step = 3e-2, fine_step = 1e-3, last_step = 0.1;
 constexpr double settled = 1e-3; ///< residual over its scale, from which on no status is expected to change
 /// Residual over its scale that motions solved for to 1e-12 always allow; and how often it has to be met by
 /// forces that get no better.
@@ -19,6 +20,11 @@ constexpr double attainable = 1e-9;
 constexpr int often = 3;
 constexpr int most_halvings = 5;
 constexpr int most_idle = 8; ///< iterations in which the residual has to halve
+
+double left_over(double relative, double tolerance) {
+  return relative > settled ? coarse_step
+                            : std::clamp(last_step * tolerance / relative, fine_step, coarse_step);
+}
 
 template<int D> class CoupledRun {
 public:
@@ -37,10 +43,10 @@ public:
     merit_ = evaluate_all(p_, x_);
   }
   /// False if the linear system was not solved.
-  [[nodiscard]] bool step(double left_over) {
+  [[nodiscard]] bool step(double part) {
     linearise();
     Vector dp, dx;
-    if (!problem_.W.together()->solve(laws_, p_, left_over, dp, dx))
+    if (!problem_.W.together()->solve(laws_, p_, part, dp, dx))
       return false;
     double length = 1, before = merit_;
     Vector p, x;
@@ -109,7 +115,7 @@ template<int D> Solution run(Problem const& problem, Vector const& guess, double
       idle = 0;
     }
     if (solution.converged || solution.iterations == iterations || ++idle > most_idle ||
-        !newton.step(relative > settled ? coarse_step : fine_step))
+        !newton.step(left_over(relative, tolerance)))
       break;
     ++solution.iterations;
     exact = false;

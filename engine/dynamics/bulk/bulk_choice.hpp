@@ -8,7 +8,10 @@ namespace stiction::dynamics {
 
 /// Why multigrid cannot take this model, in words; "" if it can.
 [[nodiscard]] std::string unfit_for_multigrid(Model const& model);
-/// As the model asks for, or by the size of its matrix.
+/// As the model asks for, or by the size of its matrix, the laws of its bodies and how compressible they are.
 [[nodiscard]] bool by_multigrid(Model const& model);
+/// Why a model so large that multigrid would be quicker has a factor though it leaves the choice; "" where
+/// that is not so.
+[[nodiscard]] std::string kept_from_multigrid(Model const& model);
 
 } // namespace stiction::dynamics

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
 #include "scene/explain/forecast.hpp"
@@ -12,8 +13,8 @@ namespace stiction::scene {
 namespace {
 
 // Parts of the speed of large dense products: small fronts of a factor, and what is no product at all.
-constexpr double front = 200;            // columns of a front at which a factorization has half of it
-constexpr double part_of_blocks = 0.045; // of sparse matrices, three by three
+constexpr double front = 200;           // columns of a front at which a factorization has half of it
+constexpr double part_of_blocks = 0.11; // of sparse matrices, three by three
 constexpr double part_of_solver = 0.3, part_of_columns = 0.3, part_of_elimination = 0.4;
 // What takes as long as so many operations of dense products.
 constexpr double started = 1e9, frame_node = 1e5, pattern_entry = 1.2e4, factor_unknown = 2e4,
@@ -139,6 +140,9 @@ bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::B
   auto const time = seconds_of(facts, all);
   Section section{"Cost", {}};
   add_sizes(all, section);
+  if (auto const why = dynamics::kept_from_multigrid(*facts.scene->model); !why.empty())
+    add(section, {"multigrid", "not taken", std::numeric_limits<double>::quiet_NaN(), "1",
+                  "it would be quicker for bodies of this size, but " + why});
   add_time(all, time, section);
   bool const cheap = all.fill.unknowns < small_unknowns && all.fill.factor.operations < small_operations;
   if (!cheap)

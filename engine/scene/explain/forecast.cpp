@@ -25,7 +25,7 @@ constexpr double bearing = 0.6;         // of the points near contact: they bear
 constexpr double plain_sweeps = 100;    // a contact problem
 constexpr double newton_iterations = 3; // a contact problem
 // Cycles of multigrid, an iteration of a step: for loads and for contact.
-constexpr double cycles = 25, cycles_with_friction = 65;
+constexpr double cycles = 18, cycles_with_friction = 42;
 constexpr double unknown_part = 0.3; // of a surface, near contact where its way is not known
 
 /// That mix_sweeps takes: 34 for 243 rows, 65 for 1875.

@@ -270,6 +270,10 @@ TEST_CASE("multigrid that a scene cannot have says why") {
   test::at(table, "solver") = test::make("solver.uzawa");
   check_only(table, "control.bulk", {"not newton"});
   test::at(table, "solver") = test::make("solver.newton");
+  test::at(table, "bodies.foot.material") = test::linear_elastic(1000, 0.495);
+  check_only(table, "control.bulk", {"foot", "nearly incompressible", "0.495", "0.49"});
+  test::at(table, "bodies.foot.material") = test::linear_elastic(1000, 0.49);
+  CHECK(complaints(table).empty());
   test::at(table, "output") = test::make("output", {{"problems_every", test::value(1)}});
   check_only(table, "control.bulk", {"problems_every"});
 }

@@ -1,6 +1,7 @@
 // What explain says of the cost against what runs count: sizes, fill and operations, within a factor of two.
 #include <doctest/doctest.h>
 
+#include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/space.hpp"
 #include "folder.hpp"
 #include "scene/explain/explain.hpp"
@@ -111,6 +112,28 @@ TEST_CASE("the fill of a factor is told from its graph, or from clusters of it")
     check_fill(multigrid(slab(rubber(1000), 9)), most);
     check_fill(plate_on_disc(), most);
   }
+}
+
+TEST_CASE("multigrid is taken from a size on that follows the law, and who cannot have it is told why") {
+  auto const taken = [](Input const& table) { return dynamics::by_multigrid(*scene::build(table).model); };
+  auto const linear = slab(linear_elastic(1000, 0.3), 11); // 17 457 unknowns
+  CHECK(taken(linear));
+  CHECK_FALSE(taken(slab(linear_elastic(1000, 0.45), 11)));
+  CHECK_FALSE(taken(slab(rubber(1000), 11)));
+  CHECK_FALSE(taken(slab(linear_elastic(1000, 0.3), 10)));
+  auto const told = [](Input const& table) {
+    std::string words;
+    for (auto const& section : scene::explain(table).sections)
+      for (auto const& line : section.lines)
+        if (line.name == "multigrid")
+          words += line.words + ": " + line.meaning;
+    return words;
+  };
+  CHECK(told(linear).find("not taken") == std::string::npos);
+  CHECK(told(with(linear, "solver", make("solver.uzawa")))
+            .find("not taken: it would be quicker for bodies of "
+                  "this size, but the contact solver is not "
+                  "newton") != std::string::npos);
 }
 
 TEST_CASE("the operations of a run are told before it") {
