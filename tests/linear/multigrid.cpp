@@ -259,3 +259,45 @@ TEST_CASE("points that stick, slip, are open and are bonded, solved together wit
   CHECK((dp - known).norm() <= 1e-7 * known.norm());
   CHECK(n > m);
 }
+
+namespace {
+
+/// GMRES with points of the whole bottom, a third each that stick, slip and are open, to 1e-8 of what is
+/// wrong.
+double iterations_with_contact(Hexahedra const& block) {
+  auto made = assembled(block);
+  auto const factor = make_multigrid_factor(made.pattern, made.surface, made.nodes);
+  REQUIRE(factor->factorize(made.values));
+  Index const m = made.surface;
+  SurfaceRows rows{{}, m, 1};
+  PointLaws laws{Dense::Zero(m, 3), Dense::Zero(m, 3), noise(m, 11)};
+  for (Index point = 0; 3 * point < m; ++point) {
+    for (Index i = 0; i < 3; ++i) // (n, t1, t2) is (z, x, y)
+      rows.H.push_back({3 * point + i, 3 * point + (i + 2) % 3, 1.0});
+    double const x = block.at(point)[0];
+    auto a = laws.A.middleRows<3>(3 * point), b = laws.B.middleRows<3>(3 * point);
+    if (x < 1.0 / 3) {
+      b.setIdentity();
+    } else if (x < 2.0 / 3) {
+      b(0, 0) = 1;
+      a(1, 0) = -0.3;
+      a(1, 1) = a(2, 2) = 1;
+    } else {
+      a.setIdentity();
+    }
+  }
+  factor->coupled()->couple(std::move(rows));
+  Vector dp, dx;
+  REQUIRE(factor->coupled()->solve(laws, Vector::Zero(m), 1e-8, dp, dx));
+  auto const numbers = 9 * static_cast<double>(block.matrix().column.size());
+  return factor->spent().operations / (cycle_passes * 2 * numbers);
+}
+
+} // namespace
+
+TEST_CASE("contact takes at most half as many iterations again as the bodies alone") {
+  for (Index const cells : {8, 14}) {
+    CAPTURE(cells);
+    CHECK(iterations_with_contact({cells}) <= 1.5 * iterations({cells}, {}));
+  }
+}
