@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "core/error.hpp"
 #include "core/threads.hpp"
@@ -91,6 +90,7 @@ Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics
     first += static_cast<Index>(block.nodes.size()) / mesh::info(block.kind).nodes;
   }
   core::each(static_cast<Index>(blocks_.size()), [&](Index i) { prepare(blocks_[ix(i)]); });
+  parts_.resize(blocks_.size());
   std::ptrdiff_t entry = 0;
   for (auto const& block : blocks_) {
     first_entry_.push_back(entry);
@@ -168,13 +168,13 @@ template<class BlockPass> void Cells::each_block(BlockPass const& pass) const {
 }
 
 Pass Cells::add_force(std::span<double const> u, std::span<double> force) const {
-  std::vector<Pass> parts(blocks_.size());
   each_block([&](std::size_t i, PreparedBlock const& block) {
-    Index const inverted = block.passes->add_force({block, *body_, u}, force, parts[i].energy);
-    parts[i].inverted_cell = inverted >= 0 ? block.number[ix(inverted)] : -1;
+    parts_[i].energy = 0;
+    Index const inverted = block.passes->add_force({block, *body_, u}, force, parts_[i].energy);
+    parts_[i].inverted_cell = inverted >= 0 ? block.number[ix(inverted)] : -1;
   });
   Pass pass;
-  for (auto const& part : parts) {
+  for (auto const& part : parts_) {
     pass.energy += part.energy;
     if (!part.sound() && (pass.sound() || part.inverted_cell < pass.inverted_cell))
       pass.inverted_cell = part.inverted_cell;
@@ -201,11 +201,13 @@ double Cells::add_damping(std::span<double const> u, std::span<double const> v,
                           std::span<double> force) const {
   if (!damped())
     return 0;
-  std::vector<double> power(blocks_.size());
   each_block([&](std::size_t i, PreparedBlock const& block) {
-    power[i] = block.passes->add_damping({block, *body_, u}, v, force);
+    parts_[i].energy = block.passes->add_damping({block, *body_, u}, v, force);
   });
-  return std::accumulate(power.begin(), power.end(), 0.0);
+  double power = 0;
+  for (auto const& part : parts_)
+    power += part.energy;
+  return power;
 }
 
 void Cells::add_damping_stiffness(std::span<double const> u, double factor, ScatterMap const& map,

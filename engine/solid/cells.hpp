@@ -74,6 +74,7 @@ private:
   std::vector<PreparedBlock> blocks_;
   std::vector<std::ptrdiff_t> first_entry_; ///< [blocks], in the ScatterMap
   std::vector<Wave> waves_;
+  mutable std::vector<Pass> parts_; ///< [blocks], of the present pass
 };
 
 } // namespace stiction::solid
