@@ -330,6 +330,7 @@ bool Stepper::apply_factor() {
   {
     Timer const timer(cost_.solve);
     bulk_.factor().expand(surface_load_, correction_);
+    cost_.add(bulk_.factor().spent());
     ++cost_.solves;
   }
   if (!leads_ && !bulk_.linear() && bulk_.factor().coupled() == nullptr)

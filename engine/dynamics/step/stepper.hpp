@@ -47,10 +47,10 @@ public:
   /// Is asked in every iteration whether to leave off.
   void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
   [[nodiscard]] Outcome step(State const& old, double dt);
-  /// Takes up where another stepper of the same model left off with this state and these lasting factors,
-  /// having taken so much: steps go on to the last bit as its would have, and cost what they would have.
-  void go_on(State const& state, std::vector<FactorSource> const& lasting, Cost const& cost) {
-    bulk_.make_again(lasting.empty() ? state.factors : lasting, weights_);
+  /// Takes up where another stepper of the same model left off with these factors, having taken so much:
+  /// steps go on to the last bit as its would have, and cost what they would have.
+  void go_on(std::vector<FactorSource> const& made, Cost const& cost) {
+    bulk_.make_again(made, weights_);
     cost_ = cost;
   }
 

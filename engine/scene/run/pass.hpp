@@ -52,7 +52,11 @@ public:
     rest(mark);
     visit(rest);
     recorder_.emplace(scene, options.out, &mark);
-    stepper_.go_on(state_, lasting_, settled_);
+    auto made = standing_.lasting;
+    for (std::size_t k = 0; k < std::min(state_.factors.size(), standing_.made.size()); ++k)
+      if (standing_.made[k] != 0)
+        made.push_back(state_.factors[k]);
+    stepper_.go_on(made, settled_);
   }
 
   RunResult go() {
@@ -131,6 +135,14 @@ private:
     long done = 0;
     bool begun = false; ///< the stage
     template<class Archive> void visit(Archive& archive) { archive(stage, step, done, begun); }
+  };
+
+  /// The factors that need not be made when steps want them: those that do not depend on u, and of the
+  /// state's own those that no failed step has overwritten.
+  struct Standing {
+    std::vector<dynamics::FactorSource> lasting;
+    Indices made; ///< [factors of the state], 0 or 1
+    template<class Archive> void visit(Archive& archive) { archive(lasting, made); }
   };
 
   /// Adds its lifetime to the time spent on output.
@@ -308,10 +320,19 @@ private:
   bool goes_on() {
     settled_ = stepper_.cost();
     if (checkpoint_->wanted())
-      lasting_ = stepper_.bulk().lasting();
+      standing_ = standing();
     if (checkpoint_->due())
       keep();
     return !stopped();
+  }
+
+  [[nodiscard]] Standing standing() {
+    Standing now{stepper_.bulk().lasting(), {}};
+    auto const there = stepper_.bulk().sources();
+    for (auto const& wanted : state_.factors)
+      now.made.push_back(std::ranges::any_of(
+          there, [&](auto const& one) { return one.u == wanted.u && one.dt == wanted.dt; }));
+    return now;
   }
 
   /// Keeps where the run stood before the present attempt; whether that could be written.
@@ -331,7 +352,7 @@ private:
   /// Hands over all that a run changes on its way but its files, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, lasting_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
+    archive(state_, standing_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
             result_.steps, result_.cuts, spent, cpu, output_);
     if (pace_)
       archive(*pace_);
@@ -426,10 +447,10 @@ private:
   RunResult result_;
   std::vector<Warning> warnings_;
   Place place_;
-  dynamics::Cost settled_;                      ///< before the present attempt
-  std::vector<dynamics::FactorSource> lasting_; ///< of the bulk, before the present attempt
-  double before_ = 0, cpu_before_ = 0;          ///< s, before it was taken up
-  long asked_ = 0;                              ///< whether it is to stop
+  dynamics::Cost settled_;             ///< before the present attempt
+  Standing standing_;                  ///< before the present attempt
+  double before_ = 0, cpu_before_ = 0; ///< s, before it was taken up
+  long asked_ = 0;                     ///< whether it is to stop
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
