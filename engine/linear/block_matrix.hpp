@@ -147,18 +147,18 @@ private:
 };
 
 /// What of a product is wanted: all, or what stands left of the diagonal and on it.
-enum class Part { all, left };
+enum class Triangles { both, left };
 
 /// Rows `first` to before `last` of A B alone; columns of B ascend.
 template<int R, int K, int C>
 [[nodiscard]] BlockMatrix<R, C> rows_of_product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B,
-                                                Index first, Index last, Part part) {
+                                                Index first, Index last, Triangles wanted) {
   BlockMatrix<R, C> AB;
   RowOfBlocks<R, C> row(B.columns);
   for (Index i = first; i < last; ++i) {
     for (Index k = A.starts[ix(i)]; k < A.starts[ix(i) + 1]; ++k)
       for (Index l = B.starts[ix(A.column[ix(k)])], end = B.starts[ix(A.column[ix(k)]) + 1];
-           l < end && (part == Part::all || B.column[ix(l)] <= i); ++l)
+           l < end && (wanted == Triangles::both || B.column[ix(l)] <= i); ++l)
         row.at(B.column[ix(l)]).noalias() += A.block(k) * B.block(l);
     row.move_to(AB);
   }
@@ -168,7 +168,7 @@ template<int R, int K, int C>
 /// A B, rows in ascending columns.
 template<int R, int K, int C>
 [[nodiscard]] BlockMatrix<R, C> product(BlockMatrix<R, K> const& A, BlockMatrix<K, C> const& B,
-                                        Part wanted = Part::all) {
+                                        Triangles wanted = Triangles::both) {
   std::vector<BlockMatrix<R, C>> parts(core::most_pieces);
   core::each_piece(A.rows(), few_rows, [&](Index first, Index last) {
     parts[ix(core::piece_of(A.rows(), few_rows, first))] = rows_of_product(A, B, first, last, wanted);

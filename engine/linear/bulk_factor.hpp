@@ -26,7 +26,7 @@ struct Spent {
 /// on it in their last digits.
 struct Carried {
   Indices columns;     ///< of the compliance that are known: the first of each group
-  Vector load, motion; ///< a load on the surface and the motion of all that it causes; or empty
+  Vector load, motion; ///< loads on the surface and motions of all, end to end, the last first; or empty
 };
 
 /// A number beside the symmetric matrix: in the column of a surface unknown, counted from the first of them.

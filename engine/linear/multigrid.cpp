@@ -212,7 +212,8 @@ template<int B> bool prepare(Level<B>& level, Dense& modes) {
 
 /// P^T A P, as symmetric as A.
 template<int B> BlockMatrix<coarse, coarse> matrix_below(Level<B> const& level) {
-  return mirrored(product(transposed(level.P, columns_of(level.P)), product(*level.A, level.P), Part::left));
+  return mirrored(
+      product(transposed(level.P, columns_of(level.P)), product(*level.A, level.P), Triangles::left));
 }
 
 /// The matrix of the next level, its nodes numbered in waves.

@@ -13,6 +13,9 @@ namespace {
 /// which a factor takes longer: one that serves all steps of linear bodies, and where each step takes several
 /// iterations. In a single step multigrid is quicker from 3000 unknowns on, by tenths of a second.
 constexpr double large_linear = 15'000, large = 20'000;
+/// With bonds, and friction that follows pressure or speed, contact has more than one solver beside a factor
+/// and one beside multigrid: it is left where it is quicker by far.
+constexpr double large_bonded = 150'000;
 constexpr double least_compressible = 0.49; ///< Poisson's ratio, where multigrid takes five times as long
 
 double poisson(solid::Body const& body) {
@@ -27,7 +30,10 @@ double crossing(Model const& model) {
     linear = linear && solid::linear(*body);
     compressible = std::min(compressible, 1 - 2 * poisson(*body));
   }
-  return (linear ? large_linear : large) * std::cbrt((1 - 2 * 0.3) / compressible);
+  bool const bonded = std::any_of(model.pairs.begin(), model.pairs.end(), [](Pair const& pair) {
+    return pair.law.adhesion.has_value() || pair.law.mu_follows();
+  });
+  return (bonded ? large_bonded : linear ? large_linear : large) * std::cbrt((1 - 2 * 0.3) / compressible);
 }
 
 } // namespace

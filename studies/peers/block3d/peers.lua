@@ -27,6 +27,6 @@ return {
   counts = {
     { set = { cells = 8 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 380, work = 1.399e8 } },
     { set = { cells = 16 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 553, work = 4.531e9 } },
-    { set = { cells = 24 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 710, work = 2.991e10 } },
+    { set = { cells = 24 }, counts = { iterations = 11, factorizations = 1, solves = 11, contact_iterations = 69, work = 6.287e9 } },
   },
 }

@@ -120,6 +120,7 @@ TEST_CASE("multigrid is taken from a size on that follows the law, and who canno
   CHECK(taken(linear));
   CHECK_FALSE(taken(slab(linear_elastic(1000, 0.45), 11)));
   CHECK_FALSE(taken(slab(rubber(1000), 11)));
+  CHECK_FALSE(taken(with(linear, "pairs.sole.adhesion", rcc(0.5, 1000, 40))));
   CHECK_FALSE(taken(slab(linear_elastic(1000, 0.3), 10)));
   auto const told = [](Input const& table) {
     std::string words;
