@@ -3,7 +3,6 @@ local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local identity = require "stiction.identity"
-local ordered = require "stiction.ordered"
 
 local output = {}
 
