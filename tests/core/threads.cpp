@@ -1,6 +1,7 @@
 // Loops that threads share: everything once, the same pieces and sums for any number of them, what is thrown.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <doctest/doctest.h>
 #include <stdexcept>
 #include <thread>
@@ -79,6 +80,9 @@ TEST_SUITE("core") {
           ++calls;
           if (i == 7)
             throw std::runtime_error("seven");
+          if (i > 7)
+            std::this_thread::sleep_for(
+                std::chrono::milliseconds(1)); // the others do not get through meanwhile
         });
       };
       CHECK_THROWS_WITH(loop(), "seven");

@@ -19,9 +19,9 @@ namespace {
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
 constexpr double near_by = 0.3; // residual of a guess that Newton takes first
-constexpr long huge = 600;      // rows, whose factorizations never pay
+constexpr long huge = 150;      // rows, from which on sweeps cost less than its factorizations
 constexpr int quick = 12;       // iterations, before what is sure takes over
-constexpr int proximals = 8;    // in which the residual has to halve
+constexpr int proximals = 24;   // in which the residual has to halve
 constexpr int pivotings = 12;   // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.

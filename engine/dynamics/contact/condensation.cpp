@@ -8,13 +8,9 @@
 namespace stiction::dynamics {
 
 void Condensation::clear() {
-  clear_rows();
-  K_.clear();
-}
-
-void Condensation::clear_rows() {
   rows_ = 0;
   H_.clear();
+  K_.clear();
 }
 
 void Condensation::add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H) {
@@ -63,64 +59,27 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
                              Vector& free) {
   symmetric_ = bulk.symmetric();
   held_ = bulk.hold() > 0;
-  about_.resize(0);
   for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
     K_.push_back({u, u, bulk.hold() / weight});
-  bool const same =
-      !made_of_.turns && made_of_.bulk == bulk.identity() && made_of_.weight == weight && made_of_.H == H_;
-  if (!K_.empty() || !same || W.rows() != rows_) {
-    made_of_ = {bulk.identity(), weight, H_, !K_.empty()};
-    weight_ = weight;
-    find_used(bulk.surface());
-    V_.resize(0, 0);
-    if (support_ == 0 && one_to_one()) {
-      Vector const sides = Vector::NullaryExpr(rows_, [&](Index row) { return H_[ix(row)].value; });
-      bulk.compliance(used_, W);
-      for (auto const& h : H_)
-        W.col(h.row).array() *= (weight * h.value) * sides.array();
-    } else {
-      set_mobility(bulk, W);
-    }
-    if (support_ > 0)
-      add_stiffness_of_contact(W);
-  }
-  move(y(used_), free);
-}
-
-/// Do H and K of the last problem have all the unknowns of these rows?
-bool Condensation::same_unknowns() const {
-  return V_.rows() == static_cast<Eigen::Index>(used_.size()) &&
-         std::ranges::all_of(H_, [&](Entry const& h) { return slot_[ix(h.column)] >= 0; });
-}
-
-bool Condensation::go_on(linear::BulkFactor& bulk, Vector const& y, Vector const& p, Dense const& W,
-                         Vector& free) {
-  if (made_of_.bulk != bulk.identity() || p.size() != rows_ || W.rows() != rows_ || !same_unknowns())
-    return false;
-  Vector load = Vector::Zero(V_.rows());
-  for (auto const& h : H_)
-    load[slot_[ix(h.column)]] += weight_ * h.value * p[h.row];
-  Vector moved = y(used_);
-  moved.noalias() += V_ * load;
-  about_ = p;
-  move(moved, free);
-  free.noalias() -= W * p;
-  return true;
-}
-
-/// free, of a motion of the used unknowns that the bulk alone makes.
-void Condensation::move(Vector const& y, Vector& free) {
   free.setZero(rows_);
   for (auto const& h : H_)
-    free[h.row] += h.value * y[slot_[ix(h.column)]];
-  if (support_ == 0)
+    free[h.row] += h.value * y[h.column];
+  bool const same = made_of_.bulk == bulk.identity() && made_of_.weight == weight && made_of_.H == H_;
+  if (K_.empty() && same && W.rows() == rows_)
     return;
-  Vector const motion = inverse_.solve(y.head(support_));
-  K_moved_.setZero(support_);
-  for (auto const& k : K_)
-    K_moved_[slot_[ix(k.row)]] += weight_ * k.value * motion[slot_[ix(k.column)]];
-  auto const& HV = symmetric_ ? right_ : left_;
-  free.noalias() += (1 / weight_) * (HV.topRows(support_).transpose() * K_moved_);
+  made_of_ = K_.empty() ? Origin{bulk.identity(), weight, H_} : Origin{};
+  weight_ = weight;
+  find_used(bulk.surface());
+  if (support_ == 0 && one_to_one()) {
+    Vector const sides = Vector::NullaryExpr(rows_, [&](Index row) { return H_[ix(row)].value; });
+    bulk.compliance(used_, W);
+    for (auto const& h : H_)
+      W.col(h.row).array() *= (weight * h.value) * sides.array();
+    return;
+  }
+  set_mobility(bulk, y, W);
+  if (support_ > 0)
+    add_stiffness_of_contact(W, free);
 }
 
 linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& free) {
@@ -132,21 +91,22 @@ linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& f
 }
 
 /// W = weight H V H^T
-void Condensation::set_mobility(linear::BulkFactor& bulk, Dense& W) {
+void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W) {
   bulk.compliance(used_, V_);
-  right_.setZero(V_.rows(), rows_);
+  right_.setZero(V_.rows(), rows_ + 1);
   for (auto const& h : H_)
     right_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]);
+  right_.col(rows_) = y(used_);
   W.setZero(rows_, rows_);
   for (auto const& h : H_)
-    if (auto const row = right_.row(slot_[ix(h.column)]); symmetric_) // W is its own transpose
+    if (auto const row = right_.row(slot_[ix(h.column)]).head(rows_); symmetric_) // W is its own transpose
       W.col(h.row) += h.value * row.transpose();
     else
       W.row(h.row) += h.value * row;
 }
 
-/// Adds what K_geo does to W.
-void Condensation::add_stiffness_of_contact(Dense& W) {
+/// Adds what K_geo does to W and free.
+void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
   Index const m = rows_, s = support_;
   small_.setIdentity(s, s);
   bool const crowded = K_.size() > static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
@@ -159,9 +119,8 @@ void Condensation::add_stiffness_of_contact(Dense& W) {
   for (auto const& k : K_)
     if (!crowded)
       small_.col(slot_[ix(k.column)]) -= (weight_ * k.value) * V_.col(slot_[ix(k.row)]).head(s);
-  inverse_.compute(small_);
-  motion_ = inverse_.solve(right_.topRows(s));
-  K_motion_.setZero(s, m);
+  motion_ = small_.partialPivLu().solve(right_.topRows(s));
+  K_motion_.setZero(s, m + 1);
   if (crowded)
     K_motion_.noalias() = K_all_ * motion_;
   for (auto const& k : K_)
@@ -173,8 +132,9 @@ void Condensation::add_stiffness_of_contact(Dense& W) {
       left_.col(h.row) += (weight_ * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
   }
   // H V = (weight V^T H^T)^T / weight
-  auto const& HV = symmetric_ ? right_ : left_;
-  W.noalias() += (1 / weight_) * (HV.topRows(s).transpose() * K_motion_);
+  auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
+  W.noalias() += (1 / weight_) * (HV * K_motion_.leftCols(m));
+  free.noalias() += (1 / weight_) * (HV * K_motion_.col(m));
 }
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
@@ -200,8 +160,7 @@ void Condensation::add_forces(Vector const& force, double weight, Vector& c) con
     c[h.column] += weight * h.value * force[h.row];
   if (support_ == 0)
     return;
-  Vector extra = K_moved_;
-  extra.noalias() += K_motion_ * (about_.size() > 0 ? Vector(force - about_) : force);
+  Vector const extra = K_motion_.leftCols(rows_) * force + K_motion_.col(rows_);
   for (Index i = 0; i < support_; ++i)
     c[used_[ix(i)]] += extra[i];
 }

@@ -24,9 +24,6 @@ public:
     solver_->forget();
     assembly_.begin(turning);
   }
-  void take(Vector const& forces) override { points_.take(forces); }
-  void keep(bool may) override { assembly_.keep(may); }
-  [[nodiscard]] bool kept() const override { return assembly_.kept(); }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {
@@ -82,11 +79,6 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   };
   pose();
   bool answered = solve_from(guess);
-  if (!answered && assembly_.kept()) {
-    assembly_.keep(false);
-    pose();
-    answered = solve_from(guess);
-  }
   while (!answered && assembly_.tighten(points_)) { // next to buckling the answer may be far away
     pose();
     answered = solve_from(guess);

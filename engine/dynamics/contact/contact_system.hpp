@@ -54,13 +54,6 @@ public:
   [[nodiscard]] virtual contact::Problem const& problem() const = 0;
   [[nodiscard]] virtual Vector const& forces() const = 0;
   [[nodiscard]] virtual PointId point_of(Index row) const = 0;
-
-  /// Takes these forces in place of the answer of the last problem.
-  virtual void take(Vector const& forces) = 0;
-  /// May the next problem have the matrices of the last one, if its points and the bulk are the same?
-  virtual void keep(bool may) = 0;
-  /// Had the last problem those of one before?
-  [[nodiscard]] virtual bool kept() const = 0;
 };
 
 /// Per point: one where all pairs are frictionless and bond along the normal alone, else as many as the model

@@ -24,7 +24,6 @@ template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points)
     auto const& point = points.active(row);
     bonded = points.pair_of(point).law.adhesion && point.data.bond.old.beta > interface::least_beta;
   }
-  may_keep_ = false;
   grip_ = bonded ? (grip_ > 0 ? tighter * grip_ : loosest) : grip_;
   return bonded;
 }
@@ -32,21 +31,32 @@ template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points)
 template<int D, int C>
 Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bulk, Vector const& y,
                                    double weight, contact::Problem& problem) {
-  auto const count = static_cast<Index>(points.active().size());
-  Vector guess(C * count);
-  for (Index row = 0; row < count; ++row)
-    guess.segment<C>(C * row) = points.active(ix(row)).force;
-  kept_ = go_on(points, bulk, y, guess, problem);
-  if (!kept_)
-    make(points, bulk, y, weight, problem);
+  if (model_->held_by_bonds || bulk.hold() > 0)
+    grip_ = std::max(grip_, loosest);
+  auto* const together = bulk.coupled();
+  turning_ = turning_ && together == nullptr;
+  gather(points);
+  if (together != nullptr)
+    couple(*together, y, weight, problem);
+  else
+    condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
+  // there might be no answer; with inertia a shorter step has one
+  if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
+    turning_ = false;
+    return pose(points, bulk, y, weight, problem);
+  }
+  turned_ = turned_ || (turning_ && condensation_.turns());
   problem.dim = C;
   problem.points.clear();
+  std::size_t const count = points.active().size();
+  Vector guess(C * static_cast<Index>(count));
   problem.start.setZero(guess.size());
-  for (std::size_t row = 0; row < points.active().size(); ++row) {
+  for (std::size_t row = 0; row < count; ++row) {
     auto const& point = points.active(row);
     auto const first = C * static_cast<Index>(row);
     problem.free.segment<C>(first) += point.x();
     problem.points.push_back(point.data);
+    guess.segment<C>(first) = point.force;
     problem.start[first] = points.before(point).gap;
     if (points.pair_of(point).self) {
       separate_twins<C>(problem, first, point.force);
@@ -54,37 +64,6 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     }
   }
   return guess;
-}
-
-/// The problem of points that all took part in the last one, with its matrices.
-template<int D, int C>
-bool ProblemAssembly<D, C>::go_on(Points const& points, linear::BulkFactor& bulk, Vector const& y,
-                                  Vector const& p, contact::Problem& problem) {
-  if (!may_keep_ || bulk.coupled() != nullptr || made_for_ != points.active())
-    return false;
-  condensation_.clear_rows();
-  gather_rows(points);
-  return condensation_.go_on(bulk, y, p, problem.W.entries(), problem.free);
-}
-
-template<int D, int C>
-void ProblemAssembly<D, C>::make(Points const& points, linear::BulkFactor& bulk, Vector const& y,
-                                 double weight, contact::Problem& problem) {
-  if (model_->held_by_bonds || bulk.hold() > 0)
-    grip_ = std::max(grip_, loosest);
-  auto* const together = bulk.coupled();
-  turning_ = turning_ && together == nullptr;
-  made_for_ = points.active();
-  gather(points);
-  if (together != nullptr)
-    return couple(*together, y, weight, problem);
-  condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
-  // there might be no answer; with inertia a shorter step has one
-  if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
-    turning_ = false;
-    return make(points, bulk, y, weight, problem);
-  }
-  turned_ = turned_ || (turning_ && condensation_.turns());
 }
 
 /// Without W: a product with it is a solution of the bulk.
@@ -95,22 +74,15 @@ void ProblemAssembly<D, C>::couple(linear::CoupledBulk& bulk, Vector const& y, d
   problem.W = contact::Delassus(bulk.blocks(C), bulk);
 }
 
-template<int D, int C> void ProblemAssembly<D, C>::gather_rows(Points const& points) {
-  for (Index const k : points.active()) {
-    auto const& kinematics = points.all()[ix(k)].kinematics;
-    condensation_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
-  }
-}
-
 /// grip_: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by
 /// their bonds.
 template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points) {
   auto const& geometry = points.geometry();
   condensation_.clear();
-  gather_rows(points);
   for (Index const k : points.active()) {
     auto const& point = points.all()[ix(k)];
     auto const& kinematics = point.kinematics;
+    condensation_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
     if (turning_ && !geometry.shared(point.id.pair))
       geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
                          [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });

@@ -14,10 +14,6 @@ public:
 
   /// As ContactSystem::begin and turned.
   void begin(bool turning);
-  /// As ContactSystem::keep.
-  void keep(bool may) { may_keep_ = may; }
-  /// Did the last problem have matrices of one before?
-  [[nodiscard]] bool kept() const { return kept_; }
   [[nodiscard]] bool turned() const { return turned_; }
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
@@ -32,11 +28,6 @@ public:
 
 private:
   void gather(Points const& points);
-  void gather_rows(Points const& points);
-  void make(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
-            contact::Problem& problem);
-  [[nodiscard]] bool go_on(Points const& points, linear::BulkFactor& bulk, Vector const& y, Vector const& p,
-                           contact::Problem& problem);
   void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
   void add_shared_stiffness(Points const& points, int pair);
   void add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K);
@@ -46,9 +37,7 @@ private:
   BulkSystem const* bulk_;
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
-  bool may_keep_ = false, kept_ = false;
-  Indices made_for_; ///< active points of the last problem with matrices of its own
-  Indices unknowns_; ///< surface unknowns of one point
+  Indices unknowns_;                     ///< surface unknowns of one point
   Condensation condensation_;
 };
 

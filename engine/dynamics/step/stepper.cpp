@@ -13,11 +13,10 @@
 namespace stiction::dynamics {
 
 namespace {
-constexpr int settle_after = 6;         // iterations after which no point changes its mind about bonding
-constexpr double refactor_above = 0.15; // contraction per iteration that a kept factor must beat
-constexpr double astray = 0.5;          // contraction that mixed iterations must beat
-constexpr double leap = 1e-2;           // of driven nodes, over a cell's size, into which bodies are led
-constexpr double unreached = 1e100;     // gap of a point without counterpart, m
+constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
+constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
+constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
+constexpr double unreached = 1e100;    // gap of a point without counterpart, m
 
 /// What an attempt did not reach; imbalance of the bodies, N. A point's residual is infinite where the last
 /// problem did not hold it.
@@ -285,17 +284,13 @@ bool Stepper::converged(Outcome& outcome) {
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
-/// one. Contact's own matrices are kept within a step in the same way, and made anew first.
+/// one.
 bool Stepper::correct(double dt, Outcome& outcome) {
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
-  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow || contact_->kept());
-  contact_->keep(outcome.iterations > 0 && !slow);
-  if (outcome.iterations == 0 || contraction_ > astray)
-    mixing_.forget();
+  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
   if (keep && apply_factor())
     return true;
   if (!keep || !bulk_.linear()) {
-    mixing_.forget();
     if (!bulk_.factorize(u_, weights_, dt, cost_)) {
       outcome.verdict = StepVerdict::indefinite;
       outcome.reason = "the effective stiffness is not positive definite";
@@ -332,8 +327,6 @@ bool Stepper::apply_factor() {
     cost_.add(bulk_.factor().spent());
     ++cost_.solves;
   }
-  if (!leads_ && !bulk_.linear() && bulk_.factor().coupled() == nullptr)
-    mix();
   for (Index k = 0; k < bulk_.unknowns(); ++k)
     d_[bulk_.dof_of(k)] += correction_[k];
   return correction_.allFinite();

@@ -8,7 +8,6 @@
 #include "dynamics/contact/contact_system.hpp"
 #include "dynamics/contact/tunnelling.hpp"
 #include "dynamics/model/state.hpp"
-#include "dynamics/step/mixing.hpp"
 
 namespace stiction::dynamics {
 
@@ -81,8 +80,6 @@ private:
   [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
-  void gather_imbalance(Vector& force) const;
-  void mix();
   void finish(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
   void account(State const& old, State& next) const;
@@ -104,7 +101,6 @@ private:
   std::unique_ptr<ContactSystem> contact_;
   Tunnelling tunnelling_;
   Cost cost_;
-  Mixing mixing_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, correction_, surface_,

@@ -34,6 +34,6 @@ return {
   },
   counts = {
     counts("p01_flat_nc49", 29, 34), counts("p02_wavy_nc100", 21, 26), counts("p09_rigidbox_nc144", 15, 19),
-    counts("p03_twist_nc196", 49, 58), counts("p04_rough_nc324", 37, 42), counts("p10_rigidwall", 9242, 22658),
+    counts("p03_twist_nc196", 49, 58), counts("p04_rough_nc324", 37, 42), counts("p10_rigidwall", 10652, 17600),
   },
 }

@@ -18,7 +18,7 @@ local accuracy = 1e-8 -- in Siconos' measure
 local names, quick_names = {}, {}
 for _, pair in ipairs(known.pairs) do
   names[#names + 1] = pair.kept and pair.set.problem or nil
-  quick_names[#quick_names + 1] = pair.size == "small" and pair.set.problem or nil
+  quick_names[#quick_names + 1] = (pair.size == "small" or pair.answers) and pair.set.problem or nil
 end
 
 local function friction_of(p)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Contact problems of our own studies, for the study beside: collect.sh DIR [STICTION]
-# Runs one case of each study and leaves every so many steps' problem in DIR/<study>/<case>/problems/.
+# Runs one case of each study and leaves every so many steps' problem in DIR/<study>/<case>/problems/; the friction problems that
+# are kept beside come to DIR/friction/problems/.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 out=${1:?a folder} stiction=${2:-$here/../../../stiction}
@@ -28,3 +29,5 @@ case_of proofs/jkr_cylinder stiffness0.3_cells4 10 --quick
 case_of proofs/hertz_3d pair_16_block_200_slope_0.005 1 --quick
 case_of peers/block3d cells8 1 --quick
 case_of peers/slide2d cells8_materialblatz_ko_mu0.5 4 --quick
+mkdir -p "$out/friction/problems"
+cp "$here"/../friction_problems/problems/*.h5 "$out/friction/problems"

@@ -3,6 +3,7 @@
 study.lua draws. siconos_profile.py DIR [SECONDS of processor time that a solver may take] > siconos.lua"""
 import pathlib
 import sys
+import textwrap
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "friction_problems"))
 from siconos_solvers import FLAT, SOLVERS, attempt, load  # noqa: E402
@@ -28,7 +29,8 @@ def main():
             continue
         found = {name: attempt(str(path), name, limit) for name in names}
         own = ["%s = %.3g" % (name, found[name]["seconds"]) for name in names if found[name]]
-        print('  ["%s"] = { %s },' % (path.relative_to(top).with_suffix(""), ", ".join(own)), flush=True)
+        line = '["%s"] = { %s },' % (path.relative_to(top).with_suffix(""), ", ".join(own))
+        print(textwrap.fill(line, 120, initial_indent="  ", subsequent_indent="    "), flush=True)
     print("}")
 
 

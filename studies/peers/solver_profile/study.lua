@@ -35,7 +35,7 @@ local results = {
       end
       return -1
     end },
-  { name = "seconds", unit = "s", meaning = "processor time of the newton solver", function(run) return run.newton.seconds end },
+  { name = "newton_seconds", unit = "s", meaning = "processor time of the newton solver", function(run) return run.newton.seconds end },
 }
 profile.add_results(results)
 
@@ -51,7 +51,7 @@ local beside = profiles.of { solvers = { "Stiction, default", "Siconos, the best
   lines = stiction.figure.lines, cost = function(case, solver)
     local theirs = siconos[case.p.problem]
     if solver == "Stiction, default" then
-      return profile.solved(case, "newton") and case.results.seconds or nil
+      return profile.solved(case, "newton") and case.results.newton_seconds or nil
     elseif solver == "Siconos, Gauss-Seidel" then
       return theirs.NSGS
     end

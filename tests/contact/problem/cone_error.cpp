@@ -19,8 +19,8 @@ TEST_SUITE("contact") {
     CHECK(error(-1, 0, 1.1, 0) == doctest::Approx(0.1)); // gap 0.1: r - u = 1
     CHECK(error(-1, 0, 0.9, 0) == doctest::Approx(0.1));
     CHECK(error(-1, 1, 1, -0.5) == doctest::Approx(0)); // slides by 0.5
-    // r - (u + mu |u_t| n) = (0.75, -1): lands on (1, -0.5); |q| = sqrt 2
-    CHECK(error(-1, 1, 1, 0) == doctest::Approx(std::hypot(0.6, 0.8) / 2));
+    // u = (0, 1), r - (u + mu |u_t| n) = (0.5, -1), which lands on (0.8, -0.4); |q| = sqrt 2
+    CHECK(error(-1, 1, 1, 0) == doctest::Approx(std::hypot(0.2, 0.4) / std::sqrt(2)));
   }
 
   TEST_CASE("the error over all points does not know the units of force and length") {

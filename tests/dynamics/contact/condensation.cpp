@@ -76,46 +76,6 @@ TEST_SUITE("dynamics") {
       }
   }
 
-  TEST_CASE("matrices that are kept lead other rows where the present forces do") {
-    Bulk bulk;
-    bulk.take(3);
-    Vector const y = Vector::LinSpaced(surface, -1, 3), p = Vector::LinSpaced(4, 2, -1);
-    double const weight = 0.7;
-    for (double const stiffness : {0.0, 0.2}) {
-      INFO("stiffness " << stiffness);
-      Dense K = Dense::Zero(surface, surface);
-      K(2, 3) = K(3, 2) = K(5, 5) = stiffness;
-      Dense const H = rows_of(false), other = stiffness > 0 ? H : Dense(1.3 * H);
-      Condensation condensation;
-      pose(condensation, H, K);
-      Dense W;
-      Vector free, c = Vector::Zero(surface);
-      condensation.eliminate(*bulk.factor, y, weight, W, free);
-      Dense const kept = W;
-      auto const go_on = [&](Dense const& rows) {
-        Indices all(surface);
-        std::iota(all.begin(), all.end(), 0);
-        condensation.clear_rows();
-        condensation.add_point(all, rows.topRows(2));
-        condensation.add_point(all, rows.bottomRows(2));
-        return condensation.go_on(*bulk.factor, y, p, W, free);
-      };
-      REQUIRE(go_on(other));
-      CHECK(W == kept);
-      Dense const A = (Dense::Identity(surface, surface) - weight * bulk.V * K).inverse();
-      Vector const du = A * (y + weight * bulk.V * other.transpose() * p);
-      CHECK((free + W * p - other * du).norm() <= 1e-12 * (other * du).norm());
-      condensation.add_forces(p, weight, c);
-      CHECK((c - weight * (K * du + other.transpose() * p)).norm() <= 1e-12 * c.norm());
-      Dense far = H;
-      far(0, surface - 1) = 1; // an unknown that the last problem did not have
-      CHECK_FALSE(go_on(far));
-      bulk.take(5);
-      CHECK_FALSE(go_on(other));
-      bulk.take(3);
-    }
-  }
-
   TEST_CASE("the Delassus operator stays while bulk, points and weight do") {
     Bulk bulk;
     bulk.take(3);
