@@ -64,7 +64,7 @@ private:
 } // namespace stiction
 
 template<> struct Eigen::NumTraits<stiction::Pack> : Eigen::GenericNumTraits<stiction::Pack> {
-  enum {
+  enum { // NOLINTBEGIN(readability-identifier-naming): Eigen's names
     IsInteger = 0,
     IsSigned = 1,
     IsComplex = 0,
@@ -72,5 +72,5 @@ template<> struct Eigen::NumTraits<stiction::Pack> : Eigen::GenericNumTraits<sti
     ReadCost = 1,
     AddCost = 1,
     MulCost = 1
-  };
+  }; // NOLINTEND(readability-identifier-naming)
 };

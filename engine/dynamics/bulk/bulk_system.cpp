@@ -195,6 +195,16 @@ linear::NodesOfUnknowns BulkSystem::nodes_of_unknowns(Model const& model) const 
   return all;
 }
 
+namespace {
+/// Where the entries of a cell's lower triangle are, row by row; -1 of an unknown that there is not.
+template<class Place>
+void add_places(linear::Pattern const& pattern, std::span<Index const> unknowns, Place* at) {
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      *at++ = unknowns[i] >= 0 && unknowns[j] >= 0 ? pattern.find(unknowns[i], unknowns[j]) : -1;
+}
+} // namespace
+
 void BulkSystem::build_maps(Model const& model) {
   struct Cell {
     std::size_t first, count, entry; ///< of its unknowns, of its map
@@ -215,11 +225,7 @@ void BulkSystem::build_maps(Model const& model) {
     core::each_piece(static_cast<Index>(cells[body].size()), few_cells, [&](Index from, Index to) {
       for (Index c = from; c < to; ++c) {
         auto const [first, count, entry] = cells[body][ix(c)];
-        auto const* const cell = &unknowns[body][first];
-        auto at = maps_[body].begin() + static_cast<std::ptrdiff_t>(entry);
-        for (std::size_t i = 0; i < count; ++i)
-          for (std::size_t j = 0; j <= i; ++j)
-            *at++ = cell[i] >= 0 && cell[j] >= 0 ? pattern.find(cell[i], cell[j]) : -1;
+        add_places(pattern, {&unknowns[body][first], count}, &maps_[body][entry]);
       }
     });
   }
