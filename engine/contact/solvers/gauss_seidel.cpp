@@ -25,6 +25,30 @@ Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free
       .solve(dry + (p - state.dry) - state.adhesion_by_x * (W * p));
 }
 
+struct Swept {
+  bool found = true;  ///< has every point an answer of its own?
+  double changed = 0; ///< points
+};
+
+/// One sweep over the points.
+template<int D, class Update>
+Swept sweep_once(Problem const& problem, Vector const& rho, Vector& p, Vector& x, Update& update) {
+  Swept result;
+  for (Index i = 0; i < problem.size(); ++i) {
+    Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
+    Local<D> const free = here - problem.W.block<D>(i) * old;
+    PointAnswer<D> const answer = update(i, free, old, rho[i]);
+    Local<D> const change = answer.force - old;
+    result.found = result.found && answer.found;
+    if (change.isZero(0))
+      continue;
+    p.segment<D>(D * i) += change;
+    problem.W.add_column<D>(i, change, x);
+    ++result.changed;
+  }
+  return result;
+}
+
 /// Sweeps over the points until the judge is content; the best forces judged if that never happens.
 template<int D, class Update>
 Solution sweep(Problem const& problem, Vector const& guess, double tolerance, int iterations,
@@ -42,20 +66,9 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
   int vain = 0;
   for (int sweeps = 1; !best.converged && best.iterations < iterations; sweeps = std::min(2 * sweeps, 32)) {
     for (int k = 0; k < sweeps && best.iterations < iterations; ++k, ++best.iterations) {
-      bool found = true;
-      for (Index i = 0; i < problem.size(); ++i) {
-        Local<D> const old = p.segment<D>(D * i), here = x.segment<D>(D * i);
-        Local<D> const free = here - problem.W.block<D>(i) * old;
-        PointAnswer<D> const answer = update(i, free, old, rho[i]);
-        Local<D> const change = answer.force - old;
-        found = found && answer.found;
-        if (change.isZero(0))
-          continue;
-        p.segment<D>(D * i) += change;
-        problem.W.add_column<D>(i, change, x);
-        best.work += column;
-      }
-      vain = found ? 0 : vain + 1;
+      auto const swept = sweep_once<D>(problem, rho, p, x, update);
+      best.work += column * swept.changed;
+      vain = swept.found ? 0 : vain + 1;
     }
     best.work += 2;
     x = displacement(problem, p); // no drift
