@@ -48,6 +48,7 @@ Carried packed(std::vector<Answered> const& all) {
 std::vector<Answered> unpacked(Carried const& carried, Index surface) {
   auto const count = surface > 0 ? carried.load.size() / surface : 0;
   std::vector<Answered> all;
+  all.reserve(static_cast<std::size_t>(count));
   for (auto k = 0; k < count; ++k)
     all.push_back(
         {carried.load.segment(k * surface, surface),

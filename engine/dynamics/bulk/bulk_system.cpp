@@ -196,6 +196,11 @@ linear::NodesOfUnknowns BulkSystem::nodes_of_unknowns(Model const& model) const 
 }
 
 namespace {
+/// A cell's place among the unknowns of its body and in the map of its body.
+struct CellPlace {
+  std::size_t first, count, entry;
+};
+
 /// Where the entries of a cell's lower triangle are, row by row; -1 of an unknown that there is not.
 template<class Place>
 void add_places(linear::Pattern const& pattern, std::span<Index const> unknowns, Place* at) {
@@ -203,14 +208,22 @@ void add_places(linear::Pattern const& pattern, std::span<Index const> unknowns,
     for (std::size_t j = 0; j <= i; ++j)
       *at++ = unknowns[i] >= 0 && unknowns[j] >= 0 ? pattern.find(unknowns[i], unknowns[j]) : -1;
 }
+
+/// Fills the map of one body, its cells shared among the threads.
+void fill_map(linear::Pattern const& pattern, std::vector<CellPlace> const& cells, Indices const& unknowns,
+              solid::ScatterMap& map) {
+  core::each_piece(static_cast<Index>(cells.size()), few_cells, [&](Index from, Index to) {
+    for (Index c = from; c < to; ++c) {
+      auto const [first, count, entry] = cells[ix(c)];
+      add_places(pattern, {&unknowns[first], count}, &map[entry]);
+    }
+  });
+}
 } // namespace
 
 void BulkSystem::build_maps(Model const& model) {
-  struct Cell {
-    std::size_t first, count, entry; ///< of its unknowns, of its map
-  };
   std::vector<Indices> unknowns(model.cells.size());
-  std::vector<std::vector<Cell>> cells(model.cells.size());
+  std::vector<std::vector<CellPlace>> cells(model.cells.size());
   std::vector<std::size_t> entries(model.cells.size(), 0);
   each_cell_dofs(model, [&](std::size_t body, Indices const& cell) {
     cells[body].push_back({unknowns[body].size(), cell.size(), entries[body]});
@@ -219,15 +232,9 @@ void BulkSystem::build_maps(Model const& model) {
       unknowns[body].push_back(unknown_of(dof));
   });
   maps_.resize(model.cells.size());
-  auto const& pattern = kept_.front().factor->pattern();
   for (std::size_t body = 0; body < maps_.size(); ++body) {
     maps_[body].resize(entries[body]);
-    core::each_piece(static_cast<Index>(cells[body].size()), few_cells, [&](Index from, Index to) {
-      for (Index c = from; c < to; ++c) {
-        auto const [first, count, entry] = cells[body][ix(c)];
-        add_places(pattern, {&unknowns[body][first], count}, &maps_[body][entry]);
-      }
-    });
+    fill_map(kept_.front().factor->pattern(), cells[body], unknowns[body], maps_[body]);
   }
 }
 
