@@ -11,17 +11,13 @@ local hold = { layout = 2 } -- of output folders; higher where older versions wo
 
 local alone = "=alone" -- the claim of a run that shares the folder with nobody
 
-local function study_file(folder)
-  return folder .. "/study.json"
-end
-
 --- What study.json of the folder says, {} if there is none; bad input if it cannot be read, or if a newer version wrote it.
 function hold.owner(folder)
-  local text = engine.read_file(study_file(folder))
+  local text = engine.read_file(output.study_file(folder))
   local kept = text and engine.decode_json(text)
   if text and type(kept) ~= "table" then
     fault.input("%s is damaged, so that it is not known whose the folder is; remove that file if the folder is this study's, "
-      .. "or choose another folder with --out", study_file(folder))
+      .. "or choose another folder with --out", output.study_file(folder))
   elseif kept and type(kept.layout) == "number" and kept.layout > hold.layout then
     fault.input("%s was written by a newer version of Stiction (layout %g; %s reads up to %d); read it with that one, or "
       .. "choose another folder with --out", folder, kept.layout, engine.version, hold.layout)
@@ -36,10 +32,9 @@ end
 
 --- Bad input if the folder is that of another study which still is there.
 function hold.check_owner(folder, study)
-  local owner = read_owner(folder).study
-  if owner and owner ~= study.source.file and engine.kind_of_path(owner) == "file" then
+  if output.is_of_another(folder, study.source.file) then
     fault.input("%s holds the output of another study, %s; choose another folder with --out, or remove that one",
-      folder, owner)
+      folder, read_owner(folder).study)
   end
 end
 
@@ -124,7 +119,7 @@ function hold.note(folder, study)
   for _, file in ipairs(study.source.files) do
     files[engine.relative(file, study.source.folder)] = study.source.hashes[file]
   end
-  engine.write_file(study_file(folder), engine.encode_json({ study = study.source.file, name = study.name,
+  engine.write_file(output.study_file(folder), engine.encode_json({ study = study.source.file, name = study.name,
     layout = hold.layout, results = results, files = files,
     drawn = study.sweep.drawn }, 2) .. "\n")
 end

@@ -21,7 +21,8 @@ function outcomes.folder(path, out)
   elseif not kind then
     fault.input("there is neither an output folder nor a study at '%s'", path)
   end
-  return "out/" .. study_module.name_of(loader.find(path))
+  local source = loader.find(path)
+  return output.default_folder(study_module.name_of(source), source.file)
 end
 
 local function decoded(path)

@@ -6,9 +6,29 @@ local identity = require "stiction.identity"
 
 local output = {}
 
+--- The file of an output folder that tells whose it is.
+function output.study_file(folder)
+  return folder .. "/study.json"
+end
+
+--- True if the folder is that of another study which still is there; file: of the study that asks.
+function output.is_of_another(folder, file)
+  local kept = engine.decode_json(engine.read_file(output.study_file(folder)) or "")
+  local owner = type(kept) == "table" and kept.study
+  return type(owner) == "string" and owner ~= file and engine.kind_of_path(owner) == "file"
+end
+
+--- Where the study of that name in that file has its output unless told otherwise: its name, and what tells it from another
+--- study of that name which was there before it.
+function output.default_folder(name, file)
+  local own = "out/" .. name
+  local beside = own .. "-" .. engine.hash(file):sub(1, 8)
+  return (engine.kind_of_path(beside) or output.is_of_another(own, file)) and beside or own
+end
+
 --- Default folder, or the one asked for.
 function output.folder(study, options)
-  return options.out or "out/" .. study.name
+  return options.out or output.default_folder(study.name, study.source.file)
 end
 
 --- Makes the folder; bad input if that fails or nothing can be written there.

@@ -76,15 +76,23 @@ if command -v flock >/dev/null; then
   wait $!
 fi
 
-# two studies of one name: the second says so, and takes another folder
+# two studies of one name: the second has a folder of its own, and keeps it when the first is gone
 mkdir -p elsewhere
 cp -r drag elsewhere/drag
 expect 0 "checks held" "$stiction" run drag --no-figures
+cp out/drag/summary.csv first.csv
+expect 0 "checks held|output: out/drag-" "$stiction" run elsewhere/drag --no-figures
+holds "the first one's summary" cmp -s first.csv out/drag/summary.csv
 expect 2 "out/drag holds the output of another study, $work/drag/study.lua; choose another folder with --out" \
-  "$stiction" run elsewhere/drag --no-figures
-expect 0 "checks held" "$stiction" run elsewhere/drag --no-figures --out out/drag2
-rm -r drag
+  "$stiction" run elsewhere/drag --no-figures --out out/drag
+mv drag gone
+expect 0 "output: out/drag-" "$stiction" run elsewhere/drag --no-figures
+holds "nothing ran anew: $(cat output)" [ "$(grep -c started output)" = 0 ]
+expect 0 "mu0.2 " "$stiction" show elsewhere/drag
+rm -r out/drag-*
 expect 0 "checks held" "$stiction" run elsewhere/drag --no-figures
+holds "the folder of its name, now free" grep -qx "output: out/drag" output
+rm -r gone
 mv elsewhere/drag drag
 
 # --set and --quick beside the study's own values: nobody's data is lost, the folder of the id is the last one's

@@ -114,6 +114,10 @@ mkdir -p elsewhere
 cp -r drag elsewhere/drag
 for command in "run elsewhere/drag --list" "why elsewhere/drag" "figures elsewhere/drag" "results elsewhere/drag" "clean elsewhere/drag"; do
   # shellcheck disable=SC2086 # words
-  expect 2 "out/drag holds the output of another study, $work/drag/study.lua; choose another folder with --out" "$stiction" $command
+  expect 2 "out/drag holds the output of another study, $work/drag/study.lua; choose another folder with --out" \
+    "$stiction" $command --out out/drag
 done
+expect 2 "there is no output folder out/drag-" "$stiction" clean elsewhere/drag
+"$stiction" run elsewhere/drag --list >listed
+holds "another's cases: $(cat listed)" [ "$(grep -c finished listed)" = 0 ]
 finish
