@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <tuple>
 
 #include "charts/axis.hpp"
 #include "charts/lines.hpp"
 #include "charts/map.hpp"
 #include "fields/field.hpp"
+#include "fields/field_data.hpp"
 
 namespace stiction::postproc {
 
@@ -50,6 +53,32 @@ void align(std::vector<FigureSpec>& parts, int columns) {
   }
 }
 
+/// The field of a part that leaves its range open, null if it is none.
+FieldSpec* open_field(FigureSpec& part) {
+  auto* field = std::get_if<FieldSpec>(&part.content);
+  return field != nullptr && !field->range ? field : nullptr;
+}
+
+/// Gives the fields of one array and unit that leave their range open the one which holds the values of all.
+void share_ranges(std::vector<FigureSpec>& parts) {
+  auto const key = [](FieldSpec const& field) {
+    return std::tuple(field.array, field.component.value_or(-1), field.unit.word);
+  };
+  std::map<decltype(key(FieldSpec{})), std::pair<double, double>> ranges;
+  for (auto& part : parts)
+    if (auto const* field = open_field(part)) {
+      auto const data = load_field(*field);
+      auto& [low, high] = ranges.try_emplace(key(*field), data.low, data.high).first->second;
+      low = std::min(low, data.low);
+      high = std::max(high, data.high);
+    }
+  for (auto& part : parts)
+    if (auto* field = open_field(part)) {
+      auto const& [low, high] = ranges.at(key(*field));
+      field->range = colour_range(low, high);
+    }
+}
+
 Drawing draw_panel(FigureSpec const& figure, PanelSpec const& panel) {
   auto const gap = static_cast<int>(std::lround(points(6)));
   int const width = (figure.width - (panel.columns - 1) * gap) / panel.columns;
@@ -64,6 +93,8 @@ Drawing draw_panel(FigureSpec const& figure, PanelSpec const& panel) {
     part.letter = std::string{'(', static_cast<char>('a' + i % 26), ')'};
   }
   align(parts, panel.columns);
+  if (panel.common_range)
+    share_ranges(parts);
   std::vector<Drawing> drawings;
   drawings.reserve(parts.size());
   for (auto const& part : parts)

@@ -99,6 +99,7 @@ keys.tables = {
   } },
   { "panel", "figure.panel{ ... }: several of these beside each other", with_common {
     { "columns", "how many beside each other; default 2" },
+    { "common_range", "true: fields of one array and unit that leave their range open share one; default false" },
     { "figures", "list of figure.lines, figure.field and figure.map" },
   } },
   { "map", "figure.map{ ... }: a table of outcomes, each a colour and a letter", with_common {

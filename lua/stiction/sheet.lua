@@ -60,7 +60,8 @@ function sheet.draw(outcome, cases, file, field)
     fault.input("--sheet: none of these cases has fields (fields.pvd)")
   end
   local columns = math.min(most_columns, math.ceil(math.sqrt(#list)))
-  local picture = { kind = "panel", name = "sheet", columns = columns, width = "double", figures = list }
+  local picture = { kind = "panel", name = "sheet", columns = columns, width = "double",
+    common_range = true, figures = list }
   local drawn = provenance.in_scratch(drawing.one, picture, "sheet.png", file)
   if drawn then
     report.line("%s: %s of %d of %d cases", file, field, #list, #cases)

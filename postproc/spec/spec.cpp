@@ -340,6 +340,7 @@ FigureSpec read_figure(Reader reader, std::filesystem::path const& folder, bool 
 PanelSpec read_panel(Reader& reader, std::filesystem::path const& folder) {
   PanelSpec panel;
   panel.columns = static_cast<int>(reader.number_or("columns", "1", {1, 6}, 2));
+  panel.common_range = reader.flag_or("common_range", false);
   for (auto& figure : reader.children("figures"))
     panel.figures.push_back(read_figure(figure, folder, true));
   if (panel.figures.empty())

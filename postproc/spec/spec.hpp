@@ -148,6 +148,7 @@ struct MapSpec {
 struct FigureSpec;
 struct PanelSpec {
   int columns = 2;
+  bool common_range = false; ///< of fields of one array and unit that leave theirs open
   std::vector<FigureSpec> figures;
 };
 

@@ -141,6 +141,29 @@ TEST_CASE("panels carry letters and all parts, pictures repeat bit by bit") {
   CHECK(content(work / "panel/panel.png") == first);
 }
 
+TEST_CASE("fields of a panel share one range of colours where that is asked for") {
+  auto const panel = [](std::string const& more) {
+    auto early = von_mises;
+    early.replace(early.find("\"last\""), 6, "0");
+    return R"({"name":"it","kind":"panel","columns":2,"figures":[)" + von_mises + "," + early + "]" + more +
+           "}";
+  };
+  REQUIRE(draw("own_ranges", panel("")).code == 0);
+  REQUIRE(draw("one_range", panel(R"(,"common_range":true)")).code == 0);
+  Image const own(work / "own_ranges/it.png"), common(work / "one_range/it.png");
+  REQUIRE(own.width() == common.width());
+  REQUIRE(own.height() == common.height());
+  auto const differing = [&](int from, int to) {
+    int count = 0;
+    for (int x = from; x < to; ++x)
+      for (int y = 0; y < own.height(); ++y)
+        count += own.at(x, y) != common.at(x, y) ? 1 : 0;
+    return count;
+  };
+  CHECK(differing(0, own.width() / 2 - 20) == 0); // the one with the largest and the smallest values
+  CHECK(differing(own.width() / 2 + 20, own.width()) > 10000);
+}
+
 TEST_CASE("a panel has its title above its parts and shares its height among their rows") {
   auto const panel = [](std::string const& more) {
     return R"({"name":"it","kind":"panel","columns":1,"figures":[)" + von_mises + "," + von_mises + "]" +
