@@ -1,6 +1,6 @@
-# What makes builds quick: files of a layer are compiled together. The rest does nothing without STICTION_SANITIZE: Clang parses
-# what most files include, and makes its templates, once a target (GCC gains nothing by it); the layers that compute are
-# optimized, and what they share with the tests is theirs.
+# What makes builds quick: files of a layer are compiled together; only the layers that compute are optimized in full, and what
+# they share with others is theirs. With STICTION_SANITIZE Clang parses what most files include, and makes its templates, once a
+# target (GCC gains nothing by it).
 set(STICTION_COMPUTES linear interface solid contact dynamics)
 set(STICTION_PATIENCE 120) # s, for a test
 if(STICTION_SANITIZE)
@@ -18,6 +18,10 @@ function(optimize target)
   if(STICTION_SANITIZE)
     target_compile_options(${target} PRIVATE -O1)
   endif()
+endfunction()
+
+function(optimize_little target) # what takes longer to compile than it ever runs
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # Several files at a time share what their headers cost and their templates; alone stay those whose local names clash with
@@ -39,8 +43,9 @@ function(compile_together target) # compile_together(TARGET): at most 8 files at
 endfunction()
 
 function(prefer_what_is_optimized program) # the linker takes the first of several copies of a template
+  list(TRANSFORM STICTION_COMPUTES REPLACE "(.+)" "$<TARGET_FILE:stiction_\\1>" OUTPUT_VARIABLE archives)
+  target_link_options(${program} PRIVATE -Wl,--whole-archive ${archives} -Wl,--no-whole-archive)
   if(STICTION_SANITIZE)
-    list(TRANSFORM STICTION_COMPUTES REPLACE "(.+)" "$<TARGET_FILE:stiction_\\1>" OUTPUT_VARIABLE archives)
-    target_link_options(${program} PRIVATE -Wl,--whole-archive ${archives} -Wl,--no-whole-archive -fuse-ld=gold)
+    target_link_options(${program} PRIVATE -fuse-ld=gold)
   endif()
 endfunction()

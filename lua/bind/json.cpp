@@ -13,7 +13,7 @@ namespace stiction::bind {
 namespace {
 
 using Json = nlohmann::json;
-constexpr int deepest = 100;
+constexpr int most_nested = 100;
 
 Json to_json(lua_State* lua, int index, int depth);
 
@@ -40,7 +40,7 @@ Json object_to_json(lua_State* lua, int index, int depth) {
 
 /// A table with a first element, or an empty one, is a list unless its metatable says `json = "object"`.
 Json table_to_json(lua_State* lua, int index, int depth) {
-  if (depth > deepest)
+  if (depth > most_nested)
     throw core::RunError("JSON: tables nested too deeply, perhaps in a cycle");
   luaL_checkstack(lua, 4, "JSON");
   bool object = luaL_getmetafield(lua, index, "json") != LUA_TNIL;
@@ -122,7 +122,7 @@ private:
   static constexpr lua_Integer in_object = -1;
 
   bool open(lua_Integer kind) {
-    if (open_.size() > deepest)
+    if (open_.size() > most_nested)
       return false;
     luaL_checkstack(lua_, 4, "JSON");
     lua_newtable(lua_);

@@ -19,6 +19,8 @@ namespace stiction::bind {
 
 namespace {
 
+using bind::push;
+
 void push(lua_State* lua, scene::Line const& line) {
   lua_newtable(lua);
   set(lua, "name", line.name);

@@ -9,6 +9,8 @@ namespace stiction::bind {
 
 namespace {
 
+using bind::push;
+
 void set_vector(lua_State* lua, char const* name, Vector const& values) {
   set(lua, name, std::vector<double>(values.begin(), values.end()));
 }

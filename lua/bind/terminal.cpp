@@ -18,7 +18,7 @@ namespace stiction::bind {
 namespace {
 
 /// write(text), complain(text): to standard output and standard error, at once
-int write(lua_State* lua) {
+int write_text(lua_State* lua) {
   auto const text = text_at(lua, 1);
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
@@ -82,7 +82,7 @@ int stopped(lua_State* lua) {
 } // namespace
 
 void add_terminal_functions(lua_State* lua) {
-  add<write>(lua, "write");
+  add<write_text>(lua, "write");
   add<complain>(lua, "complain");
   add<terminal_width>(lua, "terminal_width");
   add<processor>(lua, "processor");
