@@ -1,10 +1,10 @@
 // Columns of surface unknowns beside a factored symmetric matrix, which make it unsymmetric.
 #pragma once
-#include <Eigen/LU>
 #include <optional>
 
 #include "linear/bulk_factor.hpp"
 #include "linear/cholesky.hpp"
+#include "linear/decompositions.hpp"
 #include "linear/surface_columns.hpp"
 
 namespace stiction::linear {

@@ -1,10 +1,11 @@
 // One node has a single answer iff W_nn > mu |W_nt|, one bond iff 1 / W_nn exceeds the fall of its force.
 #include "contact/problem/uniqueness.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

@@ -1,7 +1,6 @@
 // Other starts for Newton, and what pivoting and enumeration show.
 #include "contact/solvers/answers.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include "contact/solvers/newton.hpp"
 #include "contact/solvers/pivoting.hpp"
 #include "contact/solvers/rounding.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

@@ -1,12 +1,12 @@
 // Block principal pivoting within a proximal iteration, and Lemke's method on a dictionary.
 #include "contact/solvers/complementarity.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

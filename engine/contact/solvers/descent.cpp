@@ -1,10 +1,11 @@
 // Projected Newton on the potential of a frictionless contact problem, its softening damped where it must be.
 #include "contact/solvers/descent.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

@@ -1,11 +1,10 @@
 // H = 1 + F^T K F, K of one block for each point: factored once and kept while few blocks change.
 #pragma once
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
 
 #include "contact/problem/problem.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

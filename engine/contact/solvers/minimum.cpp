@@ -1,7 +1,6 @@
 // Newton's method on the potential in the coordinates z, where that of the bodies is |z|^2 / 2.
 #include "contact/solvers/minimum.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "contact/solvers/complementarity.hpp"
 #include "contact/solvers/kept_hessian.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

@@ -1,6 +1,4 @@
 // Semismooth Newton on the natural map of the bi-potential, all points at once.
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -11,6 +9,7 @@
 #include "contact/solvers/pivoting.hpp"
 #include "contact/solvers/rounding.hpp"
 #include "contact/solvers/solver.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

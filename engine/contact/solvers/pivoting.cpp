@@ -1,12 +1,12 @@
 // The complementarity problem of Coulomb's friction with facets: pressures, friction along facets, slips.
 #include "contact/solvers/pivoting.hpp"
 
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "contact/solvers/complementarity.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 

@@ -1,11 +1,11 @@
 // Largest eigenvalue of M^-1 K, cell by cell; no global matrix.
 #include "dynamics/bulk/critical_step.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <limits>
 
 #include "dynamics/model/mass.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::dynamics {
 

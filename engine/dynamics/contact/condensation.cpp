@@ -1,9 +1,9 @@
 // Elimination of the bulk and of the geometric stiffness onto the components of the contact points.
 #include "dynamics/contact/condensation.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
+
+#include "linear/decompositions.hpp"
 
 namespace stiction::dynamics {
 

@@ -1,7 +1,6 @@
 // The step: predictor, balance of forces, correction, acceptance, energy account.
 #include "dynamics/step/stepper.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "dynamics/bulk/timer.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::dynamics {
 

@@ -1,7 +1,7 @@
 // Linear least squares: the normal from the covariance, the circle as |x|^2 = 2 c.x + d (Kasa 1976).
 #include "scene/build/fit.hpp"
 
-#include <Eigen/Dense>
+#include "linear/decompositions.hpp"
 
 namespace stiction::scene {
 

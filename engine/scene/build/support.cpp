@@ -1,12 +1,11 @@
 // What holds the bodies: nodes on the axis of revolution, and rigid motions that nothing resists.
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
 #include "dynamics/contact/bond_grip.hpp"
 #include "dynamics/step/stepper.hpp"
+#include "linear/decompositions.hpp"
 #include "scene/build/builder.hpp"
 
 namespace stiction::scene {
