@@ -15,11 +15,13 @@ namespace stiction::scene {
 namespace {
 
 // What the studies, proofs and peers of this repository take.
-// Newton iterations and factorizations of a step: where the other side is flat, is curved, is a body.
+// Newton iterations and factorizations of a step: where the other side is flat, is curved, is a body, where a
+// body bends.
 struct Pace {
   double iterations, factorizations;
 };
-constexpr Pace finite_flat{3, 0.1}, finite_curved{5, 0.25}, finite_bodies{5.5, 0.4};
+constexpr Pace finite_flat{3, 0.1}, finite_curved{5, 0.25}, finite_bodies{5.5, 0.4}, finite_slender{5.5, 1.1};
+constexpr double slender = 0.1; // thickness over length of what bends a lot before it strains
 constexpr double linear_flat = 1, linear_curved = 1.6, linear_bodies = 2, linear_flying = 5; // iterations
 constexpr double bearing = 0.6;         // of the points near contact: they bear forces
 constexpr double plain_sweeps = 100;    // a contact problem
@@ -48,6 +50,13 @@ bool turns(PairFacts const& pair, dynamics::Model const& model) {
   return pair.primary || !std::holds_alternative<contact::RigidPlane>(model.rigids[pair.rigid].shape);
 }
 
+bool bends(Facts const& facts) {
+  return std::ranges::any_of(facts.bodies, [&](auto const& body) {
+    auto const sides = body.sides.head(facts.scene->model->dim());
+    return !solid::linear(*body.body) && sides.minCoeff() < slender * sides.maxCoeff();
+  });
+}
+
 /// Newton iterations of a step, and factorizations where they follow the strain.
 Pace pace_of(Facts const& facts) {
   auto const& model = *facts.scene->model;
@@ -57,7 +66,7 @@ Pace pace_of(Facts const& facts) {
   if (dynamics::weights(model.scheme).explicit_forces)
     return {1, 0};
   if (!linear(facts))
-    return bodies ? finite_bodies : curved ? finite_curved : finite_flat;
+    return bends(facts) ? finite_slender : bodies ? finite_bodies : curved ? finite_curved : finite_flat;
   if (bodies)
     return {facts.dynamic() ? linear_flying : linear_bodies, 0};
   return {curved ? linear_curved : linear_flat, 0};
