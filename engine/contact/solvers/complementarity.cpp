@@ -19,106 +19,35 @@ constexpr double too_small = 1e-10; // pivot over the largest of its column
 constexpr double alike = 1e-12;     // ratios
 constexpr int balancings = 4;
 
-/// 0 <= z, 0 <= q + M z for a positive definite M of unit diagonal.
-class Exchange {
-public:
-  Exchange(Dense const& M, std::vector<bool>& active) : M_(M), active_(active) {}
-
-  /// False where the sets cycle.
-  bool run(Vector const& q) {
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    int left = patience;
-    for (int k = 0; k < exchanges; ++k) {
-      if (!solve(q))
-        return false;
-      auto const wrong = wrong_ones(q);
-      if (wrong.empty())
-        return true;
-      left = wrong.size() < fewest ? patience : left - 1;
-      fewest = std::min(fewest, wrong.size());
-      if (left < 0)
-        return false;
-      for (Index const i : wrong)
-        active_[ix(i)] = !active_[ix(i)];
-    }
-    return false;
-  }
-  [[nodiscard]] Vector const& z() const { return z_; }
-
-private:
-  bool solve(Vector const& q) {
-    std::vector<Index> set;
-    for (Index i = 0; i < q.size(); ++i)
-      if (active_[ix(i)])
-        set.push_back(i);
-    z_.setZero(q.size());
-    w_ = q;
-    if (set.empty())
-      return true;
-    Eigen::LLT<Dense> const factor(M_(set, set));
-    if (factor.info() != Eigen::Success)
-      return false;
-    Vector const step = -factor.solve(Vector(q(set)));
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      z_[set[k]] = step[static_cast<Index>(k)];
-      w_.noalias() += step[static_cast<Index>(k)] * M_.col(set[k]);
-    }
-    return z_.allFinite();
-  }
-
-  [[nodiscard]] std::vector<Index> wrong_ones(Vector const& q) const {
-    double const least_z = -zero * z_.lpNorm<Eigen::Infinity>(),
-                 least_w = -zero * q.lpNorm<Eigen::Infinity>();
-    std::vector<Index> wrong;
-    for (Index i = 0; i < q.size(); ++i)
-      if (active_[ix(i)] ? z_[i] < least_z : w_[i] < least_w)
-        wrong.push_back(i);
-    return wrong;
-  }
-
-  Dense const& M_;
-  std::vector<bool>& active_;
-  Vector z_, w_;
-};
-
-/// M and q of unit diagonal; rows without one, which no z moves, are left out.
-struct Scaled {
-  std::vector<Index> rows;
-  Vector scale; ///< z = scale * scaled z
-  Dense M;
-  Vector q;
-};
-
-Scaled scaled(Dense const& M, Vector const& q) {
-  Scaled result;
-  double const largest = M.diagonal().size() > 0 ? M.diagonal().maxCoeff() : 0;
-  for (Index i = 0; i < q.size(); ++i)
-    if (M(i, i) > std::numeric_limits<double>::epsilon() * zero * largest)
-      result.rows.push_back(i);
-  result.scale = Vector(M.diagonal()(result.rows)).cwiseSqrt().cwiseInverse();
-  result.M = result.scale.asDiagonal() * M(result.rows, result.rows) * result.scale.asDiagonal();
-  result.M.diagonal().setConstant(1 + compliance);
-  result.q = result.scale.cwiseProduct(Vector(q(result.rows)));
-  return result;
-}
-
 } // namespace
 
-std::optional<Vector> solve_convex(Dense const& M, Vector const& q, std::vector<bool>& active) {
-  auto const small = scaled(M, q);
-  double const size = small.q.size() > 0 ? small.q.lpNorm<Eigen::Infinity>() : 0;
-  std::vector<bool> set(small.rows.size());
+/// Of rows without a diagonal, which no z moves, nothing is kept.
+ConvexComplementarity::ConvexComplementarity(Dense const& M) : of_(static_cast<Index>(M.rows())) {
+  double const largest = M.rows() > 0 ? M.diagonal().maxCoeff() : 0;
+  for (Index i = 0; i < of_; ++i)
+    if (M(i, i) > std::numeric_limits<double>::epsilon() * zero * largest)
+      rows_.push_back(i);
+  scale_ = Vector(M.diagonal()(rows_)).cwiseSqrt().cwiseInverse();
+  M_ = M(rows_, rows_);
+  M_.array().colwise() *= scale_.array();
+  M_.array().rowwise() *= scale_.array().transpose();
+  M_.diagonal().setConstant(1 + compliance);
+}
+
+std::optional<Vector> ConvexComplementarity::solve(Vector const& q, std::vector<bool>& active) {
+  Vector const scaled = scale_.cwiseProduct(Vector(q(rows_)));
+  double const size = scaled.size() > 0 ? scaled.lpNorm<Eigen::Infinity>() : 0;
+  std::vector<bool> set(rows_.size());
   for (std::size_t k = 0; k < set.size(); ++k)
-    set[k] = active[ix(small.rows[k])];
-  Vector z = Vector::Zero(small.q.size());
+    set[k] = active[ix(rows_[k])];
+  Vector z = Vector::Zero(scaled.size());
   for (int k = 0; k < proximal && size > 0; ++k) {
-    Vector const about = small.q - compliance * z;
-    Exchange exchange(small.M, set);
+    Vector const about = scaled - compliance * z;
     Vector next;
-    if (exchange.run(about)) {
-      next = exchange.z();
+    if (exchange(about, set)) {
+      next = z_;
     } else {
-      auto const found = lemke(small.M, about / size, 20 * about.size() + 100);
+      auto const found = lemke(M_, about / size, 20 * about.size() + 100);
       if (found.end != Pivoted::answered)
         return std::nullopt;
       next = size * found.z;
@@ -130,13 +59,66 @@ std::optional<Vector> solve_convex(Dense const& M, Vector const& q, std::vector<
     if (moved <= std::numeric_limits<double>::epsilon() * size)
       break;
   }
-  Vector result = Vector::Zero(q.size());
-  std::fill(active.begin(), active.end(), false);
+  Vector result = Vector::Zero(of_);
+  active.assign(ix(of_), false);
   for (std::size_t k = 0; k < set.size(); ++k) {
-    active[ix(small.rows[k])] = set[k];
-    result[small.rows[k]] = small.scale[static_cast<Index>(k)] * z[static_cast<Index>(k)];
+    active[ix(rows_[k])] = set[k];
+    result[rows_[k]] = scale_[static_cast<Index>(k)] * z[static_cast<Index>(k)];
   }
   return result;
+}
+
+/// z_ and w_ for 0 <= z, 0 <= q + M z; false where the sets cycle.
+bool ConvexComplementarity::exchange(Vector const& q, std::vector<bool>& active) {
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  int left = patience;
+  for (int k = 0; k < exchanges; ++k) {
+    if (!solve_with(q, active))
+      return false;
+    auto const wrong = wrong_ones(q, active);
+    if (wrong.empty())
+      return true;
+    left = wrong.size() < fewest ? patience : left - 1;
+    fewest = std::min(fewest, wrong.size());
+    if (left < 0)
+      return false;
+    for (Index const i : wrong)
+      active[ix(i)] = !active[ix(i)];
+  }
+  return false;
+}
+
+/// w = 0 where a row is active, z = 0 elsewhere.
+bool ConvexComplementarity::solve_with(Vector const& q, std::vector<bool> const& active) {
+  if (active != factored_) {
+    set_.clear();
+    for (Index i = 0; i < q.size(); ++i)
+      if (active[ix(i)])
+        set_.push_back(i);
+    factor_.compute(M_(set_, set_));
+    factored_ = active;
+  }
+  z_.setZero(q.size());
+  w_ = q;
+  if (set_.empty())
+    return true;
+  if (factor_.info() != Eigen::Success)
+    return false;
+  Vector const step = -factor_.solve(Vector(q(set_)));
+  for (std::size_t k = 0; k < set_.size(); ++k) {
+    z_[set_[k]] = step[static_cast<Index>(k)];
+    w_.noalias() += step[static_cast<Index>(k)] * M_.col(set_[k]);
+  }
+  return z_.allFinite();
+}
+
+Indices ConvexComplementarity::wrong_ones(Vector const& q, std::vector<bool> const& active) const {
+  double const least_z = -zero * z_.lpNorm<Eigen::Infinity>(), least_w = -zero * q.lpNorm<Eigen::Infinity>();
+  Indices wrong;
+  for (Index i = 0; i < q.size(); ++i)
+    if (active[ix(i)] ? z_[i] < least_z : w_[i] < least_w)
+      wrong.push_back(i);
+  return wrong;
 }
 
 namespace {

@@ -1,15 +1,34 @@
 // Linear complementarity: 0 <= z, 0 <= w = q + M z, z_i w_i = 0, by exchanging active sets and by pivoting.
 #pragma once
+#include <Eigen/Cholesky>
 #include <optional>
+#include <vector>
 
 #include "core/types.hpp"
 
 namespace stiction::contact {
 
 /// M = G^T G, as of a convex problem with its multipliers z: exchanges whole active sets, pivots where that
-/// cycles. Dependent rows are told apart by a compliance that vanishes. active[n]: first guess, then the set
-/// found. Nothing where the problem has no answer.
-[[nodiscard]] std::optional<Vector> solve_convex(Dense const& M, Vector const& q, std::vector<bool>& active);
+/// cycles. Dependent rows are told apart by a compliance that vanishes.
+class ConvexComplementarity {
+public:
+  explicit ConvexComplementarity(Dense const& M);
+  /// active[n]: first guess, then the set found. Nothing where the problem has no answer.
+  [[nodiscard]] std::optional<Vector> solve(Vector const& q, std::vector<bool>& active);
+
+private:
+  [[nodiscard]] bool exchange(Vector const& q, std::vector<bool>& active);
+  [[nodiscard]] bool solve_with(Vector const& q, std::vector<bool> const& active);
+  [[nodiscard]] Indices wrong_ones(Vector const& q, std::vector<bool> const& active) const;
+
+  Index of_;                   ///< rows of M
+  Indices rows_, set_;         ///< those kept; of these the active ones
+  Vector scale_;               ///< z = scale * scaled z
+  Dense M_;                    ///< of unit diagonal
+  std::vector<bool> factored_; ///< behind factor_
+  Eigen::LLT<Dense> factor_;   ///< of M in the set
+  Vector z_, w_;
+};
 
 enum class Pivoted { answered, ray, limit };
 

@@ -39,14 +39,18 @@ public:
     for (; k < iterations; ++k) {
       differentiate();
       if (projected_gradient() <= enough * p_.template lpNorm<Eigen::Infinity>() + rounding())
-        return {p_, k, true};
+        return {p_, k, work(k), true};
       if (!(find_direction() && walk()))
         break;
     }
-    return {p_, k, false};
+    return {p_, k, work(k), false};
   }
 
 private:
+  /// A product and a symmetric factorization for each iteration.
+  [[nodiscard]] double work(long iterations) const {
+    return static_cast<double>(iterations) * (1 + static_cast<double>(problem_.free.size()) / 6);
+  }
   [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
   [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
     auto const& data = problem_.points[ix(point)];

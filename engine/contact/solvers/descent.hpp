@@ -20,6 +20,7 @@ namespace stiction::contact {
 struct Descended {
   Vector force;         ///< [dim n], N
   long iterations = 0;  ///< Newton iterations in x
+  double work = 0;      ///< as of Solution
   bool settled = false; ///< at the minimum, not only on the way to it
 };
 

@@ -1,6 +1,7 @@
 // H = 1 + F^T K F, K of one block for each point: factored once and kept while few blocks change.
 #pragma once
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "contact/problem/problem.hpp"
@@ -26,13 +27,20 @@ public:
     }
   }
 
-  /// For symmetric K[n]; false, and as it was, where H is not positive definite.
-  [[nodiscard]] bool set(Blocks const& K) {
+  /// Is there an H?
+  [[nodiscard]] bool made() const { return !kept_.empty(); }
+  void forget() { kept_.clear(); }
+
+  /// For symmetric K[n]; false, and as it was, where H is not positive definite. slight: change of a block
+  /// over what its point resists with, below which it may stay as it is.
+  [[nodiscard]] bool set(Blocks const& K, double slight = 0) {
     Indices changed;
     for (std::size_t i = 0; i < kept_.size(); ++i)
-      if (K[i] != kept_[i])
+      if (K[i] != kept_[i] &&
+          !((K[i] - kept_[i]).cwiseAbs().maxCoeff() * base_(static_cast<Index>(i), static_cast<Index>(i)) <=
+            slight))
         changed.push_back(static_cast<Index>(i));
-    bool const few = !kept_.empty() && 4 * D * static_cast<Index>(changed.size()) <= F_->cols();
+    bool const few = made() && 4 * D * static_cast<Index>(changed.size()) <= F_->cols();
     return few ? update(K, changed) : factorize(K);
   }
 
@@ -49,7 +57,14 @@ public:
     return factor_.matrixU().solve(y);
   }
 
+  /// Multiply-adds since this was last asked for, in products of a square matrix of F's rows.
+  [[nodiscard]] double spent() { return std::exchange(spent_, 0); }
+
 private:
+  void spend(double multiply_adds) {
+    auto const n = static_cast<double>(F_->rows());
+    spent_ += multiply_adds / (n * n);
+  }
   /// Rows of points in blocks, each as wide as it is not zero: F may be a triangle.
   [[nodiscard]] Dense assemble(Blocks const& K) const {
     constexpr std::size_t block = 32;
@@ -76,6 +91,8 @@ private:
     Eigen::LLT<Dense> factor(assemble(K));
     if (factor.info() != Eigen::Success)
       return false;
+    auto const rank = static_cast<double>(F_->cols()), points = static_cast<double>(K.size());
+    spend(rank * rank * (D * points + rank / 3 + points) / 2 + points * points * rank / 2);
     factor_ = std::move(factor);
     kept_ = K;
     auto const n = static_cast<Index>(K.size());
@@ -95,6 +112,9 @@ private:
       return true;
     }
     auto const s = D * static_cast<Index>(changed.size());
+    auto const rank = static_cast<double>(F_->cols()), points = static_cast<double>(K.size()),
+               m = static_cast<double>(s);
+    spend(m * (rank * (rank / 2 + 4 * m + points) + points * (m + points)));
     Dense V(F_->cols(), s);
     for (std::size_t k = 0; k < changed.size(); ++k)
       V.template middleCols<D>(D * static_cast<Index>(k)) =
@@ -127,6 +147,7 @@ private:
   Dense G_, base_; ///< L^-1 F_n^T and G^T G
   Dense Q_, T_;    ///< T = 1 - E^-1; Q without columns: nothing has changed
   Dense M_;
+  double spent_ = 0;
 };
 
 } // namespace stiction::contact

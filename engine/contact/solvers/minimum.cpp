@@ -15,8 +15,11 @@ namespace stiction::contact {
 namespace {
 
 constexpr double enough_step = 1e-11, rounded_step = 1e-9; // over z; where it shrinks no more
-constexpr double downhill_part = 1e-4;                     // of the descent that the gradient foretells
-constexpr double longest_stride = 0.5;                     // of a law's opening
+constexpr double quick_contraction = 0.03;                 // of steps, with which the stiffness is kept
+constexpr double slow_contraction = 0.3;                   // with which it is made anew
+constexpr double slight_change = 1e-3; // of a bond's stiffness beside what else holds its point
+constexpr double downhill_part = 1e-4; // of the descent that the gradient foretells
+constexpr double longest_stride = 0.5; // of a law's opening
 constexpr double harmless_stride = 1e-5;
 constexpr double touching = 1e-10;
 constexpr int work_panels = 4; // of Simpson's rule for the work of a bond in one step
@@ -92,38 +95,57 @@ Root root_of(Dense const& W) {
 
 template<int D> struct Kept : MinimumMemory {
   explicit Kept(Dense const& of) : W(of), root(root_of(of)), hessian(root.F) {}
+  void forget() override {
+    hessian.forget();
+    programme.reset();
+    active.clear();
+  }
   Dense W;
   Root root;
   KeptHessian<D> hessian;
+  std::optional<ConvexComplementarity> programme; ///< of the pressures, with this hessian
+  std::vector<bool> active;                       ///< points that the last answer holds closed
 };
 
 template<int D> class Minimum {
 public:
   Minimum(Problem const& problem, Kept<D>& kept)
-      : problem_(problem), root_(kept.root), hessian_(kept.hessian) {
+      : problem_(problem), kept_(kept), root_(kept.root), hessian_(kept.hessian) {
     for (auto const& law : problem.adhesions)
       opening_ = std::min(opening_, interface::scales(law).opening);
-    active_.assign(ix(problem.size()), false);
+    kept_.active.resize(ix(problem.size()), false);
   }
   [[nodiscard]] std::optional<Descended> run(Vector const& guess, long iterations) {
     start_from(guess);
+    auto model = hessian_.made() ? Model::kept : Model::exact;
     double before = 0;
     for (long k = 1; k <= iterations; ++k) {
       differentiate();
-      if (!find_step())
+      if (!(model == Model::kept ? solve_model() : find_step(model == Model::near ? slight_change : 0)))
         return std::nullopt;
       double const way = step_.norm(), whole = (z_ + step_).norm();
-      bool const last = way <= enough_step * whole || (way <= rounded_step * whole && way >= 0.5 * before);
+      bool const stalls = model == Model::exact && way <= rounded_step * whole && way >= 0.5 * before;
+      bool const last = quadratic_ || stalls || way <= enough_step * whole;
+      double const length = walk();
+      bool const failed = length == 0;
+      if (failed ? model == Model::exact : last)
+        return end(k, !failed);
+      model = next(model, length, k == 1 ? quick_contraction : way / before);
       before = way;
-      if (!walk())
-        return Descended{force(), k, false};
-      if (last || quadratic_)
-        return Descended{force(), k, true};
     }
-    return Descended{force(), iterations, false};
+    return end(iterations, false);
   }
 
 private:
+  /// The bonds' stiffness in a step: that of an earlier one, but for what changed slightly, or as it is.
+  enum class Model { kept, near, exact };
+  /// After a step of this length that was so much shorter than the one before.
+  [[nodiscard]] static Model next(Model last, double length, double contraction) {
+    if (length < 1 || (last != Model::kept && contraction > slow_contraction))
+      return Model::exact;
+    return contraction < quick_contraction ? Model::kept : Model::near;
+  }
+
   [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
   [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
     auto const& data = problem_.points[ix(point)];
@@ -180,10 +202,12 @@ private:
 
   /// The minimum of the quadratic model, less and less softened until it is convex; false if no x is
   /// admitted.
-  bool find_step() {
+  bool find_step(double slight) {
     for (double const part : {1.0, 0.5, 0.25, 0.1, 0.0})
-      if (hessian_.set(softened(part)))
+      if (hessian_.set(softened(part), slight)) {
+        kept_.programme.emplace(hessian_.normal_compliance());
         return solve_model();
+      }
     return false;
   }
 
@@ -192,7 +216,7 @@ private:
     Vector q = -(hessian_.normal() * free);
     for (Index i = 0; i < problem_.size(); ++i)
       q[i] += x_[D * i] - shift(i);
-    auto const answer = solve_convex(hessian_.normal_compliance(), q, active_);
+    auto const answer = kept_.programme->solve(q, kept_.active);
     if (!answer)
       return false;
     pressure_ = *answer;
@@ -230,8 +254,9 @@ private:
     return sum;
   }
 
-  /// As far as the potential falls; a step too small to leap over anything is taken at once.
-  bool walk() {
+  /// As far as the potential falls: the part of the step that was gone, 0 if none. A step too small to leap
+  /// over anything is taken at once.
+  double walk() {
     double const foretold = step_.dot(gradient_) - pressure_.dot(Vector(hessian_.normal() * step_));
     double const longest = quadratic_ ? 0 : stride();
     double length = std::min(1.0, longest_stride / longest);
@@ -243,9 +268,15 @@ private:
       }
       z_ += length * step_;
       x_ = problem_.free + root_.F * z_;
-      return true;
+      return length;
     }
-    return false;
+    return 0;
+  }
+
+  /// Half a product each for F z, F^T p, F_n twice and the four triangles of two solutions.
+  [[nodiscard]] Descended end(long iterations, bool settled) {
+    constexpr double products = 5;
+    return {force(), iterations, products * static_cast<double>(iterations) + hessian_.spent(), settled};
   }
 
   [[nodiscard]] Vector force() {
@@ -257,6 +288,7 @@ private:
   }
 
   Problem const& problem_;
+  Kept<D>& kept_;
   Root const& root_;
   KeptHessian<D>& hessian_;
   bool quadratic_ = false;                                   ///< without bonds
@@ -264,7 +296,6 @@ private:
   Vector z_, x_, bonds_, gradient_, step_, moved_;
   Vector pressure_; ///< multipliers of x_n >= shift, N
   std::vector<LocalMatrix<D>> stiffness_;
-  std::vector<bool> active_;
 };
 
 } // namespace
@@ -274,12 +305,16 @@ std::optional<Descended> minimise(Problem const& problem, Vector const& guess, l
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
     Dense const& W = problem.W.dense();
     auto const* kept = dynamic_cast<Kept<D> const*>(memory.get());
-    if (kept == nullptr || kept->W.rows() != W.rows() || kept->W != W)
+    bool const anew = kept == nullptr || kept->W.rows() != W.rows() || kept->W != W;
+    if (anew)
       memory = std::make_unique<Kept<D>>(W);
     auto& now = static_cast<Kept<D>&>(*memory);
     if (!now.root.sound)
       return std::nullopt;
-    return Minimum<D>(problem, now).run(guess, iterations);
+    auto end = Minimum<D>(problem, now).run(guess, iterations);
+    if (end && anew)
+      end->work += static_cast<double>(W.rows()) / 6;
+    return end;
   });
 }
 

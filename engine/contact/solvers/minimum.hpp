@@ -14,6 +14,8 @@ public:
   MinimumMemory(MinimumMemory const&) = delete;
   MinimumMemory& operator=(MinimumMemory const&) = delete;
   virtual ~MinimumMemory() = default;
+  /// All that does not follow from W alone.
+  virtual void forget() = 0;
 };
 
 /// With W = F F^T and x = free + F z, forces p = A rtilde(x) + (lambda, 0) at the minimum of

@@ -181,7 +181,10 @@ public:
     return solution;
   }
 
-  void forget() override { memory_.reset(); }
+  void forget() override {
+    if (memory_)
+      memory_->forget();
+  }
 
   /// Newton's steps from the guess.
   [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
@@ -276,8 +279,7 @@ private:
   }
 
   [[nodiscard]] Solution landed(Problem const& problem, Descended const& end) {
-    auto const descents = static_cast<double>(end.iterations), n = static_cast<double>(problem.free.size());
-    spend(end.iterations, descents * (1 + n / 6)); // a product and a symmetric factorization each
+    spend(end.iterations, end.work);
     if (end.settled)
       return polish(problem, end.force, Stuck::give_up);
     Solution solution;

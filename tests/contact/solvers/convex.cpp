@@ -139,8 +139,13 @@ TEST_SUITE("contact") {
       Dense const M = G.transpose() * G;
       Vector const q = Vector::NullaryExpr(n, [&] { return normal(random); });
       std::vector<bool> active(static_cast<std::size_t>(n), false);
-      auto const exchanged = solve_convex(M, q, active);
+      auto const exchanged = ConvexComplementarity(M).solve(q, active);
       REQUIRE(exchanged);
+      ConvexComplementarity again(M); // after another problem, from its set
+      REQUIRE(again.solve(Vector::Constant(n, -1), active));
+      auto const repeated = again.solve(q, active);
+      REQUIRE(repeated);
+      CHECK((*repeated - *exchanged).norm() <= 1e-7 * (1 + exchanged->norm()));
       auto const pivoted = lemke(M, q, 1000);
       REQUIRE(pivoted.end == Pivoted::answered);
       CHECK((*exchanged - pivoted.z).norm() <= 1e-5 * (1 + pivoted.z.norm()));

@@ -3,6 +3,7 @@
 
 #include "contact/solvers.hpp"
 #include "contact/solvers/descent.hpp"
+#include "contact/solvers/minimum.hpp"
 #include "interface/laws.hpp"
 
 using namespace stiction;
@@ -135,6 +136,40 @@ TEST_SUITE("contact") {
       }
       CHECK(broken > 10);
     }
+  }
+
+  TEST_CASE("a row that is opened a little further is answered with the factors of the problem before") {
+    int const n = 60;
+    auto problem = bonded(2, n, 3, 0.5);
+    for (int i = 0; i < n; ++i)
+      problem.free[2 * i] = 5.99 * u0 * i / n;
+    std::unique_ptr<MinimumMemory> memory, none;
+    auto const old = minimise(problem, Vector::Zero(2 * n), 1000, none);
+    REQUIRE(old);
+    problem.start = displacement(problem, old->force);
+    double before = 0;
+    for (int step = 0; step < 5; ++step) {
+      for (int i = 0; i < n; ++i)
+        problem.free[2 * i] = (6 + 0.02 * step) * u0 * i / n;
+      none.reset();
+      auto const with = minimise(problem, Vector::Zero(2 * n), 1000, memory);
+      auto const without = minimise(problem, Vector::Zero(2 * n), 1000, none);
+      REQUIRE((with && with->settled && without && without->settled));
+      INFO("step " << step << ": work " << with->work << ", without " << without->work);
+      CHECK((with->force - without->force).norm() <= 1e-8 * without->force.norm());
+      CHECK(judge(problem, with->force).relative() <= 1e-9);
+      if (step > 0)
+        CHECK(with->work < 0.6 * without->work);
+      before = with->work;
+    }
+    memory->forget(); // but for what W says
+    auto const anew = minimise(problem, Vector::Zero(2 * n), 1000, memory);
+    none.reset();
+    auto const first = minimise(problem, Vector::Zero(2 * n), 1000, none);
+    REQUIRE((anew && first));
+    CHECK(anew->force == first->force);
+    CHECK(anew->work < first->work);
+    CHECK(anew->work > before);
   }
 
   TEST_CASE("only what may have several answers is searched downhill") {

@@ -95,6 +95,12 @@ TEST_SUITE("contact") {
       REQUIRE(hessian.set(K));
       same();
     }
+    Vector const as_it_was = hessian.solve(g);
+    K[20] *= 1 + 1e-9;
+    REQUIRE(hessian.set(K, 1e-6)); // too slight to matter
+    CHECK(hessian.solve(g) == as_it_was);
+    REQUIRE(hessian.set(K));
+    CHECK(hessian.solve(g) != as_it_was);
     auto const sound = K;
     K[7] = -50 * LocalMatrix<2>::Identity();
     CHECK(Eigen::LLT<Dense>(direct()).info() != Eigen::Success);
