@@ -28,7 +28,10 @@ ConvexComplementarity::ConvexComplementarity(Dense const& M) : of_(static_cast<I
     if (M(i, i) > std::numeric_limits<double>::epsilon() * zero * largest)
       rows_.push_back(i);
   scale_ = Vector(M.diagonal()(rows_)).cwiseSqrt().cwiseInverse();
-  M_ = M(rows_, rows_);
+  if (static_cast<Index>(rows_.size()) == of_)
+    M_ = M;
+  else
+    M_ = M(rows_, rows_);
   M_.array().colwise() *= scale_.array();
   M_.array().rowwise() *= scale_.array().transpose();
   M_.diagonal().setConstant(1 + compliance);

@@ -20,10 +20,14 @@ constexpr int panels = 4;                 // of Simpson's rule for the work of a
 /// The unknown is x; the gradient of the potential is p - A rtilde(x) with p = W^-1 (x - free).
 template<int D> class Descent {
 public:
-  explicit Descent(Problem const& problem) : problem_(problem), inner_(problem.W.dense()) {
-    if (inner_.info() != Eigen::Success)
+  explicit Descent(Problem const& problem) : problem_(problem) {
+    Dense const& W = problem.W.dense();
+    if (W.rows() == 0 || !(W.diagonal().minCoeff() > 0)) // at a point whose place is given
       return;
-    stiffness_ = inner_.solve(Dense::Identity(problem.W.rows(), problem.W.rows()));
+    Eigen::LLT<Dense> const inner(W);
+    if (inner.info() != Eigen::Success)
+      return;
+    stiffness_ = inner.solve(Dense::Identity(problem.W.rows(), problem.W.rows()));
     stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
     sound_ = stiffness_.allFinite();
     for (auto const& law : problem.adhesions)
@@ -175,7 +179,6 @@ private:
   }
 
   Problem const& problem_;
-  Eigen::LLT<Dense> inner_;
   Dense stiffness_; ///< W^-1, N/m
   bool sound_ = false;
   double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m

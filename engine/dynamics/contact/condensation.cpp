@@ -119,13 +119,13 @@ void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
   for (auto const& k : K_)
     if (!crowded)
       small_.col(slot_[ix(k.column)]) -= (weight_ * k.value) * V_.col(slot_[ix(k.row)]).head(s);
-  motion_ = small_.partialPivLu().solve(right_.topRows(s));
-  K_motion_.setZero(s, m + 1);
+  Dense const motion = small_.partialPivLu().solve(right_.topRows(s)).transpose();
+  K_motion_.setZero(m + 1, s);
   if (crowded)
-    K_motion_.noalias() = K_all_ * motion_;
+    K_motion_.noalias() = motion * K_all_.transpose();
   for (auto const& k : K_)
     if (!crowded)
-      K_motion_.row(slot_[ix(k.row)]) += (weight_ * k.value) * motion_.row(slot_[ix(k.column)]);
+      K_motion_.col(slot_[ix(k.row)]) += (weight_ * k.value) * motion.col(slot_[ix(k.column)]);
   if (!symmetric_) {
     left_.setZero(s, m);
     for (auto const& h : H_)
@@ -133,8 +133,8 @@ void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
   }
   // H V = (weight V^T H^T)^T / weight
   auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
-  W.noalias() += (1 / weight_) * (HV * K_motion_.leftCols(m));
-  free.noalias() += (1 / weight_) * (HV * K_motion_.col(m));
+  W.noalias() += (1 / weight_) * (HV * K_motion_.topRows(m).transpose());
+  free.noalias() += (1 / weight_) * (HV * K_motion_.row(m).transpose());
 }
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
@@ -146,11 +146,13 @@ bool Condensation::stable() const {
   Eigen::LLT<Dense> const bulk(0.5 * (V + V.transpose()));
   if (bulk.info() != Eigen::Success)
     return true;
-  Dense const L = bulk.matrixL();
-  Dense KL = Dense::Zero(support_, support_);
-  for (auto const& k : K_)
-    KL.row(slot_[ix(k.row)]) += (weight_ * k.value) * L.row(slot_[ix(k.column)]);
-  Dense const turned = L.transpose() * KL;
+  Dense const U = bulk.matrixU(); // L^T
+  Dense UK = Dense::Zero(support_, support_);
+  for (auto const& k : K_) {
+    Index const row = slot_[ix(k.row)], filled = row + 1;
+    UK.col(slot_[ix(k.column)]).head(filled) += (weight_ * k.value) * U.col(row).head(filled);
+  }
+  Dense const turned = UK * U.transpose().triangularView<Eigen::Lower>();
   return Eigen::LLT<Dense>(Dense::Identity(support_, support_) - 0.5 * (turned + turned.transpose()))
              .info() == Eigen::Success;
 }
@@ -160,7 +162,7 @@ void Condensation::add_forces(Vector const& force, double weight, Vector& c) con
     c[h.column] += weight * h.value * force[h.row];
   if (support_ == 0)
     return;
-  Vector const extra = K_motion_.leftCols(rows_) * force + K_motion_.col(rows_);
+  Vector const extra = K_motion_.topRows(rows_).transpose() * force + K_motion_.row(rows_).transpose();
   for (Index i = 0; i < support_; ++i)
     c[used_[ix(i)]] += extra[i];
 }

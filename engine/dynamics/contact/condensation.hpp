@@ -54,8 +54,7 @@ private:
   Dense left_;          ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
   Dense small_;         ///< I - weight V K on the support
   Dense K_all_;         ///< weight K on the support, where it has more entries than slots
-  Dense motion_;        ///< du on the support per force | without, [support, rows + 1]
-  Dense K_motion_;      ///< weight K motion
+  Dense K_motion_;      ///< weight K du on the support, a row per force and one without, [rows + 1, support]
 };
 
 } // namespace stiction::dynamics

@@ -2,9 +2,12 @@
 // that it is made anew only when one of them has changed.
 #include "dynamics/contact/condensation.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 #include <numeric>
+#include <random>
 
 #include "linear/systems.hpp"
 
@@ -61,6 +64,7 @@ TEST_SUITE("dynamics") {
         Dense const H = rows_of(one_each);
         Dense K = Dense::Zero(surface, surface);
         K(2, 3) = K(3, 2) = K(5, 5) = stiffness;
+        K(4, 2) = 0.5 * stiffness;
         Condensation condensation;
         pose(condensation, H, K);
         Dense W;
@@ -74,6 +78,33 @@ TEST_SUITE("dynamics") {
         Vector const du = A * (y + weight * bulk.V * H.transpose() * p);
         CHECK((c - weight * (K * du + H.transpose() * p)).norm() <= 1e-12 * c.norm());
       }
+  }
+
+  TEST_CASE("the bulk with the stiffness of contact is stable where dense algebra says so") {
+    Bulk bulk;
+    bulk.take(3);
+    std::mt19937 random(6);
+    std::normal_distribution<double> normal;
+    double const weight = 0.7;
+    int stable = 0, all = 0;
+    for (double const size : {0.1, 0.4, 0.7, 1.0, 1.5, 3.0})
+      for (int trial = 0; trial < 20; ++trial, ++all) {
+        Dense const any = Dense::NullaryExpr(surface, surface, [&] { return normal(random); });
+        Dense const symmetric = any + any.transpose();
+        Dense const K = size * symmetric / (weight * bulk.V * symmetric).eigenvalues().cwiseAbs().maxCoeff() +
+                        0.01 * size * (any - any.transpose());
+        Condensation condensation;
+        pose(condensation, rows_of(false), K);
+        Dense W;
+        Vector free;
+        condensation.eliminate(*bulk.factor, Vector::Zero(surface), weight, W, free);
+        Dense const left = bulk.V.inverse() - 0.5 * weight * (K + K.transpose());
+        INFO("size " << size << ", trial " << trial);
+        CHECK(condensation.stable() == (Eigen::LLT<Dense>(left).info() == Eigen::Success));
+        stable += condensation.stable() ? 1 : 0;
+      }
+    CHECK(stable > all / 4);
+    CHECK(stable < 3 * all / 4);
   }
 
   TEST_CASE("the Delassus operator stays while bulk, points and weight do") {
