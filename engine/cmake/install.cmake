@@ -8,7 +8,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/stiction)
 install(TARGETS stiction_flags ${layer_targets} EXPORT stiction)
 install(EXPORT stiction NAMESPACE stiction:: DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stiction
-        FILES_MATCHING PATTERN *.hpp PATTERN mesher EXCLUDE PATTERN cmake EXCLUDE)
+        FILES_MATCHING PATTERN *.hpp PATTERN mesher EXCLUDE PATTERN petsc EXCLUDE PATTERN cmake EXCLUDE)
 if(TARGET stiction-figures)
   install(TARGETS stiction-figures)
 endif()

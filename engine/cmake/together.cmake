@@ -34,7 +34,7 @@ function(compile_together target) # compile_together(TARGET): at most 8 files at
   get_target_property(sources ${target} SOURCES)
   set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
   set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
-  list(APPEND clashing ${exercised})
+  list(APPEND clashing rank_factor rank_multigrid ${exercised})
   list(JOIN clashing "|" alone)
   list(FILTER sources INCLUDE REGEX "/(${alone}).cpp$")
   if(sources)

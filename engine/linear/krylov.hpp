@@ -8,44 +8,53 @@
 
 namespace stiction::linear {
 
-/// When an iteration ends: at this part of the right-hand side, or after so many.
-struct KrylovLimits {
-  double tolerance;
-  int most;
-};
-
 /// How an iteration ended.
 struct KrylovEnd {
   int iterations = 0;
   bool converged = false;
 };
 
+/// Of vectors that one process has whole.
+struct WholeVectors {
+  [[nodiscard]] double inner(Vector const& a, Vector const& b) const { return a.dot(b); }
+  [[nodiscard]] double length(Vector const& a) const { return a.norm(); }
+  [[nodiscard]] bool zero(Vector const& a) const { return a.isZero(0); }
+};
+
+/// When an iteration ends: at this part of the right-hand side, or after so many; how it takes products.
+template<class Vectors = WholeVectors> struct KrylovLimits {
+  double tolerance;
+  int most;
+  Vectors vectors{};
+};
+
 /// A x = b from the x given, A symmetric. apply(x, y): y = A x; precondition(r, z). Ends at |r| <= tolerance
 /// |b|; not converged after `most`, and where A or the preconditioner is not positive definite.
-template<class Apply, class Precondition>
+template<class Apply, class Precondition, class Vectors = WholeVectors>
 KrylovEnd conjugate_gradients(Apply const& apply, Precondition const& precondition, Vector const& b,
-                              Vector& x, KrylovLimits limits) {
+                              Vector& x, KrylovLimits<Vectors> const& limits) {
+  auto const& vectors = limits.vectors;
   Vector r = b, z, p, Ap;
-  if (!x.isZero(0)) {
+  if (!vectors.zero(x)) {
     apply(x, Ap);
     r -= Ap;
   }
-  double const enough = limits.tolerance * b.norm();
+  double const enough = limits.tolerance * vectors.length(b);
   double before = 0;
   KrylovEnd end;
   for (;; ++end.iterations) {
-    double const left = r.norm();
+    double const left = vectors.length(r);
     end.converged = left <= enough;
     if (end.converged || end.iterations == limits.most || !std::isfinite(left))
       return end;
     precondition(r, z);
-    double const now = r.dot(z);
+    double const now = vectors.inner(r, z);
     if (!(now > 0))
       return end;
     p = end.iterations == 0 ? z : Vector(z + (now / before) * p);
     before = now;
     apply(p, Ap);
-    double const curvature = p.dot(Ap);
+    double const curvature = vectors.inner(p, Ap);
     if (!(curvature > 0))
       return end;
     double const length = now / curvature;
@@ -56,11 +65,12 @@ KrylovEnd conjugate_gradients(Apply const& apply, Precondition const& preconditi
 
 /// A x = b from zero by GMRES (Saad & Schultz 1986), preconditioned from the right, so that what it makes
 /// small is |b - A x|. Keeps `most` vectors twice; does not restart.
-template<class Apply, class Precondition>
+template<class Apply, class Precondition, class Vectors = WholeVectors>
 KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector const& b, Vector& x,
-                KrylovLimits limits) {
+                KrylovLimits<Vectors> const& limits) {
+  auto const& vectors = limits.vectors;
   std::vector<Vector> v{b}, z;
-  double const whole = b.norm();
+  double const whole = vectors.length(b);
   KrylovEnd end;
   x.setZero(b.size());
   if (!(whole > 0) || !std::isfinite(whole)) {
@@ -79,10 +89,10 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
     apply(z.back(), v.back());
     Vector& w = v.back();
     for (Index i = 0; i <= k; ++i) {
-      H(i, k) = v[ix(i)].dot(w);
+      H(i, k) = vectors.inner(v[ix(i)], w);
       w -= H(i, k) * v[ix(i)];
     }
-    H(k + 1, k) = w.norm();
+    H(k + 1, k) = vectors.length(w);
     if (!std::isfinite(H(k + 1, k)))
       return end;
     if (H(k + 1, k) > 0)

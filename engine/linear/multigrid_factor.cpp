@@ -3,9 +3,9 @@
 #include "linear/multigrid_factor.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <limits>
 
+#include "linear/held_points.hpp"
 #include "linear/krylov.hpp"
 #include "linear/multigrid.hpp"
 #include "linear/symmetric_product.hpp"
@@ -23,10 +23,6 @@ constexpr int most_for_load = 400;       ///< iterations for a load
 constexpr int most_coupled = 60;         ///< vectors of GMRES
 constexpr std::size_t remembered = 2;    ///< answers of earlier steps
 constexpr double independent = 1e-16;    ///< part of a motion's energy that has to be its own
-constexpr double softness = 0.15;        ///< of a point's compliance, which the preconditioner adds to it
-constexpr double wider = 2.5;            ///< compliance of a node in a body over that of the node alone
-
-using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
 /// A load and the motion of all that it causes.
 struct Answered {
@@ -170,7 +166,8 @@ private:
   [[nodiscard]] Vector const& motion_of(Vector const& load);
   [[nodiscard]] Vector nearest(Vector const& b) const;
   [[nodiscard]] Vector solved(Vector const& b, Vector u);
-  void add_held(std::vector<SurfaceEntry> const& own, Small const& S, std::vector<Matrix3>& stiffness) const;
+  void add_held(std::vector<SurfaceEntry> const& own, SmallBlock const& S,
+                std::vector<Matrix3>& stiffness) const;
   void hold_points(PointLaws const& laws, Dense const& inverse);
   void add_loads(Vector const& forces, double factor, Vector& u) const {
     for (auto const& h : rows_.H)
@@ -312,46 +309,6 @@ Vector const& MultigridFactor::motion_of(Vector const& load) {
   return motion_;
 }
 
-/// H of each point by itself.
-std::vector<std::vector<SurfaceEntry>> by_point(SurfaceRows const& rows, Index components) {
-  std::vector<std::vector<SurfaceEntry>> of(ix(rows.count / components));
-  for (auto const& h : rows.H)
-    of[ix(h.row / components)].push_back(h);
-  return of;
-}
-
-/// (A + softness B)^-1 of each point.
-Dense softened(PointLaws const& laws, Dense const& compliance) {
-  Index const C = static_cast<Index>(laws.A.cols());
-  Dense all(laws.A.rows(), C);
-  for (Index row = 0; row < laws.A.rows(); row += C) {
-    double const extra = softness * compliance.middleRows(row, C).trace() / C;
-    all.middleRows(row, C) = Small(laws.A.middleRows(row, C) + extra * laws.B.middleRows(row, C)).inverse();
-  }
-  return all;
-}
-
-/// The symmetric stiffness in the directions in which S holds, as strongly; none where it pushes.
-Small holding(Small const& S) {
-  Eigen::JacobiSVD<Small> const parts(S, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Small D = Small::Zero(S.rows(), S.cols());
-  for (Index k = 0; k < S.cols(); ++k) {
-    Eigen::Vector<double, Eigen::Dynamic> const v = parts.matrixV().col(k);
-    if (v.dot(S * v) > 0)
-      D += parts.singularValues()[k] * v * v.transpose();
-  }
-  return D;
-}
-
-/// The product of each point's block.
-Vector by_blocks(Dense const& blocks, Vector const& v) {
-  Index const C = static_cast<Index>(blocks.cols());
-  Vector w(v.size());
-  for (Index row = 0; row < v.size(); row += C)
-    w.segment(row, C).noalias() = blocks.middleRows(row, C) * v.segment(row, C);
-  return w;
-}
-
 Dense MultigridFactor::blocks(Index components) const {
   Dense all = Dense::Zero(rows_.count, components);
   for (auto const& own : by_point(rows_, components))
@@ -361,13 +318,14 @@ Dense MultigridFactor::blocks(Index components) const {
         if (a / 3 != b / 3)
           continue;
         Matrix3 const inverse = Matrix3(A_.block(A_.find(a / 3, a / 3))).inverse();
-        all(g.row, h.row % components) += wider * rows_.weight * g.value * h.value * inverse(a % 3, b % 3);
+        all(g.row, h.row % components) +=
+            compliance_in_body * rows_.weight * g.value * h.value * inverse(a % 3, b % 3);
       }
   return all;
 }
 
 /// Adds what a point with this stiffness S does to each node that it moves.
-void MultigridFactor::add_held(std::vector<SurfaceEntry> const& own, Small const& S,
+void MultigridFactor::add_held(std::vector<SurfaceEntry> const& own, SmallBlock const& S,
                                std::vector<Matrix3>& stiffness) const {
   Index const C = static_cast<Index>(S.rows());
   for (auto const& g : own)

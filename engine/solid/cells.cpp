@@ -81,14 +81,13 @@ BlockPasses const& passes(Kinematics kinematics, int nodes) {
   std::abort();
 }
 
-Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics_(kinematics) {
+Cells::Cells(Body const& body, Kinematics kinematics, PartOf const& part)
+    : body_(&body), kinematics_(kinematics), shared_(part) {
   core::expect(body.mesh.nodes.cols() == dimension(kinematics), "a mesh of the kinematics' dimension");
-  Index first = 0;
-  for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i) {
-    auto const& block = body.mesh.blocks[i];
-    divide(block, body.law_of(i), first);
-    first += static_cast<Index>(block.nodes.size()) / mesh::info(block.kind).nodes;
-  }
+  take(CellPart::all, part);
+  whole_ = static_cast<Index>(blocks_.size());
+  if (shared_)
+    take(CellPart::forces, part);
   core::each(static_cast<Index>(blocks_.size()), [&](Index i) { prepare(blocks_[ix(i)]); });
   parts_.resize(blocks_.size());
   std::ptrdiff_t entry = 0;
@@ -99,24 +98,38 @@ Cells::Cells(Body const& body, Kinematics kinematics) : body_(&body), kinematics
   }
 }
 
-/// The cells of a block in slabs, first every other one; a few cells in one piece. first: number of the first
-/// cell.
-void Cells::divide(mesh::Block const& block, material::Material const& law, Index first) {
-  auto const& rule = mesh::stiffness_rule(block.kind);
-  int const nodes = mesh::info(block.kind).nodes, points = static_cast<int>(rule.weights.size());
+/// Blocks of the cells of this part; without `part` all of each cell is wanted.
+void Cells::take(CellPart wanted, PartOf const& part) {
+  Index number = 0;
+  for (std::size_t i = 0; i < body_->mesh.blocks.size(); ++i) {
+    auto const& block = body_->mesh.blocks[i];
+    auto const width = ix(mesh::info(block.kind).nodes);
+    Alike cells;
+    for (std::size_t at = 0; at < block.nodes.size(); at += width, ++number)
+      if (std::span const cell(&block.nodes[at], width); !part || part(cell) == wanted) {
+        cells.connectivity.insert(cells.connectivity.end(), cell.begin(), cell.end());
+        cells.number.push_back(number);
+      }
+    divide(block.kind, body_->law_of(i), cells);
+  }
+}
+
+/// Cells in slabs, first every other one; a few cells in one piece.
+void Cells::divide(mesh::CellKind kind, material::Material const& law, Alike const& cells) {
+  int const nodes = mesh::info(kind).nodes;
+  auto const points = static_cast<int>(mesh::stiffness_rule(kind).weights.size());
   core::expect(points <= most_points, "quadrature points within the capacity of a cell");
-  auto const cells = static_cast<Index>(block.nodes.size()) / nodes;
-  auto const slab = slabs(block.nodes, nodes);
-  Index const count = cells > 0 ? *std::ranges::max_element(slab) + 1 : 0,
+  auto const slab = slabs(cells.connectivity, nodes);
+  Index const count = slab.empty() ? 0 : *std::ranges::max_element(slab) + 1,
               before = static_cast<Index>(blocks_.size());
   auto const place = [&](Index k) { return before + (k % 2 == 0 ? k / 2 : (count + k) / 2); };
   for (Index k = 0; k < count; ++k)
-    blocks_.push_back({block.kind, nodes, points, {}, {}, {}, {}, &passes(kinematics_, nodes), &law});
-  for (Index c = 0; c < cells; ++c) {
-    auto& own = blocks_[ix(place(slab[ix(c)]))];
-    own.number.push_back(first + c);
-    own.connectivity.insert(own.connectivity.end(), &block.nodes[ix(c * nodes)],
-                            &block.nodes[ix(c * nodes)] + nodes);
+    blocks_.push_back({kind, nodes, points, {}, {}, {}, {}, &passes(kinematics_, nodes), &law});
+  for (std::size_t c = 0; c < slab.size(); ++c) {
+    auto& own = blocks_[ix(place(slab[c]))];
+    auto const* const cell = &cells.connectivity[c * ix(nodes)];
+    own.number.push_back(cells.number[c]);
+    own.connectivity.insert(own.connectivity.end(), cell, cell + nodes);
   }
   waves_.push_back({before, before + (count + 1) / 2});
   waves_.push_back({before + (count + 1) / 2, before + count});
@@ -155,8 +168,8 @@ void Cells::prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, Prepa
 
 Index Cells::count() const {
   Index total = 0;
-  for (auto const& block : blocks_)
-    total += block.cells();
+  for (auto const& block : body_->mesh.blocks)
+    total += static_cast<Index>(block.nodes.size()) / mesh::info(block.kind).nodes;
   return total;
 }
 
@@ -174,11 +187,11 @@ Pass Cells::add_force(std::span<double const> u, std::span<double> force) const 
     parts_[i].inverted_cell = inverted >= 0 ? block.number[ix(inverted)] : -1;
   });
   Pass pass;
-  for (auto const& part : parts_) {
-    pass.energy += part.energy;
+  for (Index i = 0; i < whole_; ++i)
+    pass.energy += parts_[ix(i)].energy;
+  for (auto const& part : parts_)
     if (!part.sound() && (pass.sound() || part.inverted_cell < pass.inverted_cell))
       pass.inverted_cell = part.inverted_cell;
-  }
   return pass;
 }
 
@@ -205,8 +218,8 @@ double Cells::add_damping(std::span<double const> u, std::span<double const> v,
     parts_[i].energy = block.passes->add_damping({block, *body_, u}, v, force);
   });
   double power = 0;
-  for (auto const& part : parts_)
-    power += part.energy;
+  for (Index i = 0; i < whole_; ++i)
+    power += parts_[ix(i)].energy;
   return power;
 }
 
@@ -220,6 +233,8 @@ void Cells::add_damping_stiffness(std::span<double const> u, double factor, Scat
 }
 
 NodalStress Cells::stress(std::span<double const> u) const {
+  if (shared_)
+    return Cells(*body_, kinematics_).stress(u);
   Index const nodes = body_->mesh.node_count();
   StressSums sums{Vector::Zero(nodes), Matrix::Zero(nodes, stress_components(kinematics_))};
   each_block([&](std::size_t, PreparedBlock const& block) {
@@ -234,16 +249,31 @@ NodalStress Cells::stress(std::span<double const> u) const {
   return result;
 }
 
-void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const {
+/// Calls visit(kind, nodes of a cell) for all cells: in the order of the passes, or of the mesh where others
+/// share them.
+template<class Visit> void Cells::each_whole(Visit const& visit) const {
   for (auto const& block : blocks_)
-    for (Index c = 0; c < block.cells(); ++c) {
-      auto const cell = solid::nodes_of(block, c);
-      Matrix const X = corners(body_->mesh, cell);
-      visit(cell, consistent_mass(mesh::mass_rule(block.kind), X, body_->density, kinematics_));
-    }
+    for (Index c = 0; c < (shared_ ? 0 : block.cells()); ++c)
+      visit(block.kind, solid::nodes_of(block, c));
+  for (auto const& block : body_->mesh.blocks) {
+    auto const width = ix(mesh::info(block.kind).nodes);
+    for (std::size_t at = 0; at < (shared_ ? block.nodes.size() : 0); at += width)
+      visit(block.kind, std::span(&block.nodes[at], width));
+  }
+}
+
+void Cells::each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const {
+  each_whole([&](mesh::CellKind kind, std::span<Index const> cell) {
+    Matrix const X = corners(body_->mesh, cell);
+    visit(cell, consistent_mass(mesh::mass_rule(kind), X, body_->density, kinematics_));
+  });
 }
 
 void Cells::each_cell(std::function<void(std::span<Index const>)> const& visit) const {
+  each_whole([&](mesh::CellKind, std::span<Index const> cell) { visit(cell); });
+}
+
+void Cells::each_part(std::function<void(std::span<Index const>)> const& visit) const {
   for (auto const& block : blocks_)
     for (Index c = 0; c < block.cells(); ++c)
       visit(solid::nodes_of(block, c));

@@ -25,12 +25,18 @@ struct NodalStress {
   Vector von_mises; ///< [nodes], Pa
 };
 
+/// What a process that shares a body with others does with a cell: nothing, or forces and stiffness; or these
+/// and its energy, which one of them has to.
+enum class CellPart { none, forces, all };
+
 /// Many cells are kept in slabs, of which every other one can be worked on at the same time: what is summed
 /// at a node has an order that does not depend on the number of threads.
 class Cells {
 public:
-  /// Throws nothing; the mesh must have passed mesh::check.
-  Cells(Body const& body, Kinematics kinematics);
+  using PartOf = std::function<CellPart(std::span<Index const>)>;
+  /// Throws nothing; the mesh must have passed mesh::check. part: of the cell with these nodes; without it
+  /// all of each.
+  Cells(Body const& body, Kinematics kinematics, PartOf const& part = {});
 
   /// force[dim * nodes] += F_int(u) of (35), N. u[dim * nodes] belongs to this body's nodes.
   [[nodiscard]] Pass add_force(std::span<double const> u, std::span<double> force) const;
@@ -51,10 +57,13 @@ public:
 
   /// Visits each cell's consistent mass per component: nodes of the cell, m[nodes, nodes] in kg.
   void each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const;
-  /// Visits each cell's nodes in the order that add_stiffness reads its map.
+  /// Visits the nodes of each cell; where none is of others, in the order of each_part.
   void each_cell(std::function<void(std::span<Index const>)> const& visit) const;
+  /// Visits the nodes of each cell whose part is not none, in the order that add_stiffness reads its map.
+  void each_part(std::function<void(std::span<Index const>)> const& visit) const;
   /// Of a cell as numbered in the mesh.
   [[nodiscard]] std::span<Index const> nodes_of(Index cell) const;
+  /// Of all cells.
   [[nodiscard]] Index count() const;
 
 private:
@@ -62,9 +71,15 @@ private:
   struct Wave {
     Index first, last;
   };
-  void divide(mesh::Block const& block, material::Material const& law, Index first);
+  /// Cells of one kind and law.
+  struct Alike {
+    Indices connectivity, number; ///< [cells, nodes]; [cells], in the mesh
+  };
+  void take(CellPart wanted, PartOf const& part);
+  void divide(mesh::CellKind kind, material::Material const& law, Alike const& cells);
   void prepare(PreparedBlock& block) const;
   void prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, PreparedBlock& prepared) const;
+  template<class Visit> void each_whole(Visit const& visit) const;
   template<class BlockPass> void each_block(BlockPass const& pass) const;
   template<class BlockPass>
   void each_target(ScatterMap const& map, StiffnessTarget target, BlockPass const& pass) const;
@@ -72,6 +87,8 @@ private:
   Body const* body_;
   Kinematics kinematics_;
   std::vector<PreparedBlock> blocks_;
+  bool shared_;     ///< are some cells others' part?
+  Index whole_ = 0; ///< so many blocks, the first, have cells of which all is the part
   std::vector<std::ptrdiff_t> first_entry_; ///< [blocks], in the ScatterMap
   std::vector<Wave> waves_;
   mutable std::vector<Pass> parts_; ///< [blocks], of the present pass

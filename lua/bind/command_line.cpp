@@ -114,6 +114,10 @@ void Commands::add_run() {
   threads(run,
           "Threads of each case, whose numbers do not depend on it (default: cores that --jobs leaves free; "
           "one where runs share a sweep)");
+  value<double>(
+      run, "--ranks", "N",
+      "Processes that share each case, by MPI: its cells, matrix and vectors (default: one has it all)")
+      ->check(CLI::Range(1, 100000).description(""));
   out(run);
   value<std::string>(run, "--accuracy", "SHARE",
                      "With the cheapest settings that the study's trade measured to be so near, e.g. 2%");
@@ -296,6 +300,8 @@ void Commands::add_internal() {
   value<double>(one, "--stop-after", "N", "");
   flag(one, "force", "");
   value<double>(one, "--problems", "N", "");
+  value<double>(one, "--ranks", "N", "");
+  flag(one, "member", "");
   auto& cases = command("cases", "");
   cases.group("");
   flag(cases, "trust", "");

@@ -21,5 +21,6 @@ void add_scene_functions(lua_State* lua);
 void add_series_functions(lua_State* lua);
 void add_table_functions(lua_State* lua);
 void add_solve_functions(lua_State* lua);
+void add_rank_functions(lua_State* lua);
 
 } // namespace stiction::bind

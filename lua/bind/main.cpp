@@ -7,6 +7,7 @@
 #include "bind/command_line.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
+#include "bind/ranks.hpp"
 #include "bind/state.hpp"
 #include "bind/trace.hpp"
 #include "bind/wrap.hpp"
@@ -65,6 +66,8 @@ int run_words(std::vector<std::string> const& words) {
   for (auto const& word : words)
     pointers.push_back(word.c_str());
   auto const line = bind::parse_command_line(static_cast<int>(words.size()), pointers.data());
+  if (bind::starts_ranks(line))
+    bind::become_ranks(line, words);
   return line.command.empty() ? line.code : call_library(serving, line);
 }
 
@@ -85,9 +88,12 @@ int main(int count, char** words) {
     auto const line = bind::parse_command_line(count, words);
     if (line.command.empty())
       return line.code;
+    if (bind::starts_ranks(line))
+      bind::become_ranks(line, {words, words + count});
     bind::watch_signals();
+    bind::join_ranks(line);
     auto const state = bind::make_state(line.options.contains("trust"));
-    return line.command == "cases" ? serve(state.get()) : call_library(state.get(), line);
+    return bind::leave_ranks(line.command == "cases" ? serve(state.get()) : call_library(state.get(), line));
   } catch (std::exception const& error) {
     std::cerr << "stiction: " << error.what() << "\n";
     return 1;

@@ -12,6 +12,7 @@
 #include "bind/interrupt.hpp"
 #include "bind/process.hpp"
 #include "bind/push.hpp"
+#include "bind/ranks.hpp"
 #include "bind/wrap.hpp"
 
 namespace stiction::bind {
@@ -105,6 +106,11 @@ bool is_orphan() {
 /// follow_parent() -> whether one listens: this process ends with the one that started it, and what that one
 /// left open is not handed on; call before any file is opened
 int follow(lua_State* lua) {
+  if (ranks() != nullptr) { // who started them hears the first one, by another way
+    follow_parent();
+    push(lua, true);
+    return 1;
+  }
   struct stat status {};
   heard() = fstat(3, &status) == 0 && !S_ISREG(status.st_mode);
   follow_parent();
@@ -117,6 +123,11 @@ int follow(lua_State* lua) {
 
 /// tell_parent(line) -> true if the process that started this one took the message
 int tell_parent(lua_State* lua) {
+  if (ranks() != nullptr) {
+    tell_of_ranks(text_at(lua, 1));
+    push(lua, true);
+    return 1;
+  }
   if (!heard())
     return 0; // the case is run by hand
   auto const line = text_at(lua, 1) + "\n";

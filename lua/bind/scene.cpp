@@ -9,6 +9,7 @@
 #include "bind/convert.hpp"
 #include "bind/interrupt.hpp"
 #include "bind/push.hpp"
+#include "bind/ranks.hpp"
 #include "bind/wrap.hpp"
 #include "record/manifest.hpp"
 #include "scene/explain/preview.hpp"
@@ -56,8 +57,9 @@ template<class T> void set_list(lua_State* lua, char const* name, std::vector<T>
   lua_setfield(lua, -2, name);
 }
 
-/// preview(scene) -> {columns = {"group/name" = width}, end_time =, warnings = {{text =, change =}}}, or an
-/// error of kind "input" with every complaint
+/// preview(scene) -> {columns = {"group/name" = width}, end_time =, warnings = {{text =, change =}},
+/// unfit_for_ranks = why several ranks cannot share it, or nil}, or an error of kind "input" with every
+/// complaint
 int preview(lua_State* lua) {
   auto const input = to_input(lua, 1);
   EndsAtOnce const now;
@@ -69,6 +71,8 @@ int preview(lua_State* lua) {
   set(lua, "columns", columns);
   set(lua, "end_time", preview.end);
   set_list(lua, "warnings", preview.warnings);
+  if (!preview.unfit_for_ranks.empty())
+    set(lua, "unfit_for_ranks", preview.unfit_for_ranks);
   return 1;
 }
 
@@ -221,6 +225,7 @@ int run(lua_State* lua) {
   options.alone = is_set(lua, "alone");
   options.keeping = keeping(lua);
   options.stop = &stop_flag();
+  options.ranks = ranks();
   std::optional<EndsAtOnce> now(std::in_place); // until the first step is done
   options.progress = [lua, &now](scene::Progress const& progress) {
     now.reset();

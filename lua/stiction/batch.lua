@@ -31,7 +31,7 @@ local function worker_words(plan)
       words[#words + 1], words[#words + 2] = "--" .. name, options[name]
     end
   end
-  for _, name in ipairs { "problems", "jobs", "threads" } do
+  for _, name in ipairs { "problems", "jobs", "threads", "ranks" } do
     if options[name] then
       words[#words + 1], words[#words + 2] = "--" .. name, ("%d"):format(options[name])
     end
@@ -44,7 +44,7 @@ end
 
 local function sbatch_words(plan, count, folder)
   local options = plan.options
-  local words = { "sbatch", "--parsable", "--requeue", "--open-mode=append", "--ntasks=1",
+  local words = { "sbatch", "--parsable", "--requeue", "--open-mode=append", ("--ntasks=%d"):format(options.ranks or 1),
     ("--cpus-per-task=%d"):format((options.jobs or 1) * (options.threads or 1)),
     ("--signal=B:TERM@%d"):format(notice), ("--array=1-%d"):format(count),
     "--job-name=" .. plan.study.name, ("--output=%s/%%A_%%a.log"):format(folder) }

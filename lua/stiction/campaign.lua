@@ -67,13 +67,19 @@ local function evaluate(plan, rows, all)
 end
 
 --- Bad input if the case's scene, or the problem in its place, cannot be, or if a result asks for a column that its
---- histories will not have; else what is known against the case (a list). curves: of a trade, or nil.
-function campaign.validate(study, case, curves)
-  if study.problem then
+--- histories will not have; else what is known against the case (a list). curves: of a trade, or nil. ranks: that are to
+--- share it, or nil.
+function campaign.validate(study, case, curves, ranks)
+  if study.problem and ranks then
+    fault.input("a saved contact problem cannot be shared by several ranks; run it without --ranks")
+  elseif study.problem then
     problem.read(study, case.p)
     return {}
   end
   local preview = engine.preview(study:scene_of(case))
+  if ranks and preview.unfit_for_ranks then
+    fault.input("the scene cannot be shared by several ranks: %s; run it without --ranks", preview.unfit_for_ranks)
+  end
   local mistake = not study.source.trust and rehearsal.mistake(study, case, preview, curves) -- the trusted may write files
   if mistake then
     fault.input("%s", mistake)
@@ -82,10 +88,10 @@ function campaign.validate(study, case, curves)
 end
 
 --- Validates every case to come, so that bad input is told before anything runs; a list of {id =, warnings =}.
-local function validate_all(study, cases, curves)
+local function validate_all(study, cases, curves, ranks)
   local told = {}
   for i, case in ipairs(cases) do
-    local held, value = engine.call(campaign.validate, study, case, curves)
+    local held, value = engine.call(campaign.validate, study, case, curves, ranks)
     if not held then
       if value.kind == "input" and #cases > 1 then
         fault.input("%s\n  (in case %s)", value.message, case.id)
@@ -247,7 +253,7 @@ end
 --- Tells what is wrong with the cases that are to run, as `run` does before it begins; how many they are.
 function campaign.check(plan, rows)
   local pending = pending_cases(plan, rows)
-  warn(validate_all(plan.study, pending, plan.curves), rows, plan.options)
+  warn(validate_all(plan.study, pending, plan.curves, plan.options.ranks), rows, plan.options)
   return #pending
 end
 
@@ -260,14 +266,14 @@ function campaign.run(plan, rows)
   end
   local options = plan.options
   if not options.worker or options.strict then -- cases of workers tell what is wrong with them
-    warn(validate_all(plan.study, pending, plan.curves), rows, options)
+    warn(validate_all(plan.study, pending, plan.curves, plan.options.ranks), rows, options)
   end
   revive(plan, rows, pending)
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,
     checkpoint = options.checkpoint, force = options.force,
-    jobs = math.floor(options.jobs or math.max(1, engine.cores() // (options.threads or 1))),
-    threads = options.threads or (plan.office or options.trade) and 1,
+    jobs = math.floor(options.jobs or math.max(1, engine.cores() // ((options.threads or 1) * (options.ranks or 1)))),
+    threads = options.threads or (plan.office or options.trade) and 1, ranks = options.ranks,
     fingerprints = fingerprints,
     worker = (claims.of(plan.folder) or {}).worker }
   local tally

@@ -5,6 +5,7 @@ local progress = require "stiction.progress"
 
 local jobs = {}
 
+local record_separator = "\x1e"
 local patience = 15 -- s that a child told to stop may take to close its files
 
 --- Command line of the child that runs one case.
@@ -38,6 +39,9 @@ local function words_for(case, options, threads)
   if options.alone then
     words[#words + 1] = "--alone"
   end
+  if options.ranks then
+    words[#words + 1], words[#words + 2] = "--ranks", ("%d"):format(options.ranks)
+  end
   for _, setting in ipairs(options.set or {}) do
     words[#words + 1] = "--set"
     words[#words + 1] = setting
@@ -59,9 +63,10 @@ local function server(pool)
   return alive and waiting or engine.spawn(words, { "OPENBLAS_NUM_THREADS=1" }, true)
 end
 
---- Of a case that begins, with so many others still to begin: as asked for, or the cores that nobody else needs.
+--- Of a case that begins, or each of its ranks, with so many others still to begin: as asked for, or the cores that nobody
+--- else needs.
 local function threads_of(pool, waiting)
-  local at_once = math.min(pool.options.jobs, #pool.running + 1 + waiting)
+  local at_once = math.min(pool.options.jobs, #pool.running + 1 + waiting) * (pool.options.ranks or 1)
   return math.floor(pool.options.threads or math.max(1, engine.cores() // at_once))
 end
 
@@ -83,11 +88,15 @@ local function read_message(pool, job, line)
   job.code, job.over = message.code or job.code, message.over or job.over
 end
 
---- Hands complete lines of what the script printed on.
+--- Hands complete lines of what the script printed on; ranks send their messages among these.
 local function show_text(pool, job, text)
   job.text = job.text .. text
   for line in job.text:gmatch("([^\n]*)\n") do
-    pool.display:note(job.case.id .. ": " .. line)
+    if line:sub(1, 1) == record_separator then
+      read_message(pool, job, line:sub(2))
+    else
+      pool.display:note(job.case.id .. ": " .. line)
+    end
   end
   job.text = job.text:match("[^\n]*$")
 end

@@ -8,7 +8,7 @@ local provenance = { folder = "source" } -- in the output folder
 --- time.
 function provenance.begin(options, program)
   return { quick = options.quick or false, set = options.set or {}, program = program, version = engine.version,
-    processor = engine.processor(), started = engine.utc_now() }
+    ranks = options.ranks, processor = engine.processor(), started = engine.utc_now() }
 end
 
 --- The same when the case has ended.

@@ -214,9 +214,21 @@ local function is_shared(options)
   return options.join or options.case and not options.anew and not options.check_accuracy
 end
 
+--- Bad input where ranks are asked for and cannot be started.
+local function check_ranks(options)
+  if options.ranks and (options.accuracy or options.check_accuracy) then
+    fault.input("--ranks is for the cases of a study; give no --accuracy or --check-accuracy with it")
+  end
+  local reason = options.ranks and not options.list and engine.why_no_ranks()
+  if reason then
+    fault.input("--ranks: %s", reason)
+  end
+end
+
 --- Runs a study; its exit code, its output folder and its study table.
 return function(options)
   batch.check(options)
+  check_ranks(options)
   options.join = options.join or options.worker or options.on ~= nil
   options.jobs = options.jobs or options.worker and 1 or nil
   local plan = make_plan(options)

@@ -48,7 +48,8 @@ local function list_or_none(x)
   return type(x) == "table" and x or {}
 end
 
---- How a case was run: {quick =, set =, files =, program =, processor =}; nil and the reason if its files do not say.
+--- How a case was run: {quick =, set =, files =, program =, processor =, shared = by several ranks}; nil and the
+--- reason if its files do not say.
 local function how_run(case)
   local run, files, set = case.ended.run, provenance.files_of(case.ended), {}
   if type(run) ~= "table" or not files then
@@ -58,7 +59,7 @@ local function how_run(case)
     set[i] = tostring(setting)
   end
   return { quick = run.quick == true, set = set, files = files, program = run.program,
-    processor = run.processor }
+    processor = run.processor, shared = run.ranks ~= nil }
 end
 
 --- Cases that were run with the same source and options: list of {files =, quick =, set =, cases =}; and the others, as
@@ -128,7 +129,7 @@ local function compare(report, case, result, scales, tolerance)
       or ("it ended as '%s'%s"):format(result.verdict, result.reason ~= "" and ": " .. tostring(result.reason) or "") }
     return
   end
-  local same_build = how.program == output.program() and how.processor == engine.processor()
+  local same_build = how.program == output.program() and how.processor == engine.processor() and not how.shared
   report.cases, report.foreign = report.cases + 1, report.foreign + (same_build and 0 or 1)
   for _, name in ipairs(ordered.keys_of(case.results, result.results or {})) do
     local kept, got = case.results[name], (result.results or {})[name]

@@ -27,6 +27,23 @@ std::vector<std::set<Index>> nodes_of(Indices const& slab, Indices const& connec
   return nodes;
 }
 
+/// Force, diagonal of the stiffness, then energy and the number of a cell inside out.
+Vector passes_of(solid::Cells const& cells, Vector const& u) {
+  Vector f = Vector::Zero(u.size()), K = f;
+  auto const pass = cells.add_force(view(u), view(f));
+  solid::ScatterMap map;
+  cells.each_part([&](std::span<Index const> nodes) {
+    for (Index row = 0; row < 3 * static_cast<Index>(nodes.size()); ++row)
+      for (Index column = 0; column <= row; ++column)
+        map.push_back(row == column ? 3 * nodes[ix(row / 3)] + row % 3 : -1);
+  });
+  if (pass.sound())
+    cells.add_stiffness(view(u), 1, map, view(K));
+  Vector all(2 * u.size() + 2);
+  all << f, K, pass.energy, pass.inverted_cell;
+  return all;
+}
+
 bool apart(std::set<Index> const& a, std::set<Index> const& b) {
   return std::ranges::none_of(a, [&](Index node) { return b.contains(node); });
 }
@@ -84,6 +101,45 @@ TEST_SUITE("solid") {
     for (Index node = 0; node < body.mesh.node_count(); ++node)
       most = std::max(most, inner[ix(node)] ? f.segment<3>(3 * node).norm() : 0.0);
     CHECK(most < 1e-12 * f.lpNorm<Eigen::Infinity>());
+  }
+
+  TEST_CASE("processes that share cells have the whole of their own nodes, and energy counts once") {
+    solid::Body const body{"b", many_cells(), material::NeoHookean{1e6, 0.4}, 1};
+    Index const dofs = 3 * body.mesh.node_count();
+    Vector u = 1e-3 * random_vector(dofs, 1);
+    auto const is_first = [&](Index node) { return node_position(body.mesh, node).x() < 1.8; };
+    auto const part_of = [&](bool first) {
+      return [&, first](std::span<Index const> nodes) {
+        auto const own = [&](Index node) { return is_first(node) == first; };
+        bool const any = std::ranges::any_of(nodes, own);
+        return own(nodes.front()) ? solid::CellPart::all
+               : any              ? solid::CellPart::forces
+                                  : solid::CellPart::none;
+      };
+    };
+    solid::Cells const whole(body, Kinematics::three_dimensional);
+    solid::Cells const parts[] = {{body, Kinematics::three_dimensional, part_of(true)},
+                                  {body, Kinematics::three_dimensional, part_of(false)}};
+    auto const wanted = passes_of(whole, u), a = passes_of(parts[0], u), b = passes_of(parts[1], u);
+    Vector together(2 * dofs);
+    for (Index k = 0; k < 2 * dofs; ++k)
+      together[k] = (is_first(k % dofs / 3) ? a : b)[k];
+    CHECK((together.head(dofs) - wanted.head(dofs)).norm() < 1e-12 * wanted.head(dofs).norm());
+    CHECK((together.tail(dofs) - wanted.segment(dofs, dofs)).norm() <
+          1e-12 * wanted.segment(dofs, dofs).norm());
+    CHECK(a[2 * dofs] + b[2 * dofs] == doctest::Approx(wanted[2 * dofs]).epsilon(1e-12));
+    double mass = 0, mass_of_part = 0;
+    whole.each_mass([&](auto const&, Dense const& m) { mass += m.sum(); });
+    parts[1].each_mass([&](auto const&, Dense const& m) { mass_of_part += m.sum(); });
+    CHECK(mass_of_part == doctest::Approx(mass).epsilon(1e-12));
+    CHECK(parts[1].count() == 2304);
+    Vector const stress = whole.stress(view(u)).von_mises;
+    CHECK(parts[1].stress(view(u)).von_mises == stress);
+    u[3 * whole.nodes_of(2000)[0]] += 1;
+    auto const number = passes_of(whole, u)[2 * dofs + 1];
+    double const of_a = passes_of(parts[0], u)[2 * dofs + 1], of_b = passes_of(parts[1], u)[2 * dofs + 1];
+    CHECK(number >= 0);
+    CHECK((of_a == number || of_b == number));
   }
 
   TEST_CASE("of several inverted cells in slabs the first is told, as the mesh numbers them") {

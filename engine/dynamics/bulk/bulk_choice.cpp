@@ -62,6 +62,19 @@ std::string unfit_for_multigrid(Model const& model) {
   return "";
 }
 
+std::string unfit_for_ranks(Model const& model) {
+  if (auto const why = unfit_for_multigrid(model); !why.empty())
+    return why;
+  auto const weights = dynamics::weights(model.scheme);
+  bool const damped =
+      std::any_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) { return body->damping; });
+  if (weights.skin || (weights.surface_apart() && damped))
+    return "contact nodes have a balance of their own";
+  if (model.control.bulk == BulkSolver::direct)
+    return "control.bulk is \"direct\", and a factor is one process's";
+  return "";
+}
+
 namespace {
 bool large_enough(Model const& model) {
   Index unknowns = model.dofs();
@@ -72,6 +85,8 @@ bool large_enough(Model const& model) {
 } // namespace
 
 bool by_multigrid(Model const& model) {
+  if (model.share)
+    return true;
   if (model.control.bulk != BulkSolver::automatic)
     return model.control.bulk == BulkSolver::multigrid;
   return unfit_for_multigrid(model).empty() && large_enough(model);

@@ -10,6 +10,7 @@
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/bulk/timer.hpp"
 #include "linear/multigrid_factor.hpp"
+#include "linear/rank_factor.hpp"
 
 namespace stiction::dynamics {
 
@@ -58,12 +59,12 @@ Indices surface_last(std::vector<bool> const& last) {
   return order;
 }
 
-/// Calls visit(body, degrees of freedom of a cell) in assembly order.
+/// Calls visit(body, degrees of freedom of a cell) for the cells that are assembled here, in that order.
 template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
   Indices dofs;
   int const dim = model.dim();
   for (std::size_t body = 0; body < model.cells.size(); ++body)
-    model.cells[body].each_cell([&](std::span<Index const> nodes) {
+    model.cells[body].each_part([&](std::span<Index const> nodes) {
       dofs.clear();
       for (Index const node : nodes)
         for (int i = 0; i < dim; ++i)
@@ -75,11 +76,12 @@ template<class Visit> void each_cell_dofs(Model const& model, Visit&& visit) {
 /// Largest distance of a cell's nodes from its first, m.
 double largest_cell(Model const& model) {
   double largest = 0;
-  each_cell_dofs(model, [&](std::size_t, Indices const& cell) {
-    auto const position = [&](Index dof) { return model.reference.row(dof / model.dim()); };
-    for (Index const dof : cell)
-      largest = std::max(largest, (position(dof) - position(cell.front())).norm());
-  });
+  for (std::size_t body = 0; body < model.cells.size(); ++body)
+    model.cells[body].each_cell([&](std::span<Index const> cell) {
+      auto const position = [&](Index node) { return model.reference.row(model.first_node[body] + node); };
+      for (Index const node : cell)
+        largest = std::max(largest, (position(node) - position(cell.front())).norm());
+    });
   return largest;
 }
 
@@ -163,36 +165,14 @@ void BulkSystem::number_unknowns(Model const& model) {
   auto pattern = linear::pattern_of(count, cliques());
   values_.resize(pattern.rows.size());
   own_rates_ = own_rates_ && trailing_ > 0;
-  if (iterative)
+  if (model.share)
+    kept_.emplace_back().factor = linear::make_rank_factor(std::move(pattern), trailing_,
+                                                           unknowns_of_ranks(model), *model.share->ranks);
+  else if (iterative)
     kept_.emplace_back().factor =
         linear::make_multigrid_factor(std::move(pattern), trailing_, nodes_of_unknowns(model));
   else
     kept_.emplace_back().factor = linear::make_bulk_factor(std::move(pattern), trailing_, own_rates_);
-}
-
-/// For multigrid: nodes that have an unknown in their order, and their rigid-body motions.
-linear::NodesOfUnknowns BulkSystem::nodes_of_unknowns(Model const& model) const {
-  Indices number(ix(model.node_count()), -1), nodes;
-  for (Index node = 0; node < model.node_count(); ++node)
-    for (Index dof = 3 * node; dof < 3 * node + 3 && number[ix(node)] < 0; ++dof)
-      if (unknown_of(dof) >= 0) {
-        number[ix(node)] = static_cast<Index>(nodes.size());
-        nodes.push_back(node);
-      }
-  linear::NodesOfUnknowns all;
-  for (Index const dof : dof_of_)
-    all.place.push_back(3 * number[ix(dof / 3)] + dof % 3);
-  Vec3 const middle = model.reference.colwise().mean();
-  double const size = (model.reference.rowwise() - middle.transpose()).cwiseAbs().maxCoeff();
-  all.modes.setZero(3 * static_cast<Index>(nodes.size()), 6);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    Vec3 const x = (model.reference.row(nodes[k]).transpose() - middle) / size;
-    auto rows = all.modes.middleRows<3>(3 * static_cast<Index>(k));
-    rows.leftCols<3>().setIdentity();
-    for (int axis = 0; axis < 3; ++axis)
-      rows.col(3 + axis) = Vec3::Unit(axis).cross(x);
-  }
-  return all;
 }
 
 namespace {
@@ -275,8 +255,10 @@ void BulkSystem::set_mass(StepWeights const& weights) {
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
       for (int c = 0; c < dim_; ++c) {
         Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
-        if (row >= 0 && column >= 0 && (row == column || !diagonal_))
-          mass_in_matrix_[ix(pattern.find(row, column))] = share * mass_.values[ix(k)];
+        if (row < 0 || column < 0 || (row != column && diagonal_))
+          continue;
+        if (Index const at = pattern.find(row, column); at >= 0) // of others' nodes it need not be here
+          mass_in_matrix_[ix(at)] = share * mass_.values[ix(k)];
       }
   }
 }
@@ -291,12 +273,12 @@ solid::Pass BulkSystem::internal_force(Vector const& u, Vector& force) const {
     auto const pass = model_->cells[body].add_force({u.data() + first, count}, {force.data() + first, count});
     if (!pass.sound()) {
       all.inverted_cell = first_cell + pass.inverted_cell;
-      return all;
+      break;
     }
     all.energy += pass.energy;
     first_cell += model_->cells[body].count();
   }
-  return all;
+  return model_->share ? together(all, force) : all;
 }
 
 std::string BulkSystem::cell_words(Index cell) const {
@@ -325,6 +307,8 @@ void BulkSystem::damping_force(Vector const& u, Vector const& v, Vector& force) 
       static_cast<void>(model_->cells[body].add_damping({u.data() + first, count}, {v.data() + first, count},
                                                         {force.data() + first, count}));
   }
+  if (model_->share)
+    model_->share->gather(force, dim_);
 }
 
 namespace {
@@ -457,12 +441,18 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   auto const& columns = now.factor->pattern().columns;
   now.scale = now.bodies = 0;
   for (Index j = 0; j < unknowns(); ++j) {
+    if (!own(j))
+      continue;
     auto const k = ix(columns[ix(j)]);
     now.scale = std::max(now.scale, values_[k]);
     now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
   }
-  auto own = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
-  now.made = now.factor->factorize(values_, std::move(own),
+  if (model_->share) {
+    now.scale = model_->share->ranks->largest(now.scale);
+    now.bodies = model_->share->ranks->largest(now.bodies);
+  }
+  auto apart = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
+  now.made = now.factor->factorize(values_, std::move(apart),
                                    model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
   now.factor->carry_on(carried.get());
   bool const held = now.factor->hold() > 0;

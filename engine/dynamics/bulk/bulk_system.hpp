@@ -10,7 +10,8 @@
 
 namespace stiction::linear {
 struct NodesOfUnknowns;
-}
+struct UnknownsOfRanks;
+} // namespace stiction::linear
 
 namespace stiction::dynamics {
 
@@ -123,7 +124,16 @@ private:
   void make_matrix(Model const& model, StepWeights const& weights);
   void number_unknowns(Model const& model);
   void set_mass(StepWeights const& weights);
+  [[nodiscard]] bool moves(Index node) const;
   [[nodiscard]] linear::NodesOfUnknowns nodes_of_unknowns(Model const& model) const;
+  [[nodiscard]] linear::UnknownsOfRanks unknowns_of_ranks(Model const& model) const;
+  [[nodiscard]] Indices places(Indices const& nodes) const;
+  [[nodiscard]] static Dense motions(Model const& model, Indices const& nodes);
+  /// Is an unknown's node this rank's, or is there but one?
+  [[nodiscard]] bool own(Index unknown) const {
+    return !model_->share || model_->share->own(dof_of(unknown) / dim_);
+  }
+  [[nodiscard]] solid::Pass together(solid::Pass mine, Vector& force) const;
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);

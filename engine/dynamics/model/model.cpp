@@ -1,7 +1,14 @@
-// Unknowns of free rigid bodies.
+// Cells of shared bodies, unknowns of free rigid ones.
 #include "dynamics/model/model.hpp"
 
 namespace stiction::dynamics {
+
+solid::Cells cells_of(Model const& model, std::size_t body) {
+  if (!model.share)
+    return {*model.bodies[body], model.kinematics};
+  return {*model.bodies[body], model.kinematics,
+          [&](std::span<Index const> nodes) { return model.share->part(nodes, model.first_node[body]); }};
+}
 
 void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin) {
   int const dim = model.dim();

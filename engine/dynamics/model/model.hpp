@@ -8,6 +8,7 @@
 
 #include "contact/mortar/mortar.hpp"
 #include "contact/solvers/solver.hpp"
+#include "dynamics/model/share.hpp"
 #include "dynamics/scheme/path.hpp"
 #include "dynamics/scheme/scheme.hpp"
 #include "interface/law.hpp"
@@ -111,13 +112,17 @@ struct Model {
   Scheme scheme;
   contact::SolverChoice solver;
   StepControl control;
-  bool held_by_bonds = false; ///< quasi-static: motions alone do not hold every body, intact bonds do
-  bool tallied = false;       ///< momenta and impulses are kept
+  std::optional<Share> share = {}; ///< of the bodies among the ranks of a case; none: one process has it all
+  bool held_by_bonds = false;      ///< quasi-static: motions alone do not hold every body, intact bonds do
+  bool tallied = false;            ///< momenta and impulses are kept
   bool audited = false; ///< the ledger predicts the scheme's loss: a force pass per step where not linear
   [[nodiscard]] Index node_count() const { return static_cast<Index>(reference.rows()); }
   [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
   [[nodiscard]] Index dofs() const { return dim() * node_count(); }
 };
+
+/// The cells of a body: those of this process's share.
+[[nodiscard]] solid::Cells cells_of(Model const& model, std::size_t body);
 
 /// Puts a free rigid body's two nodes at the end of the model; holds the components that it has not.
 void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin);

@@ -78,12 +78,20 @@ Scene Builder::run() {
   return std::move(scene_);
 }
 
+std::string unfit_for_ranks(Scene const& scene) {
+  if (scene.part.output.problems_every > 0)
+    return "contact problems are to be written (output.problems_every)";
+  return dynamics::unfit_for_ranks(*scene.model);
+}
+
 /// A problem that is to be written needs its matrix.
 void Builder::check_bulk() {
   auto& model = *scene_.model;
   bool const written = scene_.part.output.problems_every > 0;
   auto const why = written ? "contact problems are to be written (output.problems_every)"
                            : dynamics::unfit_for_multigrid(model);
+  if (auto const alone = unfit_for_ranks(scene_); ranks_ != nullptr && !alone.empty())
+    complain({}, fmt::format("it cannot be shared by several ranks: {}; run it without --ranks", alone));
   if (model.control.bulk == dynamics::BulkSolver::multigrid && !why.empty())
     complain({"control", "bulk"},
              fmt::format("is \"multigrid\", but {}; give \"direct\", or leave it out", why));
@@ -189,8 +197,11 @@ void Builder::add_bodies() {
     model.reference.middleRows(model.first_node[b], count) = model.bodies[b]->mesh.nodes;
     model.velocity.middleRows(model.first_node[b], count).rowwise() =
         vec(scene_.part.bodies.at(scene_.bodies[b]).velocity).head(dim).transpose();
-    model.cells.emplace_back(*model.bodies[b], model.kinematics);
   }
+  if (ranks_ != nullptr)
+    model.share = dynamics::share_out(model.reference, *ranks_);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    model.cells.push_back(dynamics::cells_of(model, b));
 }
 
 void Builder::check_radius(std::string const& name, mesh::Mesh const& mesh) {
@@ -341,8 +352,8 @@ Index Scene::nearest(Indices const& nodes, Numbers const& point) const {
   return best;
 }
 
-Scene build(core::Input const& input) {
-  return Builder(input).run();
+Scene build(core::Input const& input, linear::Ranks const* ranks) {
+  return Builder(input, ranks).run();
 }
 
 } // namespace stiction::scene

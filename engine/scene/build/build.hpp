@@ -18,7 +18,10 @@ struct Scene {
   [[nodiscard]] Index nearest(Indices const& nodes, Numbers const& point) const;
 };
 
-/// Throws InputError with every complaint.
-[[nodiscard]] Scene build(core::Input const& input);
+/// Why several ranks cannot share this scene, in words; "" if they can.
+[[nodiscard]] std::string unfit_for_ranks(Scene const& scene);
+
+/// ranks: those that share the case, or null. Throws InputError with every complaint.
+[[nodiscard]] Scene build(core::Input const& input, linear::Ranks const* ranks = nullptr);
 
 } // namespace stiction::scene

@@ -16,7 +16,7 @@ using Where = std::vector<std::string>; ///< keys from the scene's table down, "
 
 class Builder {
 public:
-  explicit Builder(core::Input const& input) : input_(&input) {}
+  Builder(core::Input const& input, linear::Ranks const* ranks) : input_(&input), ranks_(ranks) {}
   [[nodiscard]] Scene run();
 
 private:
@@ -73,6 +73,7 @@ private:
   template<class Part> void check_probe(std::string const& name, Part const& part);
 
   core::Input const* input_;
+  linear::Ranks const* ranks_;
   core::Complaints complaints_;
   Scene scene_;
   /// Of the model's motions: number and set of the script's; those of rigid bodies have none.

@@ -22,6 +22,7 @@ Preview preview(core::Input const& input) {
     preview.columns.push_back({name, width});
   preview.end = scene.part.schedule.stages.back().until;
   dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
+  preview.unfit_for_ranks = unfit_for_ranks(scene);
   preview.warnings = warnings_of(scene, stepper.initial());
   return preview;
 }

@@ -12,6 +12,7 @@ struct Preview {
   std::vector<ColumnName> columns;
   double end = 0; ///< s
   std::vector<Warning> warnings;
+  std::string unfit_for_ranks; ///< why several ranks cannot share the case, or ""
 };
 
 /// Builds the scene. Throws InputError with every complaint about the table.

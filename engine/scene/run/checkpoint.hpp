@@ -66,6 +66,11 @@ public:
   /// Is it time to keep where the case stands?
   [[nodiscard]] bool due() const;
   [[nodiscard]] bool wanted() const { return !keeping_->file.empty(); }
+  /// Another rank keeps it: counts as kept.
+  [[nodiscard]] bool pass_over() {
+    last_ = std::chrono::steady_clock::now();
+    return true;
+  }
   /// Is there one to go on from?
   [[nodiscard]] bool stands() const;
   /// Puts a story without a pass under way in place of what is kept.

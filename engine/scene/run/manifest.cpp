@@ -130,6 +130,8 @@ json settings_of(Scene const& scene) {
   settings["solver"] = describe(scene.part.solver);
   settings["control"] = record::describe(&scene.part.control, scene.part.control.schema());
   settings["control"]["bulk_taken"] = dynamics::by_multigrid(*scene.model) ? "multigrid" : "direct";
+  if (scene.model->share)
+    settings["ranks"] = scene.model->share->ranks->count();
   if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
     settings["accuracy"] = record::describe(&*accuracy, accuracy->schema());
   for (auto const& [name, body] : scene.part.bodies) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "dynamics/adaptivity/pace.hpp"
 #include "dynamics/bulk/critical_step.hpp"
@@ -44,14 +45,14 @@ public:
     }
     warnings_ = warnings_of(scene, state_);
     if (!story.under_way) {
-      recorder_.emplace(scene, options.out);
+      begin_files(nullptr);
       return;
     }
     auto rest = checkpoint.rest();
     RecordMark mark;
     rest(mark);
     visit(rest);
-    recorder_.emplace(scene, options.out, &mark);
+    begin_files(&mark);
     auto made = standing_.lasting;
     for (std::size_t k = 0; k < std::min(state_.factors.size(), standing_.made.size()); ++k)
       if (standing_.made[k] != 0)
@@ -69,6 +70,7 @@ public:
         break;
       meshes_.examine(state_);
     }
+    note_ranks();
     Timed const timed(*this);
     recorder_->close();
     return finish();
@@ -120,14 +122,42 @@ public:
         {"heap_blocks_of_factor_after_first_step",
          blocks_ ? static_cast<double>(linear::blocks_from_system() - *blocks_) : 0},
         {"work", operations(*scene_->model, stepper_)},
-        {"cpu_seconds", cpu_before_ + cpu_seconds()},
+        {"cpu_seconds", cpu_before_ + (ranks_cpu_ > 0 ? ranks_cpu_ : cpu_seconds())},
         {"unknowns", static_cast<double>(stepper_.bulk().unknowns())},
-        {"peak_memory", peak_memory()}};
+        {"peak_memory", ranks_memory_ > 0 ? ranks_memory_ : peak_memory()}};
+    if (options_->ranks != nullptr)
+      result_.counters["ranks"] = options_->ranks->count();
     result_.counters.insert(recorder_->changes().begin(), recorder_->changes().end());
     return result_;
   }
 
 private:
+  /// Of several ranks the first writes, and what it finds unfit to go on from is unfit for all.
+  void begin_files(RecordMark const* from) {
+    std::string unfit;
+    try {
+      if (options_->ranks != nullptr && options_->ranks->rank() > 0)
+        recorder_.emplace(*scene_, from);
+      else
+        recorder_.emplace(*scene_, options_->out, from);
+    } catch (record::Unfit const& why) {
+      unfit = why.what();
+    }
+    if (any_rank(!unfit.empty()) > 0)
+      throw record::Unfit(unfit);
+  }
+  /// The largest of what the ranks say, or of one process its own.
+  [[nodiscard]] double any_rank(double said) const {
+    return options_->ranks != nullptr ? options_->ranks->largest(said) : said;
+  }
+  /// What all ranks have taken from their machines.
+  void note_ranks() {
+    if (options_->ranks == nullptr)
+      return;
+    ranks_cpu_ = options_->ranks->sum(cpu_seconds());
+    ranks_memory_ = options_->ranks->sum(peak_memory());
+  }
+
   /// Where in the schedule: stage, nominal step of it, parts of that done.
   struct Place {
     std::size_t stage = 0;
@@ -297,11 +327,14 @@ private:
 
   /// Empty while there is none.
   [[nodiscard]] std::string stop_reason() {
-    if (options_->stop != nullptr && options_->stop->load())
-      return on_request;
-    if (options_->stop_after > 0 && ++asked_ >= options_->stop_after)
-      return on_request;
-    return patience_.late(seconds());
+    bool const asked = (options_->stop != nullptr && options_->stop->load()) ||
+                       (options_->stop_after > 0 && ++asked_ >= options_->stop_after);
+    bool const late = !patience_.late(seconds()).empty();
+    constexpr double when_asked = 2, when_late = 1;
+    double const why = any_rank(asked ? when_asked : late ? when_late : 0); // clocks and signals differ
+    if (why == 0)
+      return "";
+    return why == when_asked ? on_request : patience_.late(std::numeric_limits<double>::infinity());
   }
 
   bool stopped() {
@@ -321,7 +354,7 @@ private:
     settled_ = stepper_.cost();
     if (checkpoint_->wanted())
       standing_ = standing();
-    if (checkpoint_->due())
+    if (any_rank(checkpoint_->due() ? 1 : 0) > 0)
       keep();
     return !stopped();
   }
@@ -340,6 +373,8 @@ private:
     if (!checkpoint_->wanted())
       return false;
     Timed const timed(*this);
+    if (options_->ranks != nullptr && options_->ranks->rank() > 0)
+      return checkpoint_->pass_over();
     auto mark = recorder_->mark();
     auto story = *story_;
     story.under_way = true;
@@ -455,7 +490,8 @@ private:
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
   long attempts_ = 0;
-  contact::Methods answered_before_{}; ///< the last attempt
+  contact::Methods answered_before_{};      ///< the last attempt
+  double ranks_cpu_ = 0, ranks_memory_ = 0; ///< of all, s and bytes; 0: of this process alone
   std::optional<std::size_t>
       blocks_; ///< that SuiteSparse had taken from the system after this process's first step
 };

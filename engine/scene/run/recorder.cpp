@@ -42,40 +42,50 @@ void remove_problems(std::filesystem::path const& folder) {
 } // namespace
 
 Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from)
-    : scene_(&scene), folder_(folder), series_(folder / "series.h5"),
-      fields_(folder, from != nullptr ? from->fields : record::FieldMark{}),
-      log_(folder, from != nullptr ? from->steps : 0, rows_of(scene)) {
-  add_step_columns(scene, series_);
-  samplers_ = add_probes(scene, series_);
+    : scene_(&scene), folder_(folder),
+      files_(new Files{record::Series(folder / "series.h5"),
+                       record::FieldSeries(folder, from != nullptr ? from->fields : record::FieldMark{}),
+                       record::StepLog(folder, from != nullptr ? from->steps : 0, rows_of(scene))}) {
+  add_step_columns(scene, files_->series);
+  samplers_ = add_probes(scene, files_->series);
   if (from == nullptr) {
     remove_problems(folder / "problems");
     return;
   }
-  series_.take_up(series_in(folder), from->series);
+  files_->series.take_up(series_in(folder), from->series);
   changes_ = from->changes;
 }
 
+Recorder::Recorder(Scene const& scene, RecordMark const* from) : scene_(&scene) {
+  if (from != nullptr)
+    changes_ = from->changes;
+}
+
 RecordMark Recorder::mark() {
-  return {series_.mark(), fields_.mark(), log_.mark(), changes_};
+  return files_ ? RecordMark{files_->series.mark(), files_->fields.mark(), files_->log.mark(), changes_}
+                : RecordMark{};
 }
 
 void Recorder::step(dynamics::State const& state, double dt, int iterations,
                     dynamics::StepError const& error) {
+  if (!files_)
+    return;
   row_.assign({dt, static_cast<double>(iterations)});
   if (scene_->part.schedule.accuracy)
     row_.insert(row_.end(),
                 {error.displacement, error.bond, error.beta_change, static_cast<double>(error.events)});
   for (auto const& sampler : samplers_)
     sampler(state, row_);
-  series_.append(state.t, row_);
+  files_->series.append(state.t, row_);
 }
 
 void Recorder::frame(dynamics::State const& state) {
-  fields_.write(frame_of(*scene_, state));
+  if (files_)
+    files_->fields.write(frame_of(*scene_, state));
 }
 
 std::string Recorder::problem(contact::Problem const& problem, std::string const& name) const {
-  if (problem.points.empty())
+  if (problem.points.empty() || !files_)
     return "";
   if (problem.W.together() != nullptr)
     return "not written, as it has no matrix (control.bulk = \"direct\" makes one)";
@@ -86,14 +96,17 @@ std::string Recorder::problem(contact::Problem const& problem, std::string const
 }
 
 void Recorder::change(record::StepChange const& change) {
-  log_.add(change);
+  if (files_)
+    files_->log.add(change);
   if (change.what != "step")
     ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
 }
 
 void Recorder::close() {
-  series_.flush();
-  log_.write();
+  if (!files_)
+    return;
+  files_->series.flush();
+  files_->log.write();
 }
 
 } // namespace stiction::scene

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "dynamics/adaptivity/step_error.hpp"
 #include "record/fields.hpp"
@@ -28,6 +29,8 @@ public:
   /// Into this folder, which exists. The scene must outlive it. from: what there is to go on from, or null.
   /// Throws Unfit where that is not there.
   Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from = nullptr);
+  /// Writes nothing: of a rank whose case another one writes.
+  explicit Recorder(Scene const& scene, RecordMark const* from = nullptr);
   /// What stands now, once the histories are on the disk to stay.
   [[nodiscard]] RecordMark mark();
   /// A row of histories; dt in s.
@@ -43,9 +46,12 @@ public:
 private:
   Scene const* scene_;
   std::filesystem::path folder_;
-  record::Series series_;
-  record::FieldSeries fields_;
-  record::StepLog log_;
+  struct Files {
+    record::Series series;
+    record::FieldSeries fields;
+    record::StepLog log;
+  };
+  std::unique_ptr<Files> files_; ///< null: nothing is written
   std::map<std::string, double> changes_ = {
       {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0}, {"cut_event", 0}, {"grown", 0},
       {"at_floor", 0},          {"aimed", 0}};

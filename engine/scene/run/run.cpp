@@ -60,6 +60,10 @@ void tell_of_meshes(MeshControl const& control, Story& story, RunResult& result,
   std::ranges::copy(control.doubts(), std::back_inserter(result.remarks));
 }
 
+bool any_differ(linear::Ranks const* ranks, double mine) {
+  return ranks != nullptr && ranks->largest(mine) != -ranks->largest(-mine);
+}
+
 nlohmann::json manifest_of(core::Input const& asked, Scene const& scene, RunOptions const& options,
                            Story const& story, std::vector<Warning> const& warnings) {
   auto manifest = manifest_of(asked, scene, options);
@@ -82,15 +86,23 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   core::use_threads(options.threads);
   Checkpoint checkpoint(options.keeping);
   auto story = checkpoint.open();
+  if (bool const there = story.under_way; any_differ(options.ranks, there ? story.pass : 0)) {
+    if (there)
+      checkpoint.refuse("is not there for all ranks: they share no file system");
+    story = Story::anew();
+  }
   for (;;) {
     auto const asked = with_sizes(input, story.sizes);
-    auto const scene = build(asked);
-    record::prepare_output(options.out);
+    auto const scene = build(asked, options.ranks);
+    bool const writes = options.ranks == nullptr || options.ranks->rank() == 0;
+    if (writes)
+      record::prepare_output(options.out);
     std::optional<Run> running;
     if (!take_up(running, scene, options, checkpoint, story))
       continue;
     auto manifest = manifest_of(asked, scene, options, story, running->warnings());
-    record::write_manifest(options.out / "manifest.json", manifest);
+    if (writes)
+      record::write_manifest(options.out / "manifest.json", manifest);
     auto result = run_once(*running, checkpoint);
     if (options.alone && result.verdict == "finished")
       for (auto const& [name, seconds] : running->alone())
@@ -105,12 +117,13 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     if (!result.remarks.empty())
       manifest["remarks"] = result.remarks;
     manifest["ended"] = record::utc_now();
-    if (result.verdict != "output failed")
+    if (writes && result.verdict != "output failed")
       record::write_manifest(options.out / "manifest.json", manifest);
     if (last)
       return result;
     story.begin_pass(control.sizes());
-    checkpoint.keep(story);
+    if (writes)
+      checkpoint.keep(story);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/input.hpp"
+#include "linear/ranks.hpp"
 #include "record/checkpoint_file.hpp"
 #include "scene/explain/explain.hpp"
 
@@ -39,6 +40,8 @@ struct RunOptions {
   std::atomic<bool> const* stop = nullptr; ///< set by a signal: the run ends with verdict "stopped"
   Keeping keeping;
   int threads = 1; ///< that share its loops; its numbers do not depend on how many
+  /// The processes that share the case, each of which runs it: the first writes its files; or null.
+  linear::Ranks const* ranks = nullptr;
   /// For tests: stopped when the run has asked so often whether it is to stop, within steps too; 0: never.
   long stop_after = 0;
   /// For tests: every so many steps is first made and thrown away, then made again; 0: none.

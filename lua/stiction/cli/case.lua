@@ -75,8 +75,29 @@ local function fingerprint_of(study, case, options)
   return own
 end
 
+--- What the engine is to do with a case beside computing it.
+local function settings_of(options, case, text, fingerprint)
+  local folder = output.case_folder(options.out, case)
+  return { out = folder, case_id = case.id, manifest = text,
+    rehearse = options.rehearse or 0, alone = options.alone, threads = options.threads or 1, stop_after = options["stop-after"] or 0,
+    checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
+    program = identity.program(), anew = options.force, -- what a checkpoint holds goes with so many ranks
+    fingerprint = options.ranks and ("%s of %d ranks"):format(fingerprint, options.ranks) or fingerprint }
+end
+
+--- One of several ranks' part in the case, whose first one does all else.
+local function take_part(options, study, begin)
+  local case = sweep.find(sweep.cases(study, options), options.case)
+  local settings = settings_of(options, case, "{}", fingerprint_of(study, case, options))
+  engine.run(study:scene_of(case), settings, progress_teller(begin), note)
+  return 0
+end
+
 --- Runs the case; begin() is called once it computes.
 local function run(options, study, begin)
+  if engine.rank() > 0 then
+    return take_part(options, study, begin)
+  end
   local cases, names = sweep.cases(study, options)
   local case = sweep.find(cases, options.case)
   local fingerprint = fingerprint_of(study, case, options)
@@ -90,11 +111,7 @@ local function run(options, study, begin)
     begin()
     result, answers = problem.solve(study, case)
   else
-    local settings = { out = folder, case_id = case.id, manifest = text,
-      rehearse = options.rehearse or 0, alone = options.alone, threads = options.threads or 1, stop_after = options["stop-after"] or 0,
-      checkpoint = folder .. "/checkpoint", every = options.checkpoint or between_checkpoints,
-      program = identity.program(), fingerprint = fingerprint, anew = options.force }
-    result = engine.run(study:scene_of(case), settings, progress_teller(begin), note)
+    result = engine.run(study:scene_of(case), settings_of(options, case, text, fingerprint), progress_teller(begin), note)
   end
   engine.watch_lines(true)
   evaluation.note(study, case, result)

@@ -11,6 +11,7 @@ stiction help TOPIC       topics: commands, workers, new, study, results, figure
 pages.commands = [[
 new NAME       write a study to start from into a folder of your own; --list: the examples; 'stiction help new'
 run STUDY      run the cases of a study, check them, draw its figures; a folder of studies: all, and one report;
+               --ranks N: N processes share each case by MPI (bodies in space on rigid obstacles; needs petsc-dev);
                --join: several runs, also on several machines, share the sweep; --worker, --on slurm: 'stiction help workers'
 status STUDY   how far its sweep is: done, running (by which worker, since when, how far), waiting, failed; rate and time left;
                whether workers live; from any machine that sees the output; STUDY may be an output folder
@@ -81,7 +82,8 @@ quota) a worker ends without failing the case.
 --on slurm validates the cases, writes <out>/slurm/worker.sh, submits it once with sbatch (--requeue, --signal=B:TERM@60: SIGTERM
 a minute before the time limit), prints the job's id and returns. --workers: default 16, never more than cases; sites
 limit arrays to about a thousand tasks. --sbatch OPTION passes a further option on (--sbatch=--mem=4G
---sbatch=--account=x). The same command submits further workers, if time limits ended them before the sweep.
+--sbatch=--account=x). --ranks N asks for N tasks each, which share a case (not tried under Slurm). The same command submits
+further workers, if time limits ended them before the sweep.
 Exit codes: 0 submitted, or nothing to do; 2 bad input, no sbatch, or its refusal, in its own words.]]
 
 pages.new = [[

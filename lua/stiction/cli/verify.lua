@@ -51,7 +51,7 @@ local function how_compared(found, tolerance)
   if found.foreign == 0 then
     return "computed by this program on this processor, so to the last bit"
   end
-  return ("%s by another build of the program or on another processor, so within %g of the largest value of the "
+  return ("%s by another build of the program, on another processor or by several ranks, so within %g of the largest value of the "
     .. "result; the largest difference is %.2g"):format(found.foreign == found.cases and "computed"
     or plural(found.foreign, "case"), tolerance, found.largest)
 end
