@@ -1,4 +1,5 @@
-# `cpack` makes a Debian package: programs, scripts, studies, library and headers, which runs without a compiler.
+# `cpack` makes a Debian package: programs, scripts, studies, library and headers, which runs without a compiler; and one with
+# what `run --ranks` loads, so that the first needs neither PETSc nor MPI.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME stiction)
 set(CPACK_PACKAGE_CONTACT "The Stiction developers")
@@ -10,4 +11,15 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core, libegl-mesa0, libgl1-mesa-dri") # figures open them while they run
 set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL Unspecified)
+set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME stiction)
+if(TARGET stiction-ranks)
+  list(APPEND CPACK_COMPONENTS_ALL ranks)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS stiction-ranks)
+  set(CPACK_DEBIAN_RANKS_PACKAGE_NAME stiction-ranks)
+  set(CPACK_COMPONENT_RANKS_DESCRIPTION "Lets several processes share a case of stiction, by MPI and PETSc.")
+  set(CPACK_DEBIAN_RANKS_PACKAGE_DEPENDS "stiction (= ${PROJECT_VERSION}), openmpi-bin")
+endif()
 include(CPack)

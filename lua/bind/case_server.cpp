@@ -1,6 +1,7 @@
 // Requests from standard input, a child for each, its end on descriptor 3.
 #include "bind/case_server.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -61,13 +62,13 @@ private:
   sigset_t before_{};
 };
 
-/// The child, or 0 in it; signals go to it from now on.
-pid_t fork_followed() {
+/// The child for these words, or 0 in it; signals go to it from now on.
+pid_t fork_followed(std::vector<std::string> const& words) {
   SignalsWait const wait;
   pid_t const child = fork();
   if (child < 0)
     throw core::RunError("cannot start a process for a case");
-  hand_signals_on(child);
+  hand_signals_on(child, std::ranges::count(words, "--ranks") > 0 ? stops_ranks : 0);
   return child;
 }
 
@@ -90,7 +91,7 @@ std::string case_request(std::vector<std::string> const& words) {
 int serve_cases(int (*run)(std::vector<std::string> const& words)) {
   pid_t const server = getpid();
   while (auto const words = next_request()) {
-    pid_t const child = fork_followed();
+    pid_t const child = fork_followed(*words);
     if (child == 0) {
       follow_parent(true); // whoever finds the server dead may begin its case anew
       if (getppid() != server)

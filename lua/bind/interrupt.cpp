@@ -21,6 +21,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "the flag is set from a si
 
 std::atomic<int> at_once{0}; ///< how many EndsAtOnce live
 std::atomic<pid_t> child_to_tell{0};
+std::atomic<int> told_by{0}; ///< signal; 0: the one that came
 bool follows = false, ends_outright = false;
 void on_event(lua_State* lua, lua_Debug* event);
 constexpr int instructions_per_look = 10000;
@@ -35,7 +36,7 @@ long looks_left = -1; ///< before a limited script ends; -1: without limit
 
 void on_signal(int signal) {
   if (pid_t const child = child_to_tell; child > 0)
-    kill(child, signal);
+    kill(child, told_by != 0 ? told_by.load() : signal);
   if (at_once > 0)
     end_at_once(signal);
   if (stop.exchange(true) && signal == SIGINT)
@@ -107,10 +108,12 @@ void watch_signals() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(stops_ranks, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN); // a file that may grow no more is a failed write, with its reason
 }
 
-void hand_signals_on(pid_t child) {
+void hand_signals_on(pid_t child, int as) {
+  told_by = as;
   child_to_tell = child;
 }
 

@@ -1,13 +1,14 @@
 // Ctrl-C and SIGTERM: one flag that running scripts and the engine look at.
 #pragma once
 #include <atomic>
+#include <csignal>
 
 #include <lua.hpp>
 #include <sys/types.h>
 
 namespace stiction::bind {
 
-/// True once SIGINT or SIGTERM has arrived.
+/// True once SIGINT, SIGTERM or stops_ranks has arrived.
 std::atomic<bool> const& stop_flag();
 
 /// Installs the handlers; a second SIGINT ends the process at once with exit code 1.
@@ -23,8 +24,11 @@ public:
   EndsAtOnce& operator=(EndsAtOnce const&) = delete;
 };
 
-/// Signals to stop also go to this process from now on; 0: to none.
-void hand_signals_on(pid_t child);
+/// What tells ranks to stop: mpirun hands it on at once, whereas it ends them itself at SIGINT and SIGTERM.
+inline constexpr int stops_ranks = SIGUSR1;
+
+/// Signals to stop also go to this process from now on, as they are or as the one given; 0: to none.
+void hand_signals_on(pid_t child, int as = 0);
 
 /// Makes this process end with its parent and outlive a closed pipe, as a case of a sweep should. `at_once`:
 /// by a signal that cannot be caught, from now on whoever calls this again; the parent waits for it unless

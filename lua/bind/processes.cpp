@@ -107,7 +107,7 @@ bool is_orphan() {
 /// left open is not handed on; call before any file is opened
 int follow(lua_State* lua) {
   if (ranks() != nullptr) { // who started them hears the first one, by another way
-    follow_parent();
+    follow_parent(true);
     push(lua, true);
     return 1;
   }

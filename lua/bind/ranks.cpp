@@ -25,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// s that mpirun waits before it hands a signal to stop on, and once more before it ends a rank that does
-/// not: twice this is less than `run` waits.
-constexpr int grace = 6;
-constexpr double patience = 60;           ///< s that one which fails, or the first, waits for the others
+/// s that mpirun waits, where a rank has died or it is told to end, before it tells the others, and once more
+/// before it kills them.
+constexpr int grace = 0;
+constexpr double patience = 10;           ///< s that one which fails, or the first, waits for the others
 constexpr char record_separator = '\x1e'; ///< before a line that is no text (RFC 7464)
 
 linear::Ranks const* joined = nullptr;
@@ -41,7 +41,8 @@ fs::path own_path() {
 
 fs::path component() {
   std::error_code missing;
-  for (fs::path const& path : {own_path().parent_path() / "stiction-ranks.so", fs::path(STICTION_RANKS_PATH)})
+  for (fs::path const& path :
+       {own_path().parent_path() / "../lib/stiction/stiction-ranks.so", fs::path(STICTION_RANKS_PATH)})
     if (!path.empty() && fs::exists(path, missing))
       return path;
   return {};
@@ -67,6 +68,9 @@ void write_line(std::string const& line) {
 } // namespace
 
 std::string why_no_ranks() {
+  if (component().empty() && *STICTION_RANKS_PATH != 0)
+    return "what they load is not here; install the package stiction-ranks, which is made together with "
+           "that of stiction";
   if (component().empty())
     return "this program was built without PETSc; install Debian's petsc-dev and build again: "
            "apt-get install petsc-dev && " STICTION_BUILD_AGAIN;
@@ -153,6 +157,7 @@ int leave_ranks(int code) {
   if (!first)
     write_line(last_words);
   joined->abort(failed ? code : 1);
+  std::abort(); // GCC does not know that a virtual function does not return
 }
 
 namespace {

@@ -106,7 +106,7 @@ local words_of_signal = {
   [9] = "by signal 9 (killed), as the system ends a process when memory runs out: a coarser mesh or fewer cases at a time "
     .. "(--jobs) take less",
 }
-local signals_to_stop = { [2] = true, [15] = true }
+local signals_to_stop = { [2] = true, [10] = true, [15] = true } -- SIGINT, SIGUSR1 (of ranks), SIGTERM
 
 local function outcome(job, code)
   local signal = code > 128 and code - 128

@@ -63,6 +63,17 @@ holds() { # WHAT COMMAND...
   "$@" || complain "$what"
 }
 
+numbers_of_block() { # folder: results of both cases of the study `block` with every digit
+  "$stiction" show "$1" --columns press,drag,strain,lost --csv - | sed 's/"//g'
+}
+near() { # FILE FILE TOLERANCE: columns that are numbers differ by no more, of the larger
+  awk -F, -v most="$3" 'NR == FNR { for (i = 1; i <= NF; ++i) a[FNR, i] = $i; next }
+    { for (i = 1; i <= NF; ++i) if ($i + 0 == $i && FNR > 1) {
+        d = $i - a[FNR, i]; b = $i; if (d < 0) d = -d; if (b < 0) b = -b; ++seen
+        if (d > most * b) { print FNR, i, $i, a[FNR, i]; bad = 1 } } }
+    END { exit bad || seen < 8 }' "$1" "$2"
+}
+
 finish() {
   [ "$failures" = 0 ] && echo "all held"
   exit "$failures"

@@ -1,6 +1,7 @@
 #!/bin/sh
-# A job array of Slurm's: 40 cases end whole although workers are killed. Debian's slurm-wlm, started here on loopback and
-# stopped again; exit code 77, with the reason, where it is not installed or does not start.
+# A job array of Slurm's: 40 cases end whole although workers are killed; a worker whose cases have two ranks, where this
+# build has them. Debian's slurm-wlm, started here on loopback and stopped again; exit code 77, with the reason, where it is
+# not installed or does not start.
 . "$(dirname "$0")/common.sh"
 
 skip() {
@@ -128,4 +129,23 @@ holds "the same summary: $(diff one other)" cmp -s one other
 holds "claims are left: $(ls -A shared/.claims)" [ -z "$(ls -A shared/.claims)" ]
 expect 0 "nothing to submit" "$stiction" run drag "$@" --out shared --on slurm
 expect 0 "40 of 40 cases done, 0 failed, 0 running, 0 waiting" "$stiction" status drag --set steps=$steps --out shared
+
+# two tasks share each case
+cp -r "$here/block" .
+"$stiction" run block --ranks 2 --no-figures --case lawlinear --out probe >output 2>&1
+if grep -q "built without PETSc" output; then
+  echo "without ranks: petsc-dev is not installed, or was not when this was built"
+  finish
+fi
+expect 0 ": 1 worker for 2 cases" "$stiction" run block --ranks 2 --no-figures --out tasks --on slurm --workers 1
+job=$(sed -n 's/^job \([0-9]*\):.*/\1/p' output)
+scontrol show job "$job" >job
+await '[ "$(results tasks)" = 2 ]' || complain "two ranks do not end: $(cat tasks/slurm/*.log)"
+await '! squeue -h -j $job 2>/dev/null | grep -q .' 60
+holds "two tasks: $(cat job)" grep -q "NumTasks=2" job
+holds "the manifest tells of ranks" grep -q '"ranks": 2' tasks/lawfinite/manifest.json
+expect 0 "finished" "$stiction" run block --no-figures --set bulk=multigrid --out whole
+numbers_of_block whole >whole.csv
+numbers_of_block tasks >tasks.csv
+holds "ranks in tasks: $(near whole.csv tasks.csv 1e-8)" near whole.csv tasks.csv 1e-8
 finish

@@ -13,6 +13,7 @@
 #include "dynamics/step/visit.hpp"
 #include "linear/recycling.hpp"
 #include "scene/explain/preview.hpp"
+#include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
 #include "scene/run/checkpoint.hpp"
 #include "scene/run/patience.hpp"
@@ -35,9 +36,9 @@ public:
   /// Goes on from the checkpoint where the story is under way. Throws
   /// record::Unfit if it cannot.
   Run(Scene const& scene, RunOptions const& options, Checkpoint& checkpoint, Story const& story)
-      : scene_(&scene), options_(&options), checkpoint_(&checkpoint), story_(&story), stepper_(*scene.model),
-        patience_(scene.part.schedule, *scene.model, stepper_), state_(stepper_.initial()), remarks_(scene),
-        meshes_(scene, state_) {
+      : scene_(&scene), options_(&options), checkpoint_(&checkpoint), story_(&story), ranks_(options.ranks),
+        stepper_(*scene.model), patience_(scene.part.schedule, *scene.model, stepper_),
+        state_(stepper_.initial()), remarks_(scene), meshes_(scene, state_) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
@@ -70,7 +71,7 @@ public:
         break;
       meshes_.examine(state_);
     }
-    note_ranks();
+    ranks_.note_use();
     Timed const timed(*this);
     recorder_->close();
     return finish();
@@ -102,31 +103,13 @@ public:
                       {"contact", cost.contact},
                       {"solve", cost.solve},
                       {"output", output_}};
-    double cells = 0;
-    for (auto const& body : scene_->model->cells)
-      cells += static_cast<double>(body.count());
-    result_.counters = {
-        {"force_passes", static_cast<double>(cost.force_passes)},
-        {"stiffness_passes", static_cast<double>(cost.stiffness_passes)},
-        {"shifted_factorizations", static_cast<double>(cost.shifted_factorizations)},
-        {"solves", static_cast<double>(cost.solves)},
-        {"compliance_columns", static_cast<double>(cost.compliance_columns)},
-        {"contact_unknowns", static_cast<double>(stepper_.bulk().factor().surface())},
-        {"surface_bytes", 8 * stepper_.bulk().factor().surface_numbers()},
-        {"contact_iterations", static_cast<double>(cost.contact_iterations)},
-        {"contact_problems", static_cast<double>(cost.contact_problems)},
-        {"cells", cells},
-        {"cells_evaluated", cells * static_cast<double>(cost.force_passes + cost.stiffness_passes)},
-        {"cells_per_second",
-         cells * static_cast<double>(cost.force_passes + cost.stiffness_passes) / cost.assembly},
-        {"heap_blocks_of_factor_after_first_step",
-         blocks_ ? static_cast<double>(linear::blocks_from_system() - *blocks_) : 0},
-        {"work", operations(*scene_->model, stepper_)},
-        {"cpu_seconds", cpu_before_ + (ranks_cpu_ > 0 ? ranks_cpu_ : cpu_seconds())},
-        {"unknowns", static_cast<double>(stepper_.bulk().unknowns())},
-        {"peak_memory", ranks_memory_ > 0 ? ranks_memory_ : peak_memory()}};
-    if (options_->ranks != nullptr)
-      result_.counters["ranks"] = options_->ranks->count();
+    result_.counters = counters_of(*scene_->model, stepper_);
+    result_.counters["heap_blocks_of_factor_after_first_step"] =
+        blocks_ ? static_cast<double>(linear::blocks_from_system() - *blocks_) : 0;
+    result_.counters["cpu_seconds"] = cpu_before_ + ranks_.cpu_seconds();
+    result_.counters["peak_memory"] = ranks_.peak_memory();
+    if (ranks_.several())
+      result_.counters["ranks"] = ranks_.count();
     result_.counters.insert(recorder_->changes().begin(), recorder_->changes().end());
     return result_;
   }
@@ -136,26 +119,15 @@ private:
   void begin_files(RecordMark const* from) {
     std::string unfit;
     try {
-      if (options_->ranks != nullptr && options_->ranks->rank() > 0)
-        recorder_.emplace(*scene_, from);
-      else
+      if (ranks_.writes())
         recorder_.emplace(*scene_, options_->out, from);
+      else
+        recorder_.emplace(*scene_, from);
     } catch (record::Unfit const& why) {
       unfit = why.what();
     }
-    if (any_rank(!unfit.empty()) > 0)
+    if (ranks_.any(!unfit.empty()))
       throw record::Unfit(unfit);
-  }
-  /// The largest of what the ranks say, or of one process its own.
-  [[nodiscard]] double any_rank(double said) const {
-    return options_->ranks != nullptr ? options_->ranks->largest(said) : said;
-  }
-  /// What all ranks have taken from their machines.
-  void note_ranks() {
-    if (options_->ranks == nullptr)
-      return;
-    ranks_cpu_ = options_->ranks->sum(cpu_seconds());
-    ranks_memory_ = options_->ranks->sum(peak_memory());
   }
 
   /// Where in the schedule: stage, nominal step of it, parts of that done.
@@ -331,7 +303,7 @@ private:
                        (options_->stop_after > 0 && ++asked_ >= options_->stop_after);
     bool const late = !patience_.late(seconds()).empty();
     constexpr double when_asked = 2, when_late = 1;
-    double const why = any_rank(asked ? when_asked : late ? when_late : 0); // clocks and signals differ
+    double const why = ranks_.largest(asked ? when_asked : late ? when_late : 0); // clocks and signals differ
     if (why == 0)
       return "";
     return why == when_asked ? on_request : patience_.late(std::numeric_limits<double>::infinity());
@@ -354,7 +326,7 @@ private:
     settled_ = stepper_.cost();
     if (checkpoint_->wanted())
       standing_ = standing();
-    if (any_rank(checkpoint_->due() ? 1 : 0) > 0)
+    if (ranks_.any(checkpoint_->due()))
       keep();
     return !stopped();
   }
@@ -373,7 +345,7 @@ private:
     if (!checkpoint_->wanted())
       return false;
     Timed const timed(*this);
-    if (options_->ranks != nullptr && options_->ranks->rank() > 0)
+    if (!ranks_.writes())
       return checkpoint_->pass_over();
     auto mark = recorder_->mark();
     auto story = *story_;
@@ -472,6 +444,7 @@ private:
   RunOptions const* options_;
   Checkpoint* checkpoint_;
   Story const* story_;
+  AllRanks ranks_;
   dynamics::Stepper stepper_;
   std::optional<dynamics::Pace> pace_; ///< none: equal steps
   std::optional<Recorder> recorder_;
@@ -490,8 +463,7 @@ private:
   double output_ = 0;
   int halved_ = 0, successes_ = 0;
   long attempts_ = 0;
-  contact::Methods answered_before_{};      ///< the last attempt
-  double ranks_cpu_ = 0, ranks_memory_ = 0; ///< of all, s and bytes; 0: of this process alone
+  contact::Methods answered_before_{}; ///< the last attempt
   std::optional<std::size_t>
       blocks_; ///< that SuiteSparse had taken from the system after this process's first step
 };

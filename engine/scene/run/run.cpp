@@ -60,10 +60,6 @@ void tell_of_meshes(MeshControl const& control, Story& story, RunResult& result,
   std::ranges::copy(control.doubts(), std::back_inserter(result.remarks));
 }
 
-bool any_differ(linear::Ranks const* ranks, double mine) {
-  return ranks != nullptr && ranks->largest(mine) != -ranks->largest(-mine);
-}
-
 nlohmann::json manifest_of(core::Input const& asked, Scene const& scene, RunOptions const& options,
                            Story const& story, std::vector<Warning> const& warnings) {
   auto manifest = manifest_of(asked, scene, options);
@@ -86,7 +82,8 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   core::use_threads(options.threads);
   Checkpoint checkpoint(options.keeping);
   auto story = checkpoint.open();
-  if (bool const there = story.under_way; any_differ(options.ranks, there ? story.pass : 0)) {
+  AllRanks const ranks(options.ranks);
+  if (bool const there = story.under_way; !ranks.same(there ? story.pass : 0)) {
     if (there)
       checkpoint.refuse("is not there for all ranks: they share no file system");
     story = Story::anew();
@@ -94,14 +91,13 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   for (;;) {
     auto const asked = with_sizes(input, story.sizes);
     auto const scene = build(asked, options.ranks);
-    bool const writes = options.ranks == nullptr || options.ranks->rank() == 0;
-    if (writes)
+    if (ranks.writes())
       record::prepare_output(options.out);
     std::optional<Run> running;
     if (!take_up(running, scene, options, checkpoint, story))
       continue;
     auto manifest = manifest_of(asked, scene, options, story, running->warnings());
-    if (writes)
+    if (ranks.writes())
       record::write_manifest(options.out / "manifest.json", manifest);
     auto result = run_once(*running, checkpoint);
     if (options.alone && result.verdict == "finished")
@@ -117,12 +113,12 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     if (!result.remarks.empty())
       manifest["remarks"] = result.remarks;
     manifest["ended"] = record::utc_now();
-    if (writes && result.verdict != "output failed")
+    if (ranks.writes() && result.verdict != "output failed")
       record::write_manifest(options.out / "manifest.json", manifest);
     if (last)
       return result;
     story.begin_pass(control.sizes());
-    if (writes)
+    if (ranks.writes())
       checkpoint.keep(story);
   }
 }

@@ -82,7 +82,7 @@ quota) a worker ends without failing the case.
 --on slurm validates the cases, writes <out>/slurm/worker.sh, submits it once with sbatch (--requeue, --signal=B:TERM@60: SIGTERM
 a minute before the time limit), prints the job's id and returns. --workers: default 16, never more than cases; sites
 limit arrays to about a thousand tasks. --sbatch OPTION passes a further option on (--sbatch=--mem=4G
---sbatch=--account=x). --ranks N asks for N tasks each, which share a case (not tried under Slurm). The same command submits
+--sbatch=--account=x). --ranks N asks for N tasks each, which share a case. The same command submits
 further workers, if time limits ended them before the sweep.
 Exit codes: 0 submitted, or nothing to do; 2 bad input, no sbatch, or its refusal, in its own words.]]
 
