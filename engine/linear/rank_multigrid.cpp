@@ -42,12 +42,52 @@ void RankMultigrid::look_beyond() {
       beyond_.push_back(j);
   std::ranges::sort(beyond_);
   beyond_.erase(std::unique(beyond_.begin(), beyond_.end()), beyond_.end());
+  auto const place = [&](Index j) {
+    return static_cast<Index>(std::ranges::lower_bound(beyond_, j) - beyond_.begin());
+  };
+  Index const n = A_.rows();
   local_.clear();
+  local_.reserve(A_.column.size());
   for (Index const j : A_.column)
-    local_.push_back(own(j) ? j - begin_
-                            : end_ - begin_ +
-                                  static_cast<Index>(std::ranges::lower_bound(beyond_, j) - beyond_.begin()));
+    local_.push_back(own(j) ? j - begin_ : n + place(j));
+  own_block_.resize(ix(n));
+  for (Index i = 0; i < n; ++i)
+    own_block_[ix(i)] = A_.find(i, begin_ + i);
   border_ = ranks_->border({first_, beyond_});
+}
+
+/// What couples own nodes, and what couples these with nodes beyond.
+void RankMultigrid::take_own() {
+  Index const n = A_.rows();
+  BlockMatrix<3, 3> inner;
+  inner.columns = n;
+  inner.column.reserve(A_.column.size());
+  inner.values.reserve(A_.values.size());
+  bordering_.clear();
+  share_.clear();
+  toward_ = {};
+  toward_.columns = static_cast<Index>(beyond_.size());
+  for (Index i = 0; i < n; ++i) {
+    Matrix3 share = Matrix3::Zero();
+    auto const before = toward_.column.size();
+    for (Index k = A_.starts[ix(i)]; k < A_.starts[ix(i) + 1]; ++k) {
+      Index const j = local_[ix(k)];
+      auto& part = j < n ? inner : toward_;
+      part.column.push_back(j < n ? j : j - n);
+      part.values.insert(part.values.end(), A_.block(k).data(), A_.block(k).data() + 9);
+      if (j >= n) // what makes sweeps within ranks converge (Baker, Falgout, Kolev & Yang 2011)
+        share.diagonal() += Matrix3(A_.block(k)).cwiseAbs().rowwise().sum();
+    }
+    inner.end_row();
+    if (toward_.column.size() == before)
+      continue;
+    toward_.end_row();
+    bordering_.push_back(i);
+    share_.push_back(share);
+  }
+  within_.take(inner, Waves::one_by_one(n));
+  free_.waves = Waves::one_by_one(n);
+  free_.take_matrix(inner);
 }
 
 void RankMultigrid::set_up(BlockMatrix<3, 3> A, Dense const& modes) {
@@ -55,27 +95,22 @@ void RankMultigrid::set_up(BlockMatrix<3, 3> A, Dense const& modes) {
   A_ = std::move(A);
   if (!same)
     look_beyond();
-  Index const n = A_.rows();
-  own_block_.resize(ix(n));
-  share_beyond_.assign(ix(n), Matrix3::Zero());
-  for (Index i = 0; i < n; ++i) {
-    own_block_[ix(i)] = A_.find(i, begin_ + i);
-    // what makes sweeps within ranks converge (Baker, Falgout, Kolev & Yang 2011)
-    for (Index k = A_.starts[ix(i)]; k < A_.starts[ix(i) + 1]; ++k)
-      if (local_[ix(k)] >= n)
-        share_beyond_[ix(i)].diagonal() += Matrix3(A_.block(k)).cwiseAbs().rowwise().sum();
-  }
+  take_own();
   held_.clear();
-  held_own_.assign(ix(n), Matrix3::Zero());
-  invert(held_own_, inverse_);
-  held_inverse_ = inverse_;
+  held_own_.assign(ix(A_.rows()), Matrix3::Zero());
+  invert(free_);
+  hold_ = free_;
   coarse_->set_up(A_, modes);
 }
 
-void RankMultigrid::invert(std::vector<Matrix3> const& stiffness, std::vector<Matrix3>& inverse) const {
-  inverse.resize(stiffness.size());
-  for (Index i = 0; i < A_.rows(); ++i)
-    inverse[ix(i)] = inverse_of(diagonal(i) + stiffness[ix(i)] + share_beyond_[ix(i)]);
+void RankMultigrid::invert(SingleLevel<3>& level) const {
+  std::size_t border = 0;
+  for (Index i = 0; i < A_.rows(); ++i) {
+    Matrix3 block = diagonal(i) + held_own_[ix(i)];
+    if (border < bordering_.size() && bordering_[border] == i)
+      block += share_[border++];
+    level.set_inverse(i, inverse_of(block));
+  }
 }
 
 /// turns_: how much of a coarse motion each held node follows.
@@ -135,47 +170,50 @@ void RankMultigrid::hold(std::vector<HeldNode> held) {
   for (auto const& one : held_)
     if (own(one.node))
       held_own_[ix(one.node - begin_)] = one.stiffness;
-  invert(held_own_, held_inverse_);
+  invert(hold_);
   gather_diagonals(held_);
   coarse_->change(change_of(held_));
 }
 
+/// y -= what nodes beyond, as they were last exchanged, do to own ones.
+void RankMultigrid::subtract_beyond(Vector& y) const {
+  for (std::size_t b = 0; b < bordering_.size(); ++b)
+    for (Index k = toward_.starts[b]; k < toward_.starts[b + 1]; ++k)
+      y.segment<3>(3 * bordering_[b]).noalias() -=
+          toward_.block(k) * at_beyond_.segment<3>(3 * toward_.column[ix(k)]);
+}
+
 void RankMultigrid::product(Vector const& x, Vector& y) {
   border_->exchange(x, at_beyond_);
-  Index const n = A_.rows();
-  y.resize(3 * n);
-  for (Index i = 0; i < n; ++i) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (Index k = A_.starts[ix(i)]; k < A_.starts[ix(i) + 1]; ++k)
-      if (Index const j = local_[ix(k)]; j < n)
-        sum.noalias() += A_.block(k) * x.segment<3>(3 * j);
-      else
-        sum.noalias() += A_.block(k) * at_beyond_.segment<3>(3 * (j - n));
-    y.segment<3>(3 * i) = sum;
-  }
+  at_beyond_ = -at_beyond_;
+  within_(x, y);
+  subtract_beyond(y);
 }
 
 void RankMultigrid::cycle(Vector const& r, bool held, Vector& z) {
-  Index const n = A_.rows();
-  auto const& inverse = held ? held_inverse_ : inverse_;
-  z.resize(r.size());
-  for (Index i = 0; i < n; ++i) { // forwards from nothing
-    Eigen::Vector3d left = r.segment<3>(3 * i);
-    for (Index k = A_.starts[ix(i)]; k < own_block_[ix(i)]; ++k)
-      if (Index const j = local_[ix(k)]; j < i)
-        left.noalias() -= A_.block(k) * z.segment<3>(3 * j);
-    z.segment<3>(3 * i) = inverse[ix(i)] * left;
-  }
-  product(z, rest_);
-  rest_ = r - rest_;
-  if (held)
-    for (Index i = 0; i < n; ++i)
-      rest_.segment<3>(3 * i) -= held_own_[ix(i)] * z.segment<3>(3 * i);
+  auto& level = held ? hold_ : free_;
+  double const most = r.lpNorm<Eigen::Infinity>(), size = most > 0 ? most : 1; // as Multigrid has it
+  auto const take_motion = [&] {
+    z.resize(r.size());
+    by_node<3>(z) = size * unpadded<3>(level.z).cast<double>();
+  };
+  auto const look_beyond_from = [&](Vector& load) {
+    border_->exchange(z, at_beyond_);
+    subtract_beyond(load);
+    for (std::size_t b = 0; b < bordering_.size(); ++b)
+      load.segment<3>(3 * bordering_[b]) += share_[b] * z.segment<3>(3 * bordering_[b]);
+  };
   auto const each_turn = [&](auto&& turn) {
     for (std::size_t h = 0; held && h < held_.size(); ++h)
       if (own(held_[h].node))
         turn(3 * (held_[h].node - begin_), turns_[h]);
   };
+  unpadded<3>(level.r) = (1 / size * by_node<3>(r)).cast<float>();
+  level.forwards();
+  take_motion();
+  rest_.resize(r.size());
+  by_node<3>(rest_) = size * unpadded<3>(level.rest).cast<double>();
+  look_beyond_from(rest_);
   each_turn([&](Index at, Matrix3 const& S) {
     rest_.segment<3>(at) = (S.transpose() * rest_.segment<3>(at)).eval();
   });
@@ -183,18 +221,12 @@ void RankMultigrid::cycle(Vector const& r, bool held, Vector& z) {
   each_turn(
       [&](Index at, Matrix3 const& S) { lifted_.segment<3>(at) = (S * lifted_.segment<3>(at)).eval(); });
   z += lifted_;
-  border_->exchange(z, at_beyond_);
-  for (Index i = n - 1; i >= 0; --i) { // backwards
-    Eigen::Vector3d left = r.segment<3>(3 * i);
-    for (Index k = A_.starts[ix(i)]; k < A_.starts[ix(i) + 1]; ++k)
-      if (Index const j = local_[ix(k)]; j < n)
-        left.noalias() -= A_.block(k) * z.segment<3>(3 * j);
-      else
-        left.noalias() -= A_.block(k) * at_beyond_.segment<3>(3 * (j - n));
-    if (held)
-      left.noalias() -= held_own_[ix(i)] * z.segment<3>(3 * i);
-    z.segment<3>(3 * i) += inverse[ix(i)] * left;
-  }
+  load_ = r;
+  look_beyond_from(load_);
+  unpadded<3>(level.r) = (1 / size * by_node<3>(load_)).cast<float>();
+  unpadded<3>(level.z) = (1 / size * by_node<3>(z)).cast<float>();
+  level.backwards();
+  take_motion();
 }
 
 } // namespace stiction::linear

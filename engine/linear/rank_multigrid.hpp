@@ -2,6 +2,8 @@
 #pragma once
 #include "linear/multigrid.hpp"
 #include "linear/ranks.hpp"
+#include "linear/single_level.hpp"
+#include "linear/symmetric_product.hpp"
 
 namespace stiction::linear {
 
@@ -24,7 +26,9 @@ public:
 private:
   [[nodiscard]] bool own(Index node) const { return node >= begin_ && node < end_; }
   void look_beyond();
-  void invert(std::vector<Matrix3> const& stiffness, std::vector<Matrix3>& inverse) const;
+  void take_own();
+  void invert(SingleLevel<3>& level) const;
+  void subtract_beyond(Vector& y) const;
   void gather_diagonals(std::vector<HeldNode> const& held);
   [[nodiscard]] BlockMatrix<3, 3> change_of(std::vector<HeldNode> const& held) const;
 
@@ -35,14 +39,17 @@ private:
   Indices local_;       ///< [blocks] column among own nodes, or behind them among those beyond
   Indices own_block_;   ///< [own nodes], the diagonal ones
   Indices beyond_;
-  std::vector<Matrix3> share_beyond_; ///< [own nodes], of couplings with nodes beyond: added to the diagonal
-  std::vector<Matrix3> inverse_, held_inverse_;
+  Indices bordering_;          ///< own nodes that couple with nodes beyond
+  BlockMatrix<3, 3> toward_;   ///< [bordering_] those couplings, columns among beyond_
+  std::vector<Matrix3> share_; ///< [bordering_] of them, added to the diagonal in sweeps
+  SymmetricProduct within_;    ///< with what couples own nodes
+  SingleLevel<3> free_, hold_; ///< sweeps in own rows, without what points hold and with it
   std::vector<HeldNode> held_;
   std::vector<Matrix3> held_own_; ///< [own nodes] stiffness
   std::vector<Matrix3> turns_;    ///< [held_] (own + held)^-1 own
   std::unique_ptr<Ranks::Border> border_;
   std::unique_ptr<CoarseLevels> coarse_;
-  Vector at_beyond_, rest_, lifted_;
+  Vector at_beyond_, rest_, lifted_, load_;
 };
 
 } // namespace stiction::linear

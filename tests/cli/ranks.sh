@@ -37,15 +37,14 @@ holds "two runs of two ranks: $(diff of2.csv again.csv)" cmp -s of2.csv again.cs
 holds "fields of two runs" cmp -s of2/lawfinite/fields/000002.vtu again/lawfinite/fields/000002.vtu
 
 # stopped: by a signal that mpirun hands on at once; at others it ends all itself
-"$stiction" run block --no-figures --ranks 2 --case lawlinear --set steps=20000 --out long >long.txt 2>&1 </dev/null &
+"$stiction" run block --no-figures --ranks 2 --case lawlinear --set steps=20000 --checkpoint 0.5 --out long >long.txt 2>&1 </dev/null &
 run=$!
-await '[ -s long/lawlinear/series.h5 ]' || complain "it does not start: $(cat long.txt)"
-sleep 1
+await '[ -s long/lawlinear/checkpoint ]' || complain "it keeps no checkpoint: $(cat long.txt)"
 kill -TERM $run
 wait $run
 code=$?
 holds "stopped with $code: $(cat long.txt)" [ "$code" = 1 ]
-holds "a checkpoint is kept" [ -s long/lawlinear/checkpoint ]
+holds "a checkpoint is kept: $(cat long.txt)" grep -q "the next run of the case goes on from there" long.txt
 holds "no rank is left" [ -z "$(pgrep -f "^$stiction case .*long .*--member")" ]
 
 # taken up; then one rank dies: one message, and nothing is left of the others
