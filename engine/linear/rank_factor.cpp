@@ -289,14 +289,15 @@ void RankFactor::hold_points(PointLaws const& laws, Dense const& inverse) {
   Index row = 0;
   for (auto const& own : by_point(rows_, C)) {
     SmallBlock const S = holding(rows_.weight * (inverse.middleRows(row, C) * laws.B.middleRows(row, C)));
-    HeldNode node{own.empty() ? 0 : surface_place(own.front().column) / 3, Matrix3::Zero()};
+    row += C;
+    if (own.empty())
+      continue;
+    HeldNode node{surface_place(own.front().column) / 3, Matrix3::Zero()};
     for (auto const& g : own)
       for (auto const& h : own)
         node.stiffness(surface_place(g.column) % 3, surface_place(h.column) % 3) +=
             g.value * h.value * S(g.row % C, h.row % C);
-    if (!node.stiffness.isZero(0))
-      points.push_back(node);
-    row += C;
+    points.push_back(node); // if nothing is held there, too: whatever changes has one shape then
   }
   std::ranges::stable_sort(points, {}, &HeldNode::node);
   for (auto const& point : points)

@@ -123,7 +123,8 @@ void RankMultigrid::gather_diagonals(std::vector<HeldNode> const& held) {
   turns_.clear();
   for (std::size_t h = 0; h < held.size(); ++h) {
     Matrix3 const own = Eigen::Map<Matrix3 const>(&blocks[9 * h]);
-    turns_.push_back(inverse_of(own + held[h].stiffness) * own);
+    turns_.push_back(held[h].stiffness.isZero(0) ? Matrix3(Matrix3::Identity())
+                                                 : Matrix3(inverse_of(own + held[h].stiffness) * own));
   }
 }
 

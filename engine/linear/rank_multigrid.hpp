@@ -13,7 +13,8 @@ public:
   RankMultigrid(Ranks const& ranks, Indices first);
   /// A: own rows, columns numbered by node; modes as CoarseLevels wants them.
   void set_up(BlockMatrix<3, 3> A, Dense const& modes);
-  /// Holds these nodes of all ranks and no others, in ascending order.
+  /// Holds these nodes of all ranks and no others, in ascending order; sooner if they are those of before,
+  /// with other stiffnesses, of which some may be 0.
   void hold(std::vector<HeldNode> held);
   /// y = A x
   void product(Vector const& x, Vector& y);

@@ -14,7 +14,8 @@ constexpr PetscReal moved = 1e-12; ///< of the largest diagonal entry
 } // namespace
 
 GamgLevels::GamgLevels(MPI_Comm ranks, int rank, Indices const& first)
-    : ranks_(ranks), own_(3 * (first[ix(rank + 1)] - first[ix(rank)])), all_(3 * first.back()) {
+    : ranks_(ranks), own_(3 * (first[ix(rank + 1)] - first[ix(rank)])), all_(3 * first.back()),
+      begin_(first[ix(rank)]) {
   check(VecCreateMPIWithArray(ranks_, 1, own_, all_, nullptr, r_.fresh()));
   check(VecCreateMPIWithArray(ranks_, 1, own_, all_, nullptr, z_.fresh()));
 }
@@ -73,6 +74,7 @@ void GamgLevels::take_levels(PC gamg) {
   P_.clear();
   free_ = Hierarchy();
   changed_ = Hierarchy();
+  change_ = Change();
   PetscInt levels = 0;
   check(PCMGGetLevels(gamg, &levels));
   for (PetscInt l = 1; l < levels; ++l) {
@@ -155,22 +157,46 @@ void GamgLevels::make_cycle(Hierarchy& levels) const {
   check(PCSetUp(levels.cycle));
 }
 
+/// Whether all ranks have the blocks of the last change.
+bool GamgLevels::fits(BlockMatrix<3, 3> const& change) const {
+  int all = !change_.at.empty() && change.starts == change_.starts && change.column == change_.column ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, ranks_);
+  return all != 0;
+}
+
+/// Values where there are some already.
+void GamgLevels::put(BlockMatrix<3, 3> const& values, Mat into) const {
+  check(MatSetOption(into, MAT_ROW_ORIENTED, PETSC_FALSE));
+  for (Index i = 0; i < values.rows(); ++i)
+    for (Index k = values.starts[ix(i)]; k < values.starts[ix(i) + 1]; ++k) {
+      PetscInt const row = begin_ + i, column = values.column[ix(k)];
+      check(MatSetValuesBlocked(into, 1, &row, 1, &column, values.block(k).data(), INSERT_VALUES));
+    }
+  check(MatAssemblyBegin(into, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(into, MAT_FINAL_ASSEMBLY));
+}
+
 void GamgLevels::change(BlockMatrix<3, 3> const& change) {
   if (P_.empty())
     return;
-  bool const first = changed_.A.empty();
+  bool const again = fits(change), first = changed_.A.empty();
+  if (again) {
+    put(change, change_.at.back());
+  } else {
+    change_ = {change.starts, change.column, std::vector<OwnedMat>(P_.size() + 1)};
+    change_.at.back() = matrix_of(change);
+  }
   if (first)
     changed_.A.resize(free_.A.size());
-  OwnedMat more = matrix_of(change);
   for (std::size_t l = P_.size(); l-- > 0;) {
-    OwnedMat coarse;
-    check(MatPtAP(more, P_[l], MAT_INITIAL_MATRIX, PETSC_DEFAULT, coarse.fresh()));
-    more = std::move(coarse);
+    Mat product = change_.at[l];
+    check(MatPtAP(change_.at[l + 1], P_[l], again ? MAT_REUSE_MATRIX : MAT_INITIAL_MATRIX, PETSC_DEFAULT,
+                  again ? &product : change_.at[l].fresh()));
     if (first)
       check(MatDuplicate(free_.A[l], MAT_COPY_VALUES, changed_.A[l].fresh()));
     else
       check(MatCopy(free_.A[l], changed_.A[l], SAME_NONZERO_PATTERN));
-    check(MatAXPY(changed_.A[l], 1, more, SUBSET_NONZERO_PATTERN));
+    check(MatAXPY(changed_.A[l], 1, change_.at[l], SUBSET_NONZERO_PATTERN));
   }
   make_cycle(changed_);
 }
