@@ -6,8 +6,6 @@
 #include <limits>
 #include <numeric>
 
-#include "linear/decompositions.hpp"
-
 namespace stiction::contact {
 
 namespace {

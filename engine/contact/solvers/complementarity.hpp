@@ -1,10 +1,9 @@
 // Linear complementarity: 0 <= z, 0 <= w = q + M z, z_i w_i = 0, by exchanging active sets and by pivoting.
 #pragma once
-#include <Eigen/Cholesky>
 #include <optional>
 #include <vector>
 
-#include "core/types.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 
