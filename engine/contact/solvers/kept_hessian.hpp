@@ -29,7 +29,10 @@ public:
 
   /// Is there an H?
   [[nodiscard]] bool made() const { return !kept_.empty(); }
-  void forget() { kept_.clear(); }
+  void forget() {
+    kept_.clear();
+    spent_ = 0;
+  }
 
   /// For symmetric K[n]; false, and as it was, where H is not positive definite. slight: change of a block
   /// over what its point resists with, below which it may stay as it is.

@@ -99,12 +99,15 @@ template<int D> struct Kept : MinimumMemory {
     hessian.forget();
     programme.reset();
     active.clear();
+    counted = false;
   }
   Dense W;
   Root root;
   KeptHessian<D> hessian;
   std::optional<ConvexComplementarity> programme; ///< of the pressures, with this hessian
   std::vector<bool> active;                       ///< points that the last answer holds closed
+  /// Is the root, as work? Once after each forget, so that no count tells that it was kept.
+  bool counted = false;
 };
 
 template<int D> class Minimum {
@@ -305,14 +308,13 @@ std::optional<Descended> minimise(Problem const& problem, Vector const& guess, l
   return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
     Dense const& W = problem.W.dense();
     auto const* kept = dynamic_cast<Kept<D> const*>(memory.get());
-    bool const anew = kept == nullptr || kept->W.rows() != W.rows() || kept->W != W;
-    if (anew)
+    if (kept == nullptr || kept->W.rows() != W.rows() || kept->W != W)
       memory = std::make_unique<Kept<D>>(W);
     auto& now = static_cast<Kept<D>&>(*memory);
     if (!now.root.sound)
       return std::nullopt;
     auto end = Minimum<D>(problem, now).run(guess, iterations);
-    if (end && anew)
+    if (end && !std::exchange(now.counted, true))
       end->work += static_cast<double>(W.rows()) / 6;
     return end;
   });

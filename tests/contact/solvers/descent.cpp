@@ -162,13 +162,13 @@ TEST_SUITE("contact") {
         CHECK(with->work < 0.6 * without->work);
       before = with->work;
     }
-    memory->forget(); // but for what W says
+    memory->forget(); // but for what W says, which no answer and no count may tell
     auto const anew = minimise(problem, Vector::Zero(2 * n), 1000, memory);
     none.reset();
     auto const first = minimise(problem, Vector::Zero(2 * n), 1000, none);
     REQUIRE((anew && first));
     CHECK(anew->force == first->force);
-    CHECK(anew->work < first->work);
+    CHECK(anew->work == first->work);
     CHECK(anew->work > before);
   }
 
