@@ -84,11 +84,11 @@ inline Shell cube(int n, bool triangles) {
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
           auto const at = [&](int u, int v) {
-            std::array<int, 3> at{};
-            at[axis] = end;
-            at[(axis + 1) % 3] = end > 0 ? u : v; // the normal points along the axis or against it
-            at[(axis + 2) % 3] = end > 0 ? v : u;
-            return node(at);
+            std::array<int, 3> corner{};
+            corner[axis] = end;
+            corner[(axis + 1) % 3] = end > 0 ? u : v; // the normal points along the axis or against it
+            corner[(axis + 2) % 3] = end > 0 ? v : u;
+            return node(corner);
           };
           shell.add({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, triangles, (i + j) % 2 == 0);
         }
