@@ -160,7 +160,8 @@ TEST_CASE("fields of a panel share one range of colours where that is asked for"
         count += own.at(x, y) != common.at(x, y) ? 1 : 0;
     return count;
   };
-  CHECK(differing(0, own.width() / 2 - 20) == 0); // the one with the largest and the smallest values
+  // The late one has the largest values; the least of the early one is a thousandth of its own least.
+  CHECK(differing(0, own.width() / 2 - 20) < 10);
   CHECK(differing(own.width() / 2 + 20, own.width()) > 10000);
 }
 
