@@ -13,8 +13,7 @@ namespace {
 /// Of the linear system's right-hand side, left by its solution: as long as points change their status, then;
 /// and of what is asked for in the end, if that comes within reach.
 constexpr double coarse_step = 3e-2, fine_step = 1e-3, last_step = 0.1;
-constexpr double status_settled =
-    1e-3; ///< residual over its scale, from which on no status is expected to change
+constexpr double status_settled = 1e-3; ///< residual over its scale, below which no status should change
 /// Residual over its scale that motions solved for to 1e-12 always allow; and how often it has to be met by
 /// forces that get no better.
 constexpr double attainable = 1e-9;
