@@ -87,6 +87,18 @@ Input multigrid(Input table) {
   return with(std::move(table), "control", make("control", {{"bulk", text("multigrid")}}));
 }
 
+/// Peeled off the floor by its end: it turns far before it strains.
+Input strip() {
+  auto table = foot_on_floor();
+  at(table, "bodies.foot") = block({{0, 0}, {5, 0.1}, {50, 2}}, rubber(1000));
+  at(table, "pairs.sole.adhesion") = rcc(0.1, 10, 1e-6);
+  at(table, "pairs.sole.adhesion.beta0") = value(1);
+  at(table, "pairs.sole.adhesion.bonding") = text("never");
+  at(table, "motions") = list({fix("foot.right"), drive("foot.left", {0, 1}, {}, {0, 1.5})});
+  at(table, "schedule") = schedule({{1, 60}});
+  return table;
+}
+
 /// Drawn across a half disc.
 Input plate_on_disc() {
   auto table = make("scene");
@@ -160,7 +172,7 @@ TEST_CASE("the operations of a run are told before it") {
         Known{"space, multigrid", multigrid(slab(linear_elastic(1000, 0.3)))},
         Known{"space, multigrid, finite strain, friction",
               multigrid(with(slab(rubber(1000), 8), "pairs.sole.friction", coulomb(0.3)))},
-        Known{"two bodies", plate_on_disc()}}) {
+        Known{"two bodies", plate_on_disc()}, Known{"strip, bonds", strip()}}) {
     CAPTURE(name);
     auto const said = scene::explain(table);
     auto const counted = run(table);
