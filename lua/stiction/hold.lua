@@ -33,7 +33,7 @@ end
 --- Bad input if the folder is that of another study which still is there.
 function hold.check_owner(folder, study)
   local owner = read_owner(folder).study
-  if output.is_of_another(folder, study.source.file) then
+  if output.is_another(owner, study.source.file) then
     fault.input("%s holds the output of another study, %s; choose another folder with --out, or remove that one",
       folder, owner)
   end

@@ -11,10 +11,8 @@ function output.study_file(folder)
   return folder .. "/study.json"
 end
 
---- True if the folder is that of another study which still is there; file: of the study that asks.
-function output.is_of_another(folder, file)
-  local kept = engine.decode_json(engine.read_file(output.study_file(folder)) or "")
-  local owner = type(kept) == "table" and kept.study
+--- True if the owner that a folder tells is another study which still is there; file: of the study that asks.
+function output.is_another(owner, file)
   return type(owner) == "string" and owner ~= file and engine.kind_of_path(owner) == "file"
 end
 
@@ -23,7 +21,8 @@ end
 function output.default_folder(name, file)
   local own = "out/" .. name
   local beside = own .. "-" .. engine.hash(file):sub(1, 8)
-  return (engine.kind_of_path(beside) or output.is_of_another(own, file)) and beside or own
+  local noted = output.read_file(output.study_file(own)) or {}
+  return (engine.kind_of_path(beside) or output.is_another(noted.study, file)) and beside or own
 end
 
 --- Default folder, or the one asked for.
