@@ -109,6 +109,10 @@ axis("units", "the same in other units", everything, units)
 
 axis("steps", "number of tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
 axis("steps", "number of tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
+axis("turn", "turn of the driven side [rad]", { "punch" }, {
+  { "1e-12", { turn = 1e-12 } }, { "0.1", { turn = 0.1, press = 2e-4 } }, { "3_rubber", { turn = 3, material = "neo_hookean" } },
+  { "100_in_a_step", { turn = 628, steps = 1 } },
+})
 axis("apart", "pulled apart, in lengths", { "law", "punch" }, {
   { "1", { pull = 1e-2 } }, { "1e3", { pull = 10 } }, { "1e9", { pull = 1e7 } },
   { "dry_1e9", { pull = 1e7, without = { "C" } } },

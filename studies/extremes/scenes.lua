@@ -66,6 +66,10 @@ local function path(q, u, t)
   for i, time in ipairs(t.times) do
     times[i] = time * q.pace
   end
+  if t.turn then -- after the first path point, about the middle of the block's top
+    return stiction.motion.turn { set = t.set, times = list(times, u.s), x = list(t.x, u.m), y = list(t.y, u.m),
+      angle = list({ 0, 0, t.turn, t.turn }, units.rad), centre = list({ 0, q.height }, u.m) }
+  end
   return stiction.motion.drive { set = t.set, times = list(times, u.s), x = t.x and list(t.x, u.m),
     y = t.y and list(t.y, u.m), z = t.z and list(t.z, u.m) }
 end
@@ -105,7 +109,7 @@ scenes.punch = {
       bodies = { block = body_of(q, u, block(u, { -q.size / 2, -q.sink }, { q.size, q.height }, q.cells)) },
       obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
       motions = { path(q, u, { set = "block.top", times = { 0, 1, 2, 3 }, x = { 0, 0, 0, 0 },
-        y = { 0, -q.press, -q.press, q.pull } }) },
+        y = { 0, -q.press, -q.press, q.pull }, turn = q.turn }) },
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2, 3 }),
       probes = { contact = stiction.probe.contact { pair = "touch" },
         line = stiction.probe.contact_line { pair = "touch" },

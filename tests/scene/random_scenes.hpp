@@ -93,6 +93,8 @@ public:
     if (dice_.one_in(4))
       at(scene.table, "solver") =
           make("solver.gauss_seidel", {{"iterations", value(300)}}); // of a second or less
+    if (kinematics_ != "axisymmetric" && dice_.one_in(4))
+      turn_top(scene);
     return scene;
   }
 
@@ -165,6 +167,17 @@ private:
     if (two_bodies_)
       all.push_back(make("motion.fix", {{"set", text("lower.bottom")}}));
     at(scene.table, "motions") = list(std::move(all));
+  }
+  /// The top tips besides, by up to a fiftieth.
+  void turn_top(RandomScene& scene) {
+    auto& motion = at(scene.table, "motions[1]");
+    motion.tag = "motion.turn";
+    double const angle = dice_.between(-0.02, 0.02);
+    at(motion, "angle") = values({0, 0, angle}, "rad");
+    at(motion, "centre") = values(std::vector<double>(static_cast<std::size_t>(dim_), 0.5), "m");
+    if (dim_ == 3)
+      at(motion, "axis") = values({dice_.between(-1, 1), 1, dice_.between(-1, 1)});
+    scene.words += ", tipped";
   }
 
   Dice dice_;

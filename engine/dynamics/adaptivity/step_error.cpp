@@ -69,15 +69,12 @@ History::History(BulkSystem const& bulk, Model const& model) : bulk_(&bulk), mod
   if (!weights(model.scheme).inertia)
     return;
   double farthest = 0;
-  auto reach = [&](Path const& path) {
-    for (double const value : path.values)
-      farthest = std::max(farthest, std::abs(value));
-  };
   for (auto const& motion : model.motions)
     if (motion.nodes.empty() || motion.nodes.front() < model.first_node.back())
-      reach(motion.path);
+      farthest = std::max(farthest, motion.farthest());
   for (auto const& rigid : model.rigids)
-    std::ranges::for_each(rigid.shift, reach);
+    for (auto const& path : rigid.shift)
+      farthest = std::max(farthest, path.farthest());
   Vector u = Vector::Zero(model.dofs());
   for (Index node = 0; node < model.first_node.back(); ++node)
     u[model.dim() * node] = farthest;

@@ -8,6 +8,7 @@
 
 #include "contact/mortar/mortar.hpp"
 #include "contact/solvers/solver.hpp"
+#include "dynamics/model/motion.hpp"
 #include "dynamics/model/share.hpp"
 #include "dynamics/scheme/path.hpp"
 #include "dynamics/scheme/scheme.hpp"
@@ -19,14 +20,6 @@ namespace stiction::dynamics {
 
 using contact::Vec2;
 using contact::Vec3;
-
-/// A displacement component of some nodes driven along a path.
-struct Motion {
-  Indices nodes; ///< model numbers
-  int component = 0;
-  Path path;            ///< m; rad for the turn of a rigid body
-  std::string set = {}; ///< for messages: what it moves
-};
 
 /// Dead nodal forces that follow a path.
 struct Load {

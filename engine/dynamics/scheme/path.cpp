@@ -1,6 +1,9 @@
 // Interpolation of a path.
 #include "dynamics/scheme/path.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stiction::dynamics {
 
 namespace {
@@ -30,6 +33,20 @@ double Path::rate_before(double t) const {
     return 0;
   std::size_t const k = line_before(times, t);
   return (values[k + 1] - values[k]) / (times[k + 1] - times[k]);
+}
+
+double Path::farthest() const {
+  double most = 0;
+  for (double const value : values)
+    most = std::max(most, std::abs(value));
+  return most;
+}
+
+double Path::fastest() const {
+  double most = 0;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    most = std::max(most, std::abs(values[k] - values[k - 1]) / (times[k] - times[k - 1]));
+  return most;
 }
 
 } // namespace stiction::dynamics

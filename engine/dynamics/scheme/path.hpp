@@ -12,6 +12,8 @@ struct Path {
   /// Rate just before t, so that a step ending on a knot sees its own line; 0 outside the knots.
   [[nodiscard]] double rate_before(double t) const;
   [[nodiscard]] bool constant() const { return times.size() == 1; }
+  [[nodiscard]] double farthest() const; ///< largest |value|
+  [[nodiscard]] double fastest() const;  ///< largest |rate|
 };
 
 } // namespace stiction::dynamics

@@ -136,7 +136,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
   lead_.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
-      lead_[dof] = motion->path.value(t1) - old.u[dof] - d_[dof];
+      lead_[dof] = motion->value(t1) - old.u[dof] - d_[dof];
   leads_ = !bulk_.linear_bodies() && !weights_.explicit_forces &&
            lead_.lpNorm<Eigen::Infinity>() > leap * bulk_.cell_size();
   if (!leads_)
@@ -154,7 +154,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
 void Stepper::arrive(State const& old, double t1) {
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
-      d_[dof] = motion->path.value(t1) - old.u[dof];
+      d_[dof] = motion->value(t1) - old.u[dof];
   leads_ = false;
 }
 
@@ -191,7 +191,7 @@ void Stepper::accelerate(State const& old, double dt) {
   gained_.resize(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof) {
     if (driver_[ix(dof)] != nullptr) {
-      rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->path.rate_before(t1) - old.v[dof];
+      rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->rate_before(t1) - old.v[dof];
       continue;
     }
     double const ahead = d_[dof] - dt * (kicked ? old.v[dof] - old.kick[dof] : old.v[dof]);

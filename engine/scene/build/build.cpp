@@ -1,8 +1,7 @@
-// Names to numbers: bodies, sets and motions of a scene.
+// Names to numbers: bodies and sets of a scene.
 #include "scene/build/build.hpp"
 
 #include <fmt/format.h>
-#include <set>
 
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "dynamics/step/stepper.hpp"
@@ -29,13 +28,6 @@ core::Input const* part_of(core::Input const& input, std::string const& key) {
 }
 
 } // namespace
-
-Vec3 vec(Numbers const& numbers) {
-  Vec3 v = Vec3::Zero();
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, numbers.size()); ++i)
-    v[static_cast<Eigen::Index>(i)] = numbers[i];
-  return v;
-}
 
 dynamics::Path path(Numbers const& times, Numbers const& values) {
   if (values.empty())
@@ -231,90 +223,6 @@ std::optional<Indices> Builder::resolve(Where const& where, std::string const& n
       known.push_back(obstacle);
   unknown_name(where, primary ? "obstacle or set" : "set", name, known);
   return {};
-}
-
-void Builder::add_motions() {
-  for (std::size_t k = 0; k < scene_.part.motions.size(); ++k)
-    add_motion(k);
-  check_driven_twice();
-}
-
-void Builder::add_motion(std::size_t k) {
-  Where const where{fmt::format("motions[{}]", k + 1), "set"};
-  auto add = [&](auto const& part, int component, dynamics::Path motion) {
-    auto nodes = resolve(where, part.set);
-    if (nodes && !part.near.empty())
-      *nodes = {scene_.nearest(*nodes, part.near)};
-    if (!nodes)
-      return;
-    auto& motions = scene_.model->motions;
-    origins_.resize(motions.size());
-    origins_.emplace_back(k + 1, part.set);
-    motions.push_back({*nodes, component, std::move(motion), part.set});
-  };
-  std::visit([&](auto const& part) { check_size({where[0], "near"}, part.near); }, scene_.part.motions[k]);
-  if (auto const* fix = std::get_if<FixPart>(&scene_.part.motions[k])) {
-    std::array<bool, 3> const held{fix->x, fix->y, fix->z};
-    for (int c = 0; c < scene_.part.dim(); ++c)
-      if (held[ix(c)])
-        add(*fix, c, {});
-    return;
-  }
-  auto const& drive = std::get<DrivePart>(scene_.part.motions[k]);
-  check_no_z({where[0], "z"}, drive.z);
-  int component = 0;
-  for (auto const* values : {&drive.x, &drive.y, &drive.z}) {
-    if (!values->empty() && component < scene_.part.dim())
-      add(drive, component, path(drive.times, *values));
-    ++component;
-  }
-  check_path_end(where, drive.times);
-}
-
-namespace {
-
-/// The first knot up to `end` at which two paths differ by more than rounding, s.
-std::optional<double> first_difference(dynamics::Path const& one, dynamics::Path const& other, double end) {
-  std::set<double> knots(one.times.begin(), one.times.end());
-  knots.insert(other.times.begin(), other.times.end());
-  knots.insert(end);
-  double largest = 0;
-  for (auto const* path : {&one, &other})
-    for (double const value : path->values)
-      largest = std::max(largest, std::abs(value));
-  for (double const t : knots)
-    if (t <= end && std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)
-      return t;
-  return {};
-}
-
-} // namespace
-
-/// Two motions may drive a node alike, as where a held and a driven set share a corner.
-void Builder::check_driven_twice() {
-  auto const& model = *scene_.model;
-  double const end = scene_.part.schedule.stages.back().until;
-  std::map<std::pair<Index, int>, std::size_t> owner;
-  for (std::size_t m = 0; m < model.motions.size(); ++m)
-    for (Index const node : model.motions[m].nodes) {
-      auto const [first, fresh] = owner.emplace(std::pair{node, model.motions[m].component}, m);
-      auto const& other = model.motions[first->second].path;
-      auto const& own = model.motions[m].path;
-      auto const differ = fresh ? std::nullopt : first_difference(other, own, end);
-      if (!differ)
-        continue;
-      auto const X = model.reference.row(node);
-      auto const& [earlier, earlier_set] = origins_[first->second];
-      auto const& [later, later_set] = origins_[m];
-      complain({fmt::format("motions[{}]", later)},
-               fmt::format("moves {0} in {1} other than motions[{2}] moves {3}, and both hold the node at "
-                           "({4:g}) m: at t = {5:g} s to {6:g} m and to {7:g} m; give both the same path, "
-                           "leave {1} out of one, or take the node out of one set",
-                           later_set, "xyz"[model.motions[m].component], earlier, earlier_set,
-                           fmt::join(X.data(), X.data() + X.size(), ", "), *differ, own.value(*differ),
-                           other.value(*differ)));
-      return;
-    }
 }
 
 std::optional<Indices> Scene::nodes_of(std::string const& name) const {

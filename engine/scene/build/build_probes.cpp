@@ -23,14 +23,16 @@ template<class Map> std::vector<std::string> names(Map const& map) {
 }
 } // namespace
 
-void Builder::check_momentum(Where const& where, Numbers const& about) {
+void Builder::check_about(Where const& where, Numbers const& about) {
   check_size(where, about);
   if (!about.empty() && scene_.part.kinematics == solid::Kinematics::axisymmetric)
-    complain(where, "an axisymmetric scene has no angular momentum; leave it out");
+    complain(where, "an axisymmetric scene has no moments nor angular momentum; leave it out");
+}
+
+void Builder::check_momentum(Where const& where) {
   if (!dynamics::weights(scene_.part.scheme).inertia)
-    complain({where[0], where[1]},
-             "a quasi-static scheme has no momentum; choose another scheme or leave the "
-             "probe out");
+    complain(where, "a quasi-static scheme has no momentum; choose another scheme or leave the "
+                    "probe out");
 }
 
 template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
@@ -52,7 +54,9 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
   if constexpr (requires { part.near; })
     check_size({"probes", name, "near"}, part.near);
   if constexpr (requires { part.about; })
-    check_momentum({"probes", name, "about"}, part.about);
+    check_about({"probes", name, "about"}, part.about);
+  if constexpr (std::is_same_v<Part, MomentumProbe>)
+    check_momentum({"probes", name});
 }
 
 } // namespace stiction::scene

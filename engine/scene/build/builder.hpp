@@ -6,11 +6,8 @@
 
 namespace stiction::scene {
 
-using contact::Vec3;
 using Where = std::vector<std::string>; ///< keys from the scene's table down, "name" or "name[k]"
 
-/// The numbers of a list as a vector in space; missing ones are 0.
-[[nodiscard]] Vec3 vec(Numbers const& numbers);
 /// An empty path where no values are given.
 [[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
 
@@ -34,8 +31,14 @@ private:
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);
   void check_radius(std::string const& name, mesh::Mesh const& mesh);
+
+  // build_motions.cpp
   void add_motions();
-  void add_motion(std::size_t k);
+  void add_motion(Where const& where, FixPart const& part);
+  void add_motion(Where const& where, DrivePart const& part);
+  void add_motion(Where const& where, TurnPart const& part);
+  void check_turn(Where const& where, TurnPart const& part);
+  template<class Part> [[nodiscard]] Indices moved(Where const& where, Part const& part);
   void check_driven_twice();
 
   // build_loads.cpp
@@ -69,7 +72,8 @@ private:
   // build_probes.cpp
   void check_bulk();
   void check_probes();
-  void check_momentum(Where const& where, Numbers const& about);
+  void check_about(Where const& where, Numbers const& about);
+  void check_momentum(Where const& where);
   template<class Part> void check_probe(std::string const& name, Part const& part);
 
   core::Input const* input_;

@@ -2,8 +2,9 @@
 #include "scene/description/parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
+
+#include "scene/description/check_path.hpp"
 
 namespace stiction::scene {
 
@@ -12,23 +13,6 @@ using core::Need;
 using core::Reader;
 
 namespace {
-
-bool is_empty(Reader& reader, char const* key) {
-  auto const* list = reader.at(key, Need::optional).list();
-  return list != nullptr && list->empty();
-}
-
-/// Values along times: both lists of one length, times ascending.
-void check_path(Reader& reader, Numbers const& times, Numbers const& values, char const* key) {
-  if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")))
-    return; // times that could not be read have their own complaint
-  if (values.size() != times.size() || times.empty())
-    reader.complain_at(
-        key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] <= times[k - 1])
-      return reader.complain_at("times", fmt::format("must grow; entry {} does not", k + 1));
-}
 
 /// Every entry of a named table by `read`.
 template<class Part, class Read>
@@ -76,6 +60,13 @@ bool names_sets(Reader const& reader) {
 }
 
 } // namespace
+
+Vec3 vec(Numbers const& numbers) {
+  Vec3 v = Vec3::Zero();
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, numbers.size()); ++i)
+    v[static_cast<Eigen::Index>(i)] = numbers[i];
+  return v;
+}
 
 core::Schema const& BodyPart::schema() {
   static auto const made =
@@ -212,42 +203,6 @@ void PairPart::read_nested(Reader& reader) {
                                             reach, law.range()));
 }
 
-core::Schema const& DrivePart::schema() {
-  static auto const made =
-      Describe<DrivePart>{"drive", "displacements of a set, straight lines between given times", ""}
-          .text("set", &DrivePart::set, Need::required, "the nodes, \"body.set\"")
-          .numbers("near", &DrivePart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
-          .numbers("times", &DrivePart::times, "s", Need::required, "times of the path, ascending")
-          .numbers("x", &DrivePart::x, "m", Need::optional,
-                   "displacement in x at those times; without it x is free")
-          .numbers("y", &DrivePart::y, "m", Need::optional,
-                   "displacement in y at those times; without it y is free")
-          .numbers("z", &DrivePart::z, "m", Need::optional,
-                   "displacement in z at those times; without it z is free (3D)")
-          .build();
-  return made;
-}
-
-core::Schema const& FixPart::schema() {
-  static auto const made =
-      Describe<FixPart>{"fix", "a set held where it is", ""}
-          .text("set", &FixPart::set, Need::required, "the nodes, \"body.set\"")
-          .numbers("near", &FixPart::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
-          .flag("x", &FixPart::x, "hold x; where one of x, y, z is named true, those not named are free")
-          .flag("y", &FixPart::y, "hold y")
-          .flag("z", &FixPart::z, "hold z (3D)")
-          .build();
-  return made;
-}
-
-void FixPart::read_nested(Reader& reader) {
-  std::array const flags{std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}};
-  bool const picked =
-      std::ranges::any_of(flags, [&](auto const& flag) { return reader.has(flag.first) && *flag.second; });
-  for (auto const& [name, held] : flags)
-    *held = *held && (!picked || reader.has(name));
-}
-
 core::Schema const& TractionPart::schema() {
   static auto const made =
       Describe<TractionPart>{"traction", "dead traction per reference area of a surface", ""}
@@ -365,14 +320,8 @@ void ScenePart::read_nested(Reader& reader) {
   pairs = named<PairPart>(reader, "pairs", Need::optional, [](Reader r) { return r.record<PairPart>(); });
   probes =
       named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
-  for (auto& motion : reader.children("motions", Need::optional)) {
+  for (auto& motion : reader.children("motions", Need::optional))
     motions.push_back(motion.alternative<MotionPart>());
-    if (auto const* drive = std::get_if<DrivePart>(&motions.back())) {
-      check_path(motion, drive->times, drive->x, "x");
-      check_path(motion, drive->times, drive->y, "y");
-      check_path(motion, drive->times, drive->z, "z");
-    }
-  }
   for (auto& load : reader.children("loads", Need::optional)) {
     loads.push_back(load.alternative<LoadPart>());
     auto const& given = std::visit([](auto const& part) -> LoadPath const& { return part; }, loads.back());

@@ -16,7 +16,11 @@
 
 namespace stiction::scene {
 
+using contact::Vec3;
 using core::Numbers;
+
+/// The numbers of a list as a vector in space; missing ones are 0.
+[[nodiscard]] Vec3 vec(Numbers const& numbers);
 
 /// A body's mesh made anew until it is fine enough.
 struct RemeshPart {
@@ -72,6 +76,7 @@ struct DrivePart {
   Numbers near; ///< m; empty: all nodes of the set
   Numbers times, x, y, z;
   static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
 };
 /// A set held where it is.
 struct FixPart {
@@ -81,7 +86,18 @@ struct FixPart {
   void read_nested(core::Reader& reader); ///< where any is named true, those not named are free
   static core::Schema const& schema();
 };
-using MotionPart = std::variant<DrivePart, FixPart>;
+/// A set that turns as a rigid body about an axis, which may be carried along.
+struct TurnPart {
+  std::string set;
+  Numbers near;                  ///< m; empty: all nodes of the set
+  Numbers times, angle, x, y, z; ///< s, rad, m, m, m
+  Numbers centre, axis;          ///< m; 1
+  [[nodiscard]] Vec3 direction() const { return axis.empty() ? Vec3::UnitZ() : vec(axis).normalized(); }
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+using MotionPart = std::variant<DrivePart, FixPart, TurnPart>;
+[[nodiscard]] std::string const& set_of(MotionPart const& motion);
 
 /// Values of dead forces along times; a component without values is 0.
 struct LoadPath {
@@ -138,7 +154,8 @@ struct LineProbe {
 };
 struct ForceProbe {
   std::string set;
-  Numbers near; ///< m; empty: all nodes of the set
+  Numbers near;  ///< m; empty: all nodes of the set
+  Numbers about; ///< m; empty: the origin
   static core::Schema const& schema();
 };
 struct NodeProbe {

@@ -37,9 +37,14 @@ core::Schema const& LineProbe::schema() {
 core::Schema const& ForceProbe::schema() {
   static auto const made =
       Describe<ForceProbe>{
-          "force", "force that a motion exerts on its nodes (for that on an obstacle see probe.rigid)", ""}
+          "force",
+          "force and moment that a motion exerts on its nodes (for those on an obstacle see probe.rigid)", ""}
           .text("set", &ForceProbe::set, Need::required, "driven or fixed nodes, \"body.set\"")
           .numbers("near", &ForceProbe::near, "m", Need::optional, "only its node nearest to {x, y [, z]}")
+          .numbers(
+              "about", &ForceProbe::about, "m", Need::optional,
+              "fixed point {x, y [, z]} that the moment is about; the origin unless given. An axisymmetric "
+              "scene has no moments")
           .build();
   return made;
 }

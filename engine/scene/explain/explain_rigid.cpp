@@ -34,8 +34,9 @@ bool carried_as_one(Facts const& all, std::string const& body) {
     paths[c] = std::move(path);
   };
   for (auto const& motion : all.scene->part.motions) {
-    if (!belongs(std::visit([](auto const& part) { return part.set; }, motion), body))
+    if (!belongs(set_of(motion), body))
       continue;
+    one = one && !std::holds_alternative<TurnPart>(motion);
     auto const* drive = std::get_if<DrivePart>(&motion);
     auto const* fix = std::get_if<FixPart>(&motion);
     std::array const driven{drive ? &drive->x : nullptr, drive ? &drive->y : nullptr,

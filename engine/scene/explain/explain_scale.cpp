@@ -57,7 +57,7 @@ std::vector<KnownLength> known_lengths(Facts const& all) {
   for (auto const& [name, part] : all.scene->part.obstacles)
     add(size_of(part.shape), "obstacle " + name);
   for (auto const& motion : all.scene->model->motions)
-    add(way_of(motion.path), "the way of " + motion.set);
+    add(way_of(motion.path) + (motion.turn ? motion.turn->farthest() : 0.0), "the way of " + motion.set);
   for (auto const& rigid : all.scene->model->rigids)
     for (auto const& path : rigid.shift)
       add(way_of(path), "the way of an obstacle");

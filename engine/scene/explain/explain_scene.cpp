@@ -153,6 +153,13 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
 void add_motion(MotionPart const& motion, int dim, Section& section) {
   if (auto const* drive = std::get_if<DrivePart>(&motion))
     return add_paths(section, drive->set, *drive);
+  if (auto const* turn = std::get_if<TurnPart>(&motion)) {
+    add(section, turn->set,
+        fmt::format("turns about {}{}: {}", words_of(turn->centre, "m"),
+                    turn->axis.empty() ? "" : ", axis " + words_of(turn->axis, "1"),
+                    path_words(turn->times, turn->angle, "rad")));
+    return add_paths(section, "axis of " + turn->set, *turn);
+  }
   auto const& fix = std::get<FixPart>(motion);
   add(section, fix.set,
       fmt::format("held in{}{}{}", fix.x ? " x" : "", fix.y ? " y" : "", fix.z && dim == 3 ? " z" : ""));

@@ -53,9 +53,9 @@ BodyFacts body_facts(Scene const& scene, std::size_t b) {
       model.velocity.middleRows(model.first_node[b], body.mesh.node_count()).rowwise().norm().maxCoeff();
   count_unknowns(model, b, facts);
   for (auto const& motion : scene.part.motions)
-    if (auto const* drive = std::get_if<DrivePart>(&motion);
-        drive != nullptr && drive->set.substr(0, drive->set.find('.')) == body.name)
-      facts.driven_set = drive->set;
+    if (auto const& set = set_of(motion);
+        !std::holds_alternative<FixPart>(motion) && set.substr(0, set.find('.')) == body.name)
+      facts.driven_set = set;
   return facts;
 }
 
@@ -71,22 +71,14 @@ void add_schedule(Facts& facts) {
   facts.end = start;
 }
 
-double fastest(dynamics::Path const& path) {
-  double fastest = 0;
-  for (std::size_t k = 1; k < path.times.size(); ++k)
-    fastest = std::max(fastest,
-                       std::abs(path.values[k] - path.values[k - 1]) / (path.times[k] - path.times[k - 1]));
-  return fastest;
-}
-
 /// Of single components: what moves along two axes at once is faster by up to sqrt(3).
 double fastest(dynamics::Model const& model) {
   double speed = model.velocity.size() > 0 ? model.velocity.rowwise().norm().maxCoeff() : 0;
   for (auto const& motion : model.motions)
-    speed = std::max(speed, fastest(motion.path));
+    speed = std::max(speed, motion.fastest());
   for (auto const& rigid : model.rigids)
     for (auto const& path : rigid.shift)
-      speed = std::max(speed, fastest(path));
+      speed = std::max(speed, path.fastest());
   return speed;
 }
 

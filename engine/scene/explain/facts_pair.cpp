@@ -13,16 +13,22 @@ namespace {
 
 constexpr int most_samples = 1000; // of a stage
 
+/// A turn about an axis through a point.
+struct Swing {
+  dynamics::Path angle; ///< rad
+  Vec3 axis, centre;    ///< unit; m
+};
+
 /// The displacement that one motion, obstacle or initial velocity gives to a side of a pair.
 struct Mover {
   std::array<dynamics::Path, 3> shift;
   Vec3 velocity = Vec3::Zero(); ///< of what flies freely, m/s
-  dynamics::RigidBody const* turning = nullptr;
+  std::optional<Swing> swing = {};
   [[nodiscard]] Vec3 displacement(double t, Vec3 const& position) const {
     Vec3 u = t * velocity + Vec3(shift[0].value(t), shift[1].value(t), shift[2].value(t));
-    if (turning != nullptr)
-      u += Eigen::AngleAxisd(turning->angle.value(t), turning->axis) * (position - turning->pivot) -
-           (position - turning->pivot);
+    if (swing)
+      u += Eigen::AngleAxisd(swing->angle.value(t), swing->axis) * (position - swing->centre) -
+           (position - swing->centre);
     return u;
   }
   /// Prescribed over the whole run.
@@ -43,12 +49,17 @@ std::vector<Mover> movers_of(Facts const& facts, std::size_t body) {
   auto const& name = facts.bodies[body].body->name;
   int const dim = facts.scene->part.dim();
   for (auto const& motion : facts.scene->part.motions) {
-    auto const& set = std::visit([](auto const& part) { return part.set; }, motion);
+    auto const& set = set_of(motion);
     if (set.substr(0, set.find('.')) != name)
       continue;
     if (auto const* drive = std::get_if<DrivePart>(&motion))
       movers.push_back({{path_or_rest(drive->times, drive->x), path_or_rest(drive->times, drive->y),
                          path_or_rest(drive->times, drive->z)}});
+    else if (auto const* turn = std::get_if<TurnPart>(&motion))
+      movers.push_back({{path_or_rest(turn->times, turn->x), path_or_rest(turn->times, turn->y),
+                         path_or_rest(turn->times, turn->z)},
+                        Vec3::Zero(),
+                        Swing{path_or_rest(turn->times, turn->angle), turn->direction(), vec(turn->centre)}});
     else if (holds_all(std::get<FixPart>(motion), dim))
       movers.push_back({});
   }
@@ -73,7 +84,7 @@ std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
   mover.shift = {path_or_rest(part.times, part.x), path_or_rest(part.times, part.y),
                  path_or_rest(part.times, part.z)};
   if (!rigid.free())
-    mover.turning = &rigid;
+    mover.swing = Swing{rigid.angle, rigid.axis, rigid.pivot};
   for (std::size_t c = 0; rigid.free() && c < part.velocity.size(); ++c)
     mover.velocity[static_cast<Eigen::Index>(c)] = part.velocity[c];
   return {mover};

@@ -183,6 +183,13 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   };
 }
 
+/// Names of the components of moments; none where they cancel around the axis.
+std::vector<std::string> moment_names(Context const& context) {
+  if (context.dim() == 3)
+    return {"moment_x", "moment_y", "moment_z"};
+  return context.plane() ? std::vector<std::string>{"moment"} : std::vector<std::string>{};
+}
+
 Sampler add(ForceProbe const& probe, Context const& context) {
   auto nodes = *context.scene.nodes_of(probe.set);
   if (!probe.near.empty())
@@ -191,12 +198,22 @@ Sampler add(ForceProbe const& probe, Context const& context) {
   for (int c = 0; c < dim; ++c)
     context.column(component("force", c), context.force_unit(),
                    "force of the motion on the set over the step");
-  return [nodes, dim](State const& state, std::vector<double>& row) {
-    contact::Vec3 sum = contact::Vec3::Zero();
-    for (Index const node : nodes)
-      for (int c = 0; c < dim; ++c)
-        sum[c] += state.drive[dim * node + c];
+  auto const moments = moment_names(context);
+  for (auto const& name : moments)
+    context.column(name, context.plane() ? "N" : "N m", "moment of these forces where the step ends");
+  auto const first = dim == 2 ? 2 : 0, count = static_cast<int>(moments.size());
+  return [nodes, dim, first, count, about = vec(probe.about),
+          &model = *context.scene.model](State const& state, std::vector<double>& row) {
+    contact::Vec3 sum = contact::Vec3::Zero(), moment = contact::Vec3::Zero();
+    for (Index const node : nodes) {
+      contact::Vec3 force = contact::Vec3::Zero(), arm = -about;
+      force.head(dim) = state.drive.segment(dim * node, dim);
+      arm.head(dim) += model.reference.row(node).transpose() + state.u.segment(dim * node, dim);
+      sum += force;
+      moment += arm.cross(force);
+    }
     row.insert(row.end(), sum.data(), sum.data() + dim);
+    row.insert(row.end(), moment.data() + first, moment.data() + first + count);
   };
 }
 
@@ -227,13 +244,6 @@ double angle_of(dynamics::RigidBody const& rigid, State const& state, int dim) {
     return rigid.angle.value(state.t);
   auto const turn = state.u.segment(dim * (rigid.node + 1), dim);
   return dim == 2 ? turn[0] : turn.norm();
-}
-
-/// Names of the components of moments; none where they cancel around the axis.
-std::vector<std::string> moment_names(Context const& context) {
-  if (context.dim() == 3)
-    return {"moment_x", "moment_y", "moment_z"};
-  return context.plane() ? std::vector<std::string>{"moment"} : std::vector<std::string>{};
 }
 
 /// Of every pair with the obstacle as primary, whether it has a mass or follows paths.
