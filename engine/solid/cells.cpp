@@ -291,4 +291,17 @@ std::span<Index const> Cells::nodes_of(Index cell) const {
   std::abort();
 }
 
+MassCentre mass_centre(Body const& body, Cells const& cells) {
+  MassCentre sum;
+  cells.each_mass([&](std::span<Index const> nodes, Dense const& m) {
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      double const share = m.row(static_cast<Eigen::Index>(a)).sum();
+      sum.mass += share;
+      sum.centre.head(body.mesh.dim) += share * body.mesh.nodes.row(nodes[a]).transpose();
+    }
+  });
+  sum.centre /= sum.mass;
+  return sum;
+}
+
 } // namespace stiction::solid

@@ -94,4 +94,12 @@ private:
   mutable std::vector<Pass> parts_; ///< [blocks], of the present pass
 };
 
+/// Mass of the cells, kg (kg/m in plane strain), and where its centre is in the reference, m; about an axis
+/// the mean of (r, z).
+struct MassCentre {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+};
+[[nodiscard]] MassCentre mass_centre(Body const& body, Cells const& cells);
+
 } // namespace stiction::solid

@@ -161,7 +161,7 @@ void Builder::add_bodies() {
   auto& model = *scene_.model;
   model.first_node.push_back(0);
   for (auto const& [name, part] : scene_.part.bodies) {
-    check_size({"bodies", name, "velocity"}, part.velocity);
+    check_velocities(name, part);
     if (part.damping && !dynamics::weights(model.scheme).inertia)
       complain({"bodies", name, "damping"},
                "a quasi-static run has no rates; leave it out or use scheme.theta_xi");
@@ -187,13 +187,55 @@ void Builder::add_bodies() {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     auto const count = model.bodies[b]->mesh.node_count();
     model.reference.middleRows(model.first_node[b], count) = model.bodies[b]->mesh.nodes;
-    model.velocity.middleRows(model.first_node[b], count).rowwise() =
-        vec(scene_.part.bodies.at(scene_.bodies[b]).velocity).head(dim).transpose();
   }
   if (ranks_ != nullptr)
     model.share = dynamics::share_out(model.reference, *ranks_);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     model.cells.push_back(dynamics::cells_of(model, b));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    set_velocities(b);
+}
+
+void Builder::check_spin(Where const& where, Numbers const& spin) {
+  bool const plane = scene_.part.dim() == 2;
+  if (!spin.empty() && spin.size() != (plane ? 1U : 3U))
+    complain(where, plane ? "wants one number in the plane" : "wants three numbers in space");
+}
+
+void Builder::check_velocities(std::string const& name, BodyPart const& part) {
+  check_size({"bodies", name, "velocity"}, part.velocity);
+  check_spin({"bodies", name, "spin"}, part.spin);
+  auto const wanted = ix(scene_.part.dim() * scene_.part.dim());
+  auto const given = part.velocity_gradient.size();
+  if (given != 0 && given != wanted)
+    complain({"bodies", name, "velocity_gradient"},
+             fmt::format("has {} numbers; {} are wanted", given, wanted));
+  if (scene_.part.kinematics != solid::Kinematics::axisymmetric)
+    return;
+  for (auto const& [key, numbers] :
+       {std::pair{"spin", &part.spin}, {"velocity_gradient", &part.velocity_gradient}})
+    if (!numbers->empty())
+      complain({"bodies", name, key}, "would leave the symmetry of an axisymmetric scene; leave it out");
+}
+
+/// A rigid motion and a uniform rate of deformation about the centre of mass.
+void Builder::set_velocities(std::size_t b) {
+  auto& model = *scene_.model;
+  auto const& part = scene_.part.bodies.at(scene_.bodies[b]);
+  int const dim = model.dim();
+  auto own = model.velocity.middleRows(model.first_node[b], model.bodies[b]->mesh.node_count());
+  own.rowwise() = vec(part.velocity).head(dim).transpose();
+  if (part.spin.empty() && part.velocity_gradient.empty())
+    return;
+  Eigen::Matrix3d L = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < part.velocity_gradient.size(); ++k)
+    L(static_cast<int>(k) / dim, static_cast<int>(k) % dim) = part.velocity_gradient[k];
+  Vec3 const spin = spin_of(part.spin);
+  for (int c = 0; c < 3; ++c)
+    L.col(c) += spin.cross(Vec3::Unit(c));
+  auto const& body = *model.bodies[b];
+  Vec3 const centre = solid::mass_centre(body, solid::Cells(body, model.kinematics)).centre;
+  own += (body.mesh.nodes.rowwise() - centre.head(dim).transpose()) * L.topLeftCorner(dim, dim).transpose();
 }
 
 void Builder::check_radius(std::string const& name, mesh::Mesh const& mesh) {

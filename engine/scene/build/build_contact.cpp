@@ -54,9 +54,7 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   for (auto const& [key, numbers] :
        {std::pair{"pivot", &part.pivot}, {"velocity", &part.velocity}, {"force", &part.force}})
     check_size({"obstacles", name, key}, *numbers);
-  if (!part.spin.empty() && part.spin.size() != (model.dim() == 2 ? 1U : 3U))
-    complain({"obstacles", name, "spin"},
-             model.dim() == 2 ? "wants one number in the plane" : "wants three numbers in space");
+  check_spin({"obstacles", name, "spin"}, part.spin);
   if (!part.axis.empty() && (part.axis.size() != 3 || vec(part.axis).isZero(0)))
     complain({"obstacles", name, "axis"}, "wants three numbers, not all 0");
   check_path_end({"obstacles", name, "times"}, part.times);
@@ -69,8 +67,7 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
     if (!dynamics::weights(model.scheme).inertia)
       complain(where, "is free, but a quasi-static run has no inertia that could hold it; give it paths "
                       "instead of a mass, or use scheme.theta_xi");
-    Vec3 const spin = model.dim() == 2 && !part.spin.empty() ? Vec3(0, 0, part.spin[0]) : vec(part.spin);
-    dynamics::add_unknowns(model, rigid, vec(part.velocity), spin);
+    dynamics::add_unknowns(model, rigid, vec(part.velocity), spin_of(part.spin));
     drive_rigid(rigid, part);
   } else {
     rigid.shift = {path(part.times, part.x), path(part.times, part.y), path(part.times, part.z)};

@@ -1,4 +1,5 @@
 // Probes of a scene: do the names and points that they give exist?
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "scene/build/builder.hpp"
@@ -35,6 +36,20 @@ void Builder::check_momentum(Where const& where) {
                     "probe out");
 }
 
+void Builder::check_patch(Where const& where, ContactProbe const& part) {
+  Index const p = scene_.pair_index(part.pair);
+  auto const nodes = part.set.empty() || p < 0 ? std::nullopt : resolve(where, part.set);
+  if (!nodes)
+    return;
+  auto const& points = scene_.model->pairs[ix(p)].secondary;
+  if (std::ranges::none_of(*nodes,
+                           [&](Index node) { return std::ranges::find(points, node) != points.end(); }))
+    complain(where,
+             fmt::format("\"{}\" has none of the points of pair {}, which are on {}; name a set of that "
+                         "surface",
+                         part.set, part.pair, scene_.part.pairs.at(part.pair).secondary));
+}
+
 template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
   if constexpr (requires { part.pair; })
     if (!scene_.part.pairs.contains(part.pair))
@@ -49,7 +64,9 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
           fmt::format("\"{0}\" is an obstacle, not a set of a body; where it is and what acts on it "
                       "shows stiction.probe.rigid {{ obstacle = \"{0}\" }}",
                       part.set));
-  if constexpr (requires { part.set; })
+  if constexpr (std::is_same_v<Part, ContactProbe>)
+    check_patch({"probes", name, "set"}, part);
+  else if constexpr (requires { part.set; })
     static_cast<void>(resolve({"probes", name, "set"}, part.set));
   if constexpr (requires { part.near; })
     check_size({"probes", name, "near"}, part.near);

@@ -31,6 +31,9 @@ private:
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);
   void check_radius(std::string const& name, mesh::Mesh const& mesh);
+  void check_spin(Where const& where, Numbers const& spin);
+  void check_velocities(std::string const& name, BodyPart const& part);
+  void set_velocities(std::size_t body);
 
   // build_motions.cpp
   void add_motions();
@@ -74,6 +77,7 @@ private:
   void check_probes();
   void check_about(Where const& where, Numbers const& about);
   void check_momentum(Where const& where);
+  void check_patch(Where const& where, ContactProbe const& part);
   template<class Part> void check_probe(std::string const& name, Part const& part);
 
   core::Input const* input_;

@@ -68,6 +68,10 @@ Vec3 vec(Numbers const& numbers) {
   return v;
 }
 
+Vec3 spin_of(Numbers const& numbers) {
+  return numbers.size() == 1 ? Vec3(0, 0, numbers[0]) : vec(numbers);
+}
+
 core::Schema const& BodyPart::schema() {
   static auto const made =
       Describe<BodyPart>{"body", "a deformable body", "physics.md 4"}
@@ -78,6 +82,11 @@ core::Schema const& BodyPart::schema() {
           .number("density", &BodyPart::density, "kg/m^3", core::positive, Need::required,
                   "mass density of the reference body")
           .numbers("velocity", &BodyPart::velocity, "m/s", Need::optional, "initial velocity {x, y [, z]}")
+          .numbers("spin", &BodyPart::spin, "rad/s", Need::optional,
+                   "initial angular velocity about its centre of mass: one number in 2D, three in 3D")
+          .numbers("velocity_gradient", &BodyPart::velocity_gradient, "1/s", Need::optional,
+                   "initial velocity grows by so much per distance from its centre of mass: {dvx/dx, dvx/dy, "
+                   "dvy/dx, dvy/dy}, in 3D nine numbers by rows")
           .choice("interpolation", &BodyPart::interpolation, {"plain", "mean_dilatation"}, Need::optional,
                   "mean_dilatation: volume change averaged over each cell, against locking of quad4 and hex8 "
                   "near nu = 1/2")

@@ -21,6 +21,8 @@ using core::Numbers;
 
 /// The numbers of a list as a vector in space; missing ones are 0.
 [[nodiscard]] Vec3 vec(Numbers const& numbers);
+/// Angular velocity: one number turns in the plane.
+[[nodiscard]] Vec3 spin_of(Numbers const& numbers);
 
 /// A body's mesh made anew until it is fine enough.
 struct RemeshPart {
@@ -37,6 +39,8 @@ struct BodyPart {
   std::map<std::string, material::Material> laws_by_set; ///< by set of cells; empty: `material` everywhere
   double density = 0;                                    ///< kg/m^3
   Numbers velocity;                                      ///< m/s; empty: at rest
+  Numbers spin;              ///< rad/s, about the centre of mass: one number in 2D, three in 3D; empty: none
+  Numbers velocity_gradient; ///< 1/s, about the centre of mass: dim rows of dim numbers; empty: none
   solid::Interpolation interpolation = solid::Interpolation::plain;
   std::optional<material::KelvinVoigt> damping;
   std::optional<RemeshPart> remesh; ///< only with mesh.gmsh
@@ -146,6 +150,7 @@ struct PointProbe {
 };
 struct ContactProbe {
   std::string pair;
+  std::string set; ///< empty: the whole secondary surface
   static core::Schema const& schema();
 };
 struct LineProbe {

@@ -17,9 +17,12 @@ core::Schema const& PointProbe::schema() {
 
 core::Schema const& ContactProbe::schema() {
   static auto const made =
-      Describe<ContactProbe>{"contact",
-                             "history of a whole pair: forces, points by status, largest and least", ""}
+      Describe<ContactProbe>{
+          "contact", "history of a pair, or of a patch of it: forces, points by status, largest and least",
+          ""}
           .text("pair", &ContactProbe::pair, Need::required, "name of the pair")
+          .text("set", &ContactProbe::set, Need::optional,
+                "only what its points on this set of the secondary body do, \"body.set\"")
           .build();
   return made;
 }

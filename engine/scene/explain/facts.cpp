@@ -5,12 +5,6 @@ namespace stiction::scene {
 
 namespace {
 
-double mass_of(solid::Cells const& cells) {
-  double mass = 0;
-  cells.each_mass([&](std::span<Index const>, Dense const& m) { mass += m.sum(); });
-  return mass;
-}
-
 void count_unknowns(dynamics::Model const& model, std::size_t b, BodyFacts& facts) {
   Index const first = model.first_node[b], end = model.first_node[b + 1];
   int const dim = model.dim();
@@ -45,7 +39,9 @@ BodyFacts body_facts(Scene const& scene, std::size_t b) {
   BodyFacts facts;
   facts.body = &body;
   facts.moduli = material::moduli(body.material);
-  facts.mass = mass_of(model.cells[b]);
+  auto const [mass, centre] = solid::mass_centre(body, model.cells[b]);
+  facts.mass = mass;
+  facts.centre = centre;
   facts.sides.head(model.dim()) =
       (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).transpose();
   facts.smallest_edge = smallest_edge(body.mesh);

@@ -11,6 +11,7 @@ struct BodyFacts {
   solid::Body const* body = nullptr;
   material::Moduli moduli;    ///< at rest
   double mass = 0;            ///< kg (kg/m in plane strain)
+  Vec3 centre = Vec3::Zero(); ///< of its mass, m
   Vec3 sides = Vec3::Zero();  ///< of the bounding box, m
   double smallest_edge = 0;   ///< m
   double start_speed = 0;     ///< largest initial velocity, m/s

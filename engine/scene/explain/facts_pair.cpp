@@ -24,6 +24,7 @@ struct Mover {
   std::array<dynamics::Path, 3> shift;
   Vec3 velocity = Vec3::Zero(); ///< of what flies freely, m/s
   std::optional<Swing> swing = {};
+  bool flies = false; ///< nothing prescribes where it goes
   [[nodiscard]] Vec3 displacement(double t, Vec3 const& position) const {
     Vec3 u = t * velocity + Vec3(shift[0].value(t), shift[1].value(t), shift[2].value(t));
     if (swing)
@@ -32,11 +33,25 @@ struct Mover {
     return u;
   }
   /// Prescribed over the whole run.
-  [[nodiscard]] bool prescribed() const { return velocity.isZero(0); }
+  [[nodiscard]] bool prescribed() const { return !flies; }
 };
 
 dynamics::Path path_or_rest(Numbers const& times, Numbers const& values) {
   return values.empty() ? dynamics::Path{} : dynamics::Path{times, values};
+}
+
+/// Where a flight starts, m, and how long it is followed, s.
+struct Flight {
+  Vec3 centre;
+  double end;
+};
+Mover flying(Vec3 const& velocity, Vec3 const& spin, Flight const& flight) {
+  Mover mover;
+  mover.velocity = velocity;
+  mover.flies = true;
+  if (!spin.isZero(0))
+    mover.swing = Swing{{{0, flight.end}, {0, spin.norm() * flight.end}}, spin.normalized(), flight.centre};
+  return mover;
 }
 
 bool holds_all(FixPart const& fix, int dim) {
@@ -63,13 +78,10 @@ std::vector<Mover> movers_of(Facts const& facts, std::size_t body) {
     else if (holds_all(std::get<FixPart>(motion), dim))
       movers.push_back({});
   }
-  auto const& velocity = facts.scene->part.bodies.at(name).velocity;
-  if (facts.bodies[body].driven_set.empty() && facts.bodies[body].start_speed > 0) {
-    movers.clear(); // what only guides a flying body does not stop it
-    movers.push_back({});
-    for (std::size_t c = 0; c < velocity.size(); ++c)
-      movers.back().velocity[static_cast<Eigen::Index>(c)] = velocity[c];
-  }
+  auto const& part = facts.scene->part.bodies.at(name);
+  if (facts.bodies[body].driven_set.empty() &&
+      facts.bodies[body].start_speed > 0) // what only guides it does not stop it
+    movers = {flying(vec(part.velocity), spin_of(part.spin), {facts.bodies[body].centre, facts.end})};
   if (movers.empty())
     movers.push_back({});
   return movers;
@@ -85,8 +97,11 @@ std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
                  path_or_rest(part.times, part.z)};
   if (!rigid.free())
     mover.swing = Swing{rigid.angle, rigid.axis, rigid.pivot};
-  for (std::size_t c = 0; rigid.free() && c < part.velocity.size(); ++c)
-    mover.velocity[static_cast<Eigen::Index>(c)] = part.velocity[c];
+  else if (Vec3 const spin = spin_of(part.spin); !vec(part.velocity).isZero(0) || !spin.isZero(0)) {
+    auto const shift = mover.shift;
+    mover = flying(vec(part.velocity), spin, {rigid.pivot, facts.end});
+    mover.shift = shift;
+  }
   return {mover};
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace stiction::scene {
 
@@ -125,11 +126,30 @@ void add_force(Index node, Vector const& reaction, int dim, contact::Vec3& sum) 
     sum[c] += reaction[dim * node + c];
 }
 
-PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> const& points,
+/// Part of a pair's secondary surface: its points, and the nodes that bear their forces.
+struct Patch {
+  std::vector<std::size_t> points;
+  Indices nodes;
+};
+
+Patch patch_of(Scene const& scene, dynamics::Pair const& pair, std::string const& set) {
+  auto const wanted = set.empty() ? std::nullopt : scene.nodes_of(set);
+  std::set<Index> const among = wanted ? std::set<Index>(wanted->begin(), wanted->end()) : std::set<Index>{};
+  Patch patch;
+  for (std::size_t i = 0; i < pair.secondary.size(); ++i)
+    if (!wanted || among.contains(pair.secondary[i]))
+      patch.points.push_back(i);
+  for (Index const node : pair.nodes())
+    if (!wanted || among.contains(node))
+      patch.nodes.push_back(node);
+  return patch;
+}
+
+PairSummary summarise(dynamics::Pair const& pair, Patch const& patch, std::vector<ContactState> const& points,
                       Vector const& reaction, int dim) {
   PairSummary sum;
   double area = 0, least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t const i : patch.points) {
     auto const& point = points[i];
     if (point.foot.found())
       least = std::min(least, point.gap);
@@ -150,7 +170,7 @@ PairSummary summarise(dynamics::Pair const& pair, std::vector<ContactState> cons
       add_force(pair.secondary[i], reaction, dim, sum.force);
   }
   if (pair.shared()) // forces reach nodes that are no points, or whose points are out of reach
-    for (Index const node : pair.nodes())
+    for (Index const node : patch.nodes)
       add_force(node, reaction, dim, sum.force);
   sum.beta_mean /= area;
   if (std::isfinite(least))
@@ -175,8 +195,9 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
   context.column("gap_min", "m", "smallest gap; the radius of the search where nothing is near");
-  return [p, dim, &pair](State const& state, std::vector<double>& row) {
-    auto const s = summarise(pair, state.contacts[p], state.reaction_of(p), dim);
+  return [p, dim, &pair, patch = patch_of(context.scene, pair, probe.set)](State const& state,
+                                                                           std::vector<double>& row) {
+    auto const s = summarise(pair, patch, state.contacts[p], state.reaction_of(p), dim);
     row.insert(row.end(), s.force.data(), s.force.data() + dim);
     row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max, s.beta_mean, s.pressure_max,
                            s.adhesion_t_max, s.adhesion_n_min, s.gap_min});

@@ -127,6 +127,42 @@ TEST_CASE("probes: in space each tangential component is the one that its name s
   CHECK(seen.number("all/adhesion_t_max") == doctest::Approx(5).epsilon(1e-7));
 }
 
+TEST_CASE("probes: a patch shows what its points alone do, whole pairs what all do") {
+  for (std::string const method : {"node_to_segment", "mortar"}) {
+    CAPTURE(method);
+    auto table = rubbed_cube();
+    test::at(table, "pairs.sole.discretisation") = test::text(method);
+    for (std::string const side : {"left", "bottom"}) { // the edge below the left side; the whole sole
+      auto patch = probe("contact", "pair", "sole");
+      test::at(patch, "set") = test::text("foot." + side);
+      test::at(table, "probes." + side) = patch;
+    }
+    auto const seen = sample(table, drive_all);
+    CHECK(seen.number("left/stick") + seen.number("left/slip") == 3);
+    CHECK(seen.number("bottom/slip") == seen.number("all/slip"));
+    double const share = seen.number("left/closed_area"), whole = seen.number("all/closed_area");
+    CHECK(share == doctest::Approx(0.25).epsilon(1e-9));
+    for (std::string const c : {"x", "y", "z"}) {
+      double const all = seen.number("all/force_" + c);
+      CHECK(seen.number("bottom/force_" + c) == all);
+      CHECK(seen.number("left/force_" + c) == doctest::Approx(share / whole * all).epsilon(1e-7));
+    }
+  }
+}
+
+TEST_CASE("probes: a patch off the pair's points is refused") {
+  auto table = rubbed_cube();
+  test::at(table, "probes.all.set") = test::text("foot.top");
+  try {
+    static_cast<void>(scene::build(table));
+    FAIL("it was taken");
+  } catch (core::InputError const& error) {
+    REQUIRE(error.complaints().size() == 1);
+    CHECK(error.complaints()[0].path == "probes.all.set");
+    CHECK(error.complaints()[0].text.find("none of the points of pair sole") != std::string::npos);
+  }
+}
+
 TEST_CASE("fields: tangential adhesion in space is the length of both components") {
   auto const seen = sample(rubbed_cube(), drive_all);
   auto const frame = scene::frame_of(seen.scene, seen.state);
