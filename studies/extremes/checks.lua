@@ -77,6 +77,16 @@ local function account(case, q, say)
   say("energy left open over the largest", open / math.max(scale, 1e6 * floor), 1e-6)
 end
 
+--- Error of the work of a driven side's moment, taken at the ends of steps, sum of |dM| |da|.
+local function turning_bound(case, q)
+  local moment, bound = case:series("drive", "moment"), 0
+  for i = 2, #moment do
+    local turned = measure.turned(case, q, i) - measure.turned(case, q, i - 1)
+    bound = bound + math.abs(moment[i] - moment[i - 1]) * math.abs(turned)
+  end
+  return bound
+end
+
 --- A quasi-static run makes no energy beyond the error of works taken at the ends of its steps, sum of |dF| |du|. A
 --- bond that a step opens at once is let go without its work: then w and its viscous loss, b beta^2/dt at most, are
 --- missing.
@@ -89,6 +99,7 @@ local function closed_ledger(case, q, say)
       bound = bound + math.abs(one.drive[i] - one.drive[i - 1]) * math.abs(u[i] - u[i - 1])
     end
   end
+  bound = bound + (q.turn and turning_bound(case, q) or 0)
   if q.C and q.pull / q.steps > 0.25 * math.sqrt(q.w / q.C) then
     local quickest = math.huge
     for i, dt in ipairs((case:series("step", "dt"))) do
@@ -162,6 +173,9 @@ end
 
 --- A punch that is symmetric must press symmetrically, unless friction leaves it several answers and the run says so.
 local function symmetry(case, q, say)
+  if q.turn then
+    return -- it tips to one side
+  end
   local points, off, top = measure.points(case, "line", q), 0, 0
   table.sort(points, function(a, b) return a.X < b.X end)
   for k, point in ipairs(points) do

@@ -55,6 +55,11 @@ function measure.moves(case, q)
   return moves
 end
 
+--- Turn of the driven side at the end of step i, rad: as scenes.lua asks for it.
+function measure.turned(case, q, i)
+  return q.turn * math.max(0, math.min(1, case.time[i] / (q.pace * q.T) - 1))
+end
+
 --- Largest of all energies of the ledger and works.
 function measure.energy_scale(case)
   local most = 0

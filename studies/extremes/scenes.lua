@@ -66,7 +66,7 @@ local function path(q, u, t)
   for i, time in ipairs(t.times) do
     times[i] = time * q.pace
   end
-  if t.turn then -- after the first path point, about the middle of the block's top
+  if t.turn then -- while it is held down, about the middle of the block's top
     return stiction.motion.turn { set = t.set, times = list(times, u.s), x = list(t.x, u.m), y = list(t.y, u.m),
       angle = list({ 0, 0, t.turn, t.turn }, units.rad), centre = list({ 0, q.height }, u.m) }
   end
@@ -113,8 +113,8 @@ scenes.punch = {
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2, 3 }),
       probes = { contact = stiction.probe.contact { pair = "touch" },
         line = stiction.probe.contact_line { pair = "touch" },
-        drive = stiction.probe.force { set = "block.top" }, driven = node(u, "block.top", { 0, q.height }),
-        energy = stiction.probe.energy { audit = true },
+        drive = stiction.probe.force { set = "block.top", about = list({ 0, q.height }, u.m) },
+        driven = node(u, "block.top", { 0, q.height }), energy = stiction.probe.energy { audit = true },
         sole = node(u, "block.bottom", { 0, 0 }) },
     }
   end,

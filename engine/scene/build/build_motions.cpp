@@ -1,5 +1,6 @@
 // Prescribed displacements of a scene: which nodes they move, and how.
 #include <Eigen/Geometry>
+#include <array>
 #include <fmt/format.h>
 #include <set>
 
@@ -83,6 +84,10 @@ void Builder::add_motion(Where const& where, TurnPart const& part) {
 
 namespace {
 
+/// Parts of a stretch between knots at which turns are looked at too: neither whole turns nor halves of them
+/// meet at both ends and here.
+constexpr std::array between{0.3819660112501051, 0.6180339887498949};
+
 /// The first time up to `end`, of those that matter, at which two motions of a node differ by more than
 /// rounding, s.
 std::optional<double> first_difference(dynamics::Motion const& one, dynamics::Motion const& other,
@@ -95,7 +100,8 @@ std::optional<double> first_difference(dynamics::Motion const& one, dynamics::Mo
   }
   std::set<double> times = knots;
   for (auto knot = knots.begin(); std::next(knot) != knots.end() && (one.turn || other.turn); ++knot)
-    times.insert(0.5 * (*knot + *std::next(knot))); // turns are no straight lines
+    for (double const part : between)
+      times.insert(*knot + part * (*std::next(knot) - *knot));
   double const largest = std::max(one.farthest(), other.farthest());
   for (double const t : times)
     if (t <= end && std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)

@@ -8,4 +8,11 @@ namespace stiction::scene {
 void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers const& values,
                 char const* key);
 
+/// The same of a part's displacements or forces x, y, z.
+template<class Part> void check_paths(core::Reader& reader, Part const& part) {
+  check_path(reader, part.times, part.x, "x");
+  check_path(reader, part.times, part.y, "y");
+  check_path(reader, part.times, part.z, "z");
+}
+
 } // namespace stiction::scene

@@ -32,9 +32,7 @@ core::Schema const& DrivePart::schema() {
 }
 
 void DrivePart::read_nested(Reader& reader) {
-  check_path(reader, times, x, "x");
-  check_path(reader, times, y, "y");
-  check_path(reader, times, z, "z");
+  check_paths(reader, *this);
 }
 
 core::Schema const& FixPart::schema() {
@@ -81,9 +79,7 @@ core::Schema const& TurnPart::schema() {
 
 void TurnPart::read_nested(Reader& reader) {
   check_path(reader, times, angle, "angle");
-  check_path(reader, times, x, "x");
-  check_path(reader, times, y, "y");
-  check_path(reader, times, z, "z");
+  check_paths(reader, *this);
 }
 
 } // namespace stiction::scene

@@ -161,9 +161,7 @@ core::Schema const& ObstaclePart::schema() {
 
 void ObstaclePart::read_nested(Reader& reader) {
   shape = nested_choice<contact::Obstacle>(reader, "shape", Need::required);
-  check_path(reader, times, x, "x");
-  check_path(reader, times, y, "y");
-  check_path(reader, times, z, "z");
+  check_paths(reader, *this);
   check_path(reader, times, angle, "angle");
   if (mass > 0)
     return;
@@ -333,10 +331,7 @@ void ScenePart::read_nested(Reader& reader) {
     motions.push_back(motion.alternative<MotionPart>());
   for (auto& load : reader.children("loads", Need::optional)) {
     loads.push_back(load.alternative<LoadPart>());
-    auto const& given = std::visit([](auto const& part) -> LoadPath const& { return part; }, loads.back());
-    check_path(load, given.times, given.x, "x");
-    check_path(load, given.times, given.y, "y");
-    check_path(load, given.times, given.z, "z");
+    std::visit([&](auto const& part) { check_paths(load, part); }, loads.back());
   }
   scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);
   solver = nested_choice<contact::SolverChoice>(reader, "solver", Need::optional);

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "dynamics/space.hpp"
-#include "folder.hpp"
 #include "scene/probes/probes.hpp"
 
 using namespace stiction;
@@ -185,10 +184,13 @@ TEST_CASE("a turn agrees with a path that says the same, and with a fixed node o
     return complaints(table);
   };
   CHECK(fixed(1).empty());
-  auto const whole = turn("foot.left", {0.5, 0.5}, {0, 2 * std::numbers::pi}); // back where it was at the end
-  test::at(table, "motions") = test::list({test::fix("foot.top"), whole});
-  REQUIRE(complaints(table).size() == 1);
-  CHECK(complaints(table)[0].find("at t = 1 s") != std::string::npos);
+  for (int const turns : {1, 2, 4, 6}) { // back where it was at the end, in the middle, at thirds of the way
+    CAPTURE(turns);
+    auto const whole = turn("foot.left", {0.5, 0.5}, {0, 2 * std::numbers::pi * turns});
+    test::at(table, "motions") = test::list({test::fix("foot.top"), whole});
+    REQUIRE(complaints(table).size() == 1);
+    CHECK(complaints(table)[0].find("moves foot.left in x other than") != std::string::npos);
+  }
 }
 
 TEST_SUITE_END();
