@@ -84,8 +84,8 @@ void Builder::add_motion(Where const& where, TurnPart const& part) {
 
 namespace {
 
-/// Parts of a stretch between knots at which turns are looked at too: neither whole turns nor halves of them
-/// meet at both ends and here.
+/// Parts of a stretch between knots at which turns are looked at too, as they are no straight lines:
+/// irrational, so that what has turned by whole circles at both ends has not here.
 constexpr std::array between{0.3819660112501051, 0.6180339887498949};
 
 /// The first time up to `end`, of those that matter, at which two motions of a node differ by more than
