@@ -6,7 +6,7 @@ local progress = require "stiction.progress"
 local jobs = {}
 
 local record_separator = "\x1e"
-local patience = 15 -- s that a child told to stop may take to close its files
+local patience = 15 -- s that a child told to stop may take to close its files, unless the pool has its own
 
 --- Command line of the child that runs one case.
 local function words_for(case, options, threads)
@@ -169,7 +169,7 @@ local function stop_all(pool, on_end)
   for _, job in ipairs(pool.running) do
     engine.terminate(job.process)
   end
-  local deadline = engine.clock() + patience
+  local deadline = engine.clock() + (pool.options.patience or patience)
   while #pool.running > 0 and engine.clock() < deadline do
     await(pool)
     gather(pool, on_end)

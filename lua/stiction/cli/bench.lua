@@ -22,7 +22,7 @@ local function measure(options, study, case, folder)
   local found
   local settings = { study = options.study, folder = folder, quick = options.quick, set = options.set,
     trust = options.trust, jobs = 1, threads = options.threads or 1, quiet = true, alone = true,
-    force = true }
+    force = true, patience = 0 } -- a measurement that is broken off leaves nothing to close
   hold.note(folder, study)
   output.settle(folder, { case })
   local stopped = jobs.run({ case }, settings, function(_, result)
