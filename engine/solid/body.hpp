@@ -9,7 +9,7 @@
 
 namespace stiction::solid {
 
-/// plane_strain: per metre of depth. axisymmetric: coordinates (r, z), integrals over the full turn.
+/// plane_strain: per metre of depth, or of the thickness of a sheet in plane stress. axisymmetric: coordinates (r, z), integrals over the full turn.
 enum class Kinematics { plane_strain, axisymmetric, three_dimensional };
 
 /// Displacement components per node, which is the dimension of the mesh too.
@@ -34,6 +34,7 @@ struct Body {
   Interpolation interpolation = Interpolation::plain;
   std::optional<material::KelvinVoigt> damping{}; ///< viscous stress beside the law's; none by default
   std::vector<material::Material> laws{};         ///< of each block of the mesh; empty: `material` of all
+  bool plane_stress = false; ///< a thin sheet, S_33 = 0 and E_33 free; with plane_strain and plain alone
   [[nodiscard]] material::Material const& law_of(std::size_t block) const {
     return laws.empty() ? material : laws.at(block);
   }

@@ -6,7 +6,7 @@
 #include "solid/block.hpp"
 #include "solid/dilatation.hpp"
 #include "solid/geometry.hpp"
-#include "solid/responses.hpp"
+#include "solid/sheet.hpp"
 
 namespace stiction::solid {
 
@@ -18,6 +18,7 @@ template<Kinematics kinematics, int Nodes> class CellGroup {
 public:
   using G = Geometry<kinematics>;
   static constexpr int nodes = Nodes, dim = G::dim, voigt = G::voigt, width = G::width;
+  static constexpr bool plane = kinematics == Kinematics::plane_strain;
   using Voigt = material::Voigt<voigt, Pack>;
   using Nodal = Eigen::Matrix<Pack, Nodes, dim>;
   using Gradients = Eigen::Map<Eigen::Matrix<Pack, Nodes, width> const>;
@@ -39,7 +40,8 @@ public:
   /// Had the cell in this lane det F > 0 at all points?
   [[nodiscard]] bool sound(int lane) const { return sound_[lane] > 0; }
 
-  /// Takes the displacements of group `number`; the lane of the first cell with det F <= 0 at a point, or -1.
+  /// Takes the displacements of group `number`; the lane of the first cell with det F <= 0 at a point, or
+  /// where plane stress finds no stretch across, or -1.
   int deform(Index number, std::span<double const> u) {
     number_ = number;
     gather(u);
@@ -58,6 +60,9 @@ public:
     }
     if (mean_)
       average_dilatation();
+    if constexpr (plane)
+      if (body_.plane_stress)
+        stretch_across();
     int lane = 0;
     while (lane < Pack::lanes && sound(lane))
       ++lane;
@@ -68,6 +73,9 @@ public:
   template<material::Wanted wanted> Pack respond() {
     solid::respond<voigt>(*block_.law, wanted, {strains_.data(), at(points())},
                           {responses_.data(), at(points())});
+    if constexpr (plane)
+      if (body_.plane_stress)
+        AcrossSheet::condense(wanted, {responses_.data(), at(points())});
     Pack energy = 0;
     for (int q = 0; q < points(); ++q)
       energy += volume(q) * responses_[at(q)].energy;
@@ -152,6 +160,17 @@ private:
       for (int a = 0; a < Nodes; ++a)
         for (int i = 0; i < dim; ++i)
           field_(a, i).set(lane, field[ix(dim * node[a] + i)]);
+    }
+  }
+
+  /// Plane stress: what a point is stretched by across the sheet.
+  void stretch_across() {
+    AcrossSheet const across(*block_.law, finite_);
+    sound_ = where_positive(across.solve({strains_.data(), at(points())}, {responses_.data(), at(points())}),
+                            sound_);
+    for (int q = 0; finite_ && q < points(); ++q) {
+      points_[at(q)].F(2, 2) = sqrt(1 + 2 * strains_[at(q)][2]);
+      points_[at(q)].jacobian *= points_[at(q)].F(2, 2);
     }
   }
 

@@ -116,7 +116,10 @@ private:
                       {"density", value(dice_.between(0.5, 2), "kg/m^3")}};
     if ((kind == "quad4" || kind == "hex8") && dice_.one_in(3))
       parts["interpolation"] = text("mean_dilatation");
-    if (sample_.order > 0 && sample_.name != "central_difference" && dice_.one_in(3))
+    else if (kinematics_ == "plane_strain" && dice_.one_in(4))
+      parts["plane_stress"] = flag(true);
+    if (!parts.contains("plane_stress") && sample_.order > 0 && sample_.name != "central_difference" &&
+        dice_.one_in(3))
       parts["damping"] =
           make("damping.kelvin_voigt", {{"shear_viscosity", value(dice_.between(0, 5), "Pa s")}});
     return make("body", std::move(parts));

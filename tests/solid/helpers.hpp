@@ -31,21 +31,23 @@ inline mesh::Mesh distorted(mesh::CellKind kind, std::array<int, 3> const& n) {
   return mesh;
 }
 
-/// One way of computing a body: every kind with each kinematics of its dimension and each interpolation.
+/// One way of computing a body: every kind with each kinematics of its dimension and each interpolation, and
+/// in the plane as a sheet.
 struct Case {
   mesh::CellKind kind;
   Kinematics kinematics;
   solid::Interpolation interpolation;
+  bool sheet = false; ///< in plane stress
   [[nodiscard]] int dim() const { return solid::dimension(kinematics); }
   [[nodiscard]] bool axisymmetric() const { return kinematics == Kinematics::axisymmetric; }
   [[nodiscard]] bool mean() const { return interpolation == solid::Interpolation::mean_dilatation; }
   [[nodiscard]] std::string words() const {
     return std::string(mesh::info(kind).name) + (axisymmetric() ? " axisymmetric" : "") +
-           (mean() ? " mean dilatation" : "");
+           (mean() ? " mean dilatation" : "") + (sheet ? " in plane stress" : "");
   }
   /// Distorted, with n cells a direction.
   [[nodiscard]] solid::Body body(material::Material const& law, int n) const {
-    return {"b", distorted(kind, {n, n, n}), law, 1, interpolation, {}};
+    return {"b", distorted(kind, {n, n, n}), law, 1, interpolation, {}, {}, sheet};
   }
 };
 
@@ -56,6 +58,8 @@ inline std::vector<Case> all_cases() {
        {Kinematics::plane_strain, Kinematics::axisymmetric, Kinematics::three_dimensional})
     for (auto const& cell : mesh::cell_table(solid::dimension(kinematics))) {
       cases.push_back({cell.kind, kinematics, Interpolation::plain});
+      if (kinematics == Kinematics::plane_strain)
+        cases.push_back({cell.kind, kinematics, Interpolation::plain, true});
       if (mesh::stiffness_rule(cell.kind).weights.size() > 1)
         cases.push_back({cell.kind, kinematics, Interpolation::mean_dilatation});
     }

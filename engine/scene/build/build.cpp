@@ -150,6 +150,7 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
                                        body->mesh.dim == 3 ? "three_dimensional" : "plane_strain"));
   mesh::check(body->mesh, name);
   give_laws(*body, part.laws_by_set);
+  body->plane_stress = part.plane_stress;
   check_radius(name, body->mesh);
   solid::check_interpolation(*body);
   model.first_node.push_back(model.first_node.back() + body->mesh.node_count());
@@ -157,11 +158,27 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
   scene_.bodies.push_back(name);
 }
 
+void Builder::check_sheet(std::string const& name, BodyPart const& part) {
+  if (!part.plane_stress)
+    return;
+  if (scene_.part.kinematics != solid::Kinematics::plane_strain)
+    complain({"bodies", name, "plane_stress"},
+             "is for sheets in their plane; leave it out, or set the scene's kinematics to \"plane_strain\"");
+  if (part.interpolation != solid::Interpolation::plain)
+    complain({"bodies", name, "interpolation"},
+             "a sheet in plane stress does not lock: its thickness makes up for its area; leave it out");
+  if (part.damping)
+    complain({"bodies", name, "damping"},
+             "is not for sheets in plane stress, whose thickness would have a rate of its own; leave one of "
+             "the two out");
+}
+
 void Builder::add_bodies() {
   auto& model = *scene_.model;
   model.first_node.push_back(0);
   for (auto const& [name, part] : scene_.part.bodies) {
     check_velocities(name, part);
+    check_sheet(name, part);
     if (part.damping && !dynamics::weights(model.scheme).inertia)
       complain({"bodies", name, "damping"},
                "a quasi-static run has no rates; leave it out or use scheme.theta_xi");

@@ -33,6 +33,7 @@ private:
   void check_radius(std::string const& name, mesh::Mesh const& mesh);
   void check_spin(Where const& where, Numbers const& spin);
   void check_velocities(std::string const& name, BodyPart const& part);
+  void check_sheet(std::string const& name, BodyPart const& part);
   void set_velocities(std::size_t body);
 
   // build_motions.cpp

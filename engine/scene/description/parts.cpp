@@ -90,6 +90,10 @@ core::Schema const& BodyPart::schema() {
           .choice("interpolation", &BodyPart::interpolation, {"plain", "mean_dilatation"}, Need::optional,
                   "mean_dilatation: volume change averaged over each cell, against locking of quad4 and hex8 "
                   "near nu = 1/2")
+          .flag(
+              "plane_stress", &BodyPart::plane_stress,
+              "a thin sheet, free to change its thickness, in a scene of kinematics plane_strain; forces are "
+              "per metre of its thickness")
           .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .build();

@@ -42,6 +42,7 @@ struct BodyPart {
   Numbers spin;              ///< rad/s, about the centre of mass: one number in 2D, three in 3D; empty: none
   Numbers velocity_gradient; ///< 1/s, about the centre of mass: dim rows of dim numbers; empty: none
   solid::Interpolation interpolation = solid::Interpolation::plain;
+  bool plane_stress = false; ///< in a plane scene: a thin sheet
   std::optional<material::KelvinVoigt> damping;
   std::optional<RemeshPart> remesh; ///< only with mesh.gmsh
   static core::Schema const& schema();

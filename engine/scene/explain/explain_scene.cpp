@@ -81,8 +81,9 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
     sides += (c > 0 ? " x " : "") + human(facts.sides[c], "m");
   add(section, "size", fmt::format("{}, shortest edge {}", sides, human(facts.smallest_edge, "m")));
   add(section, "cells",
-      fmt::format("{} with {} interpolation", cell_words(body),
-                  body.interpolation == solid::Interpolation::plain ? "plain" : "mean_dilatation"),
+      fmt::format("{} with {} interpolation{}", cell_words(body),
+                  body.interpolation == solid::Interpolation::plain ? "plain" : "mean_dilatation",
+                  body.plane_stress ? ", in plane stress" : ""),
       body.mesh.cell_count());
   add(section, "nodes", counted(body.mesh.node_count()), body.mesh.node_count());
   add(section, "unknowns", fmt::format("{} free, {} driven or held", facts.free, facts.driven), facts.free);

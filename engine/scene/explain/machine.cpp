@@ -39,8 +39,14 @@ mesh::Mesh sample_of(mesh::Mesh const& mesh, mesh::Block const& block) {
 
 PassSeconds measure_block(dynamics::Model const& model, solid::Body const& body, std::size_t number) {
   auto const& block = body.mesh.blocks[number];
-  solid::Body const part{body.name,    sample_of(body.mesh, block), body.law_of(number),
-                         body.density, body.interpolation,          {}};
+  solid::Body const part{body.name,
+                         sample_of(body.mesh, block),
+                         body.law_of(number),
+                         body.density,
+                         body.interpolation,
+                         {},
+                         {},
+                         body.plane_stress};
   solid::Cells const cells(part, model.kinematics);
   auto const unknowns = ix(model.dim()) * ix(mesh::info(block.kind).nodes);
   std::size_t const entries = ix(cells.count()) * unknowns * (unknowns + 1) / 2;
