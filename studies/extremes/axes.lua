@@ -15,7 +15,7 @@ local function of(key, values)
   return levels
 end
 
-local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd" }
+local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
@@ -26,7 +26,7 @@ axis("beta", "bond intensity at the start", { "law", "punch" }, {
   { "0", { beta0 = 0 } }, { "1", { beta0 = 1 } }, { "1_b0", { beta0 = 1, b = 0 } }, { "0_b0", { beta0 = 0, b = 0 } },
   { "below_0", { beta0 = -1e-9 }, want = "refused" }, { "above_1", { beta0 = 1 + 1e-9 }, want = "refused" },
 })
-axis("mu", "friction coefficient", { "punch", "slide", "slide_mortar" }, of("mu", { 0, 1e-9, 1, 3, 10 }))
+axis("mu", "friction coefficient", { "punch", "slide", "slide_mortar", "fold" }, of("mu", { 0, 1e-9, 1, 3, 10 }))
 axes[#axes].levels[6] = { "below_0", { mu = -0.1 }, want = "refused" }
 
 axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
@@ -120,6 +120,18 @@ axis("apart", "pulled apart, in lengths", { "law", "punch" }, {
 axis("support", "nothing holds the body", { "drop", "crowd" }, {
   { "static", { static = true, without = { "eta" } }, want = "refused" }, { "no_floor", { gap = 1 } },
   { "flight", { gap = 1, g = 0, speed = 0.1 } },
+})
+axis("sheet", "in plane stress", { "punch", "slide" }, {
+  { "linear", { sheet = true } }, { "0.4999", { sheet = true, nu = 0.4999 } },
+  { "rubber", { sheet = true, material = "neo_hookean" } },
+  { "rubber_0.4999", { sheet = true, material = "neo_hookean", nu = 0.4999 } },
+  { "venant", { sheet = true, material = "st_venant_kirchhoff" } },
+  { "mean", { sheet = true, interpolation = "mean_dilatation" }, want = "refused" },
+})
+axis("folds", "of a strip on itself", { "fold" }, {
+  { "2", { folds = 2, press = 3e-3 } }, { "4", { folds = 4, press = 5e-3 } }, { "few_steps", { steps = 4 } },
+  { "flat", { press = 1.6e-3 } }, { "apart", { press = -3e-3 } }, { "bonded", { C = 1e9, w = 1, b = 0.5, pull = 3e-3 } },
+  { "coarse", { cell = 1e-3 } }, { "sheet", { sheet = true } },
 })
 axis("pairs", "which whole outlines may touch", { "crowd" }, {
   { "one_way", { pairing = "one_way" } }, { "both_ways", { pairing = "both_ways" } },

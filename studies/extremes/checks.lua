@@ -369,6 +369,19 @@ local function lines_of_crowd(case, q, say)
   end
 end
 
+--- What presses a folded strip on one side holds it on the other: its contact with itself takes and gives nothing.
+local function held(case, _, say)
+  local off, most = 0, 0
+  for _, name in ipairs { "force_x", "force_y" } do
+    local here, there = case:series("drive", name), case:series("held", name)
+    most = math.max(most, largest(here))
+    for i = 2, #here do
+      off = math.max(off, math.abs(here[i] + there[i]))
+    end
+  end
+  say("what is held against what presses, over the largest", off / math.max(most, 1e-300), 1e-5)
+end
+
 local of_scene = {
   law = { law, driven, balance, account, closed_ledger },
   punch = { balance, complementarity, above_floor, symmetry, released, account, closed_ledger },
@@ -376,6 +389,7 @@ local of_scene = {
   bar = { above_floor, wave, carried_by_bar, account, energy_kept },
   stack = { balance, complementarity, channel, account, closed_ledger },
   drop = { complementarity, momentum, carried_by_drop, account, energy_kept },
+  fold = { held, complementarity, account, closed_ledger },
   crowd = { lines_of_crowd, centre, carried_by_crowd, account, energy_kept },
 }
 of_scene.slide_mortar, of_scene.stack_mortar = of_scene.slide, of_scene.stack

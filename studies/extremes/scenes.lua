@@ -39,7 +39,7 @@ end
 
 local function body_of(q, u, mesh, t)
   return stiction.body { mesh = mesh, material = material_of(q, u, t and t.factor), density = q.rho * u.kg / u.m^3,
-    interpolation = q.interpolation, velocity = t and t.velocity,
+    interpolation = q.interpolation, plane_stress = q.sheet, velocity = t and t.velocity,
     damping = q.eta and stiction.damping.kelvin_voigt { shear_viscosity = q.eta * u.Pa * u.s,
       bulk_viscosity = q.eta * u.Pa * u.s } or nil }
 end
@@ -267,6 +267,54 @@ scenes.crowd = {
     return { gravity = list({ 0, -q.g }, u.m / u.s^2), bodies = bodies, obstacles = floor(), pairs = pairs,
       scheme = q.static and stiction.scheme.quasi_static {} or stiction.scheme.theta_xi {},
       schedule = schedule_of(q, u, { q.last }), probes = probes }
+  end,
+}
+
+--- Outline of a strip of thickness q.thick that goes down and up `q.folds + 1` times, q.clear between its legs; `name`
+--- of its outer sides: left and right, of all else: skin.
+local function serpentine(q, u)
+  local right, left, pitch, n = { { 0, q.size } }, { { q.thick, q.size } }, q.thick + q.clear, q.folds
+  for k = 0, n do
+    local down, west = k % 2 == 0, k * pitch
+    local own, other = down and west or west + q.thick, down and west + q.thick or west
+    local low, high = down and 0 or q.size - q.thick, down and q.thick or q.size
+    if k > 0 then
+      right[#right + 1], left[#left + 1] = { own, right[#right][2] }, { other, left[#left][2] }
+    end
+    local tip = k == n and (down and 0.15 or 0.85) * q.size -- not flush with the leg beside it
+    right[#right + 1], left[#left + 1] = { own, tip or low }, { other, tip or high }
+  end
+  local last_is_right = n % 2 == 1
+  local edges = {}
+  for i = 2, #right do
+    local name = i == 2 and "left" or i == #right and last_is_right and "right" or "skin"
+    edges[#edges + 1] = stiction.edge { to = list(right[i], u.m), name = name }
+  end
+  edges[#edges + 1] = stiction.edge { to = list(left[#left], u.m), name = "end" }
+  for i = #left - 1, 1, -1 do
+    local name = i == #left - 1 and not last_is_right and "right" or "skin"
+    edges[#edges + 1] = stiction.edge { to = list(left[i], u.m), name = name }
+  end
+  edges[#edges + 1] = stiction.edge { to = list(right[1], u.m), name = "end" }
+  return stiction.mesh.gmsh { size = q.cell * u.m, kind = "quad4", start = list(right[1], u.m), edges = edges }
+end
+
+--- A folded strip squeezed until its legs touch each other, and let go.
+scenes.fold = {
+  values = { size = 0.01, thick = 0.001, clear = 0.001, folds = 1, cell = 0.0005, press = 1.2e-3, mu = 0.3, steps = 24,
+    material = "neo_hookean" },
+  make = function(q, u)
+    local width = q.folds * (q.thick + q.clear) + q.thick
+    return {
+      bodies = { strip = body_of(q, u, serpentine(q, u)) }, pairs = { touch = pair_of(q, u, "strip.skin", "strip.skin") },
+      motions = { stiction.motion.fix { set = "strip.left" }, path(q, u, { set = "strip.right", times = { 0, 1, 2 },
+        x = { 0, -q.press, 0 }, y = { 0, 0, 0 } }) },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
+      probes = { contact = stiction.probe.contact { pair = "touch" },
+        line = stiction.probe.contact_line { pair = "touch" }, drive = stiction.probe.force { set = "strip.right" },
+        held = stiction.probe.force { set = "strip.left" }, driven = node(u, "strip.right", { width, 0.5 * q.size }),
+        energy = stiction.probe.energy { audit = true } },
+    }
   end,
 }
 

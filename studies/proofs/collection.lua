@@ -3,6 +3,7 @@ return {
   "patch_test",
   "ironing",
   "nonmatching_slide",
+  "pinched_ring",
   "cook_membrane",
   "greco_block",
   "hertz_2d",

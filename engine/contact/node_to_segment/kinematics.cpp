@@ -93,7 +93,9 @@ PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot g
 
 PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
                               std::span<double const> x) {
-  return kinematics_at(search.primary(), node, start, search.project(node, node_position(x, node), guess, x),
+  return kinematics_at(search.primary(), node, start,
+                       search.project(node, node_position(x, node), guess, x,
+                                      start.found() ? Overhang::kept : Overhang::found),
                        x);
 }
 

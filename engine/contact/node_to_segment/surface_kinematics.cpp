@@ -362,7 +362,9 @@ PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Fo
 PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
                               std::span<double const> x) {
   Vec3 const p1 = Eigen::Map<Vec3 const>(&x[3 * ix(node)]);
-  return kinematics_at(search.primary(), node, start, search.project(node, p1, guess, x), x);
+  return kinematics_at(search.primary(), node, start,
+                       search.project(node, p1, guess, x, start.found() ? Overhang::kept : Overhang::found),
+                       x);
 }
 
 Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& point,

@@ -13,10 +13,6 @@ namespace stiction::contact {
 
 namespace {
 
-/// How far an open end reaches beyond its last node, in parts of a segment: a corner flush with it must not
-/// lose its counterpart to rounding or to the turning of an iterate.
-constexpr double overhang = 0.01;
-
 constexpr double corner_angle = 40 * std::numbers::pi / 180;
 
 Vec2 position(std::span<double const> x, Index node) {
@@ -243,7 +239,8 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x, Se
   return start.found() ? follow(point, start, x) : Foot{};
 }
 
-Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x) const {
+Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x, Overhang overhang) const {
+  double const over = reaches(overhang); // an open end, in parts of a segment
   Foot foot = start;
   int turns = 0, heading = 0; // how often the walk across segments has turned back; its last direction
   for (int iteration = 0; iteration < 200; ++iteration) {
@@ -253,7 +250,7 @@ Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x) con
     double const step = std::clamp(d.dot(a) / (slope > 0 ? slope : a.squaredNorm()), -1.0, 1.0);
     double const target = foot.xi + step;
     auto const& segment = segments_[ix(foot.segment)];
-    double const low = segment.previous < 0 ? -overhang : 0, high = segment.next < 0 ? 1 + overhang : 1;
+    double const low = segment.previous < 0 ? -over : 0, high = segment.next < 0 ? 1 + over : 1;
     bool const beyond = target > high || target < low;
     int const towards = target > high ? 1 : -1;
     int const neighbour = target > high ? segment.next : segment.previous;

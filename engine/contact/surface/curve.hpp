@@ -58,7 +58,8 @@ public:
   [[nodiscard]] Foot project(Vec2 const& point, Foot guess, std::span<double const> x,
                              Search<2> const* search = nullptr) const;
   /// The same from `start` alone.
-  [[nodiscard]] Foot follow(Vec2 const& point, Foot start, std::span<double const> x) const;
+  [[nodiscard]] Foot follow(Vec2 const& point, Foot start, std::span<double const> x,
+                            Overhang overhang = Overhang::found) const;
   /// A foot near the nearest one, by looking at all segments.
   [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
   /// The nearer of two feet on one segment; `distance2`: squared distance, m^2.

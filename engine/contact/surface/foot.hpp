@@ -17,6 +17,15 @@ struct Foot {
   [[nodiscard]] bool found() const { return segment >= 0; }
 };
 
+/// How far beyond the borders of a surface a foot may lie: a little, so that a corner flush with one does not
+/// lose its counterpart to rounding or to the turning of an iterate; and farther where a point had one when
+/// the step began, or it would come and go within the step as bodies bulge.
+enum class Overhang { found, kept };
+/// In parts of a facet.
+[[nodiscard]] constexpr double reaches(Overhang overhang) {
+  return overhang == Overhang::kept ? 0.05 : 0.01;
+}
+
 /// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node,
 /// then those of the primary.
 template<int D> inline constexpr int max_nodes = D == 2 ? 5 : 48;

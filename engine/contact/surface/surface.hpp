@@ -67,7 +67,8 @@ public:
   [[nodiscard]] Foot project(Vec3 const& point, Foot guess, std::span<double const> x,
                              Search<3> const* search = nullptr) const;
   /// The same from `start` alone; not found if that leads nowhere.
-  [[nodiscard]] Foot follow(Vec3 const& point, Foot start, std::span<double const> x) const;
+  [[nodiscard]] Foot follow(Vec3 const& point, Foot start, std::span<double const> x,
+                            Overhang overhang = Overhang::found) const;
   /// The nearest point of any facet, by looking at all of them.
   [[nodiscard]] Foot nearest_start(Vec3 const& point, std::span<double const> x) const;
   /// The nearest point of one facet; `distance2`: squared distance, m^2.

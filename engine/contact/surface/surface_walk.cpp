@@ -10,9 +10,6 @@ namespace stiction::contact {
 
 namespace {
 
-/// How far the surface reaches beyond its border, in parts of a facet: a corner flush with it must not lose
-/// its counterpart to rounding or to the turning of an iterate.
-constexpr double overhang = 0.01;
 /// A foot this little beyond a side with a neighbour stays where it is.
 constexpr double on_side = 1e-9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -24,8 +21,8 @@ struct Exit {
 
 class Walk {
 public:
-  Walk(Surface const& surface, Vec3 const& point, std::span<double const> x)
-      : surface_(&surface), point_(point), x_(x) {}
+  Walk(Surface const& surface, Vec3 const& point, std::span<double const> x, Overhang overhang)
+      : surface_(&surface), point_(point), x_(x), overhang_(reaches(overhang)) {}
 
   Foot from(Foot const& start) {
     enter(start.segment, {start.xi, start.eta});
@@ -90,9 +87,9 @@ private:
     for (int k = 0; k < facet().count; ++k) {
       bool const border = facet().neighbour[ix(k)] < 0;
       double const here = inside(facet().count, k, at_), there = inside(facet().count, k, at_ + step);
-      if (k == skip || there >= here || there >= (border ? -overhang : -on_side))
+      if (k == skip || there >= here || there >= (border ? -overhang_ : -on_side))
         continue;
-      double const part = std::clamp((here + (border ? overhang : 0)) / (here - there), 0.0, 1.0);
+      double const part = std::clamp((here + (border ? overhang_ : 0)) / (here - there), 0.0, 1.0);
       if (exit.side < 0 || part < exit.part)
         exit = {k, part};
     }
@@ -104,7 +101,7 @@ private:
     auto const& from = facet();
     if (from.sharp[ix(side)] && ++edges_crossed_ > 3)
       return false;
-    double const part = std::clamp(side_part(from.count, side, at_), -overhang, 1 + overhang);
+    double const part = std::clamp(side_part(from.count, side, at_), -overhang_, 1 + overhang_);
     int const other = from.neighbour[ix(side)], across = from.across[ix(side)];
     enter(other, side_coordinates(surface_->facets()[ix(other)].count, across, 1 - part));
     return true;
@@ -142,7 +139,7 @@ private:
       at_ += step;
     }
     for (int k = 0; k < count; ++k)
-      if (!(size < 1e-10) || inside(count, k, at_) < (facet().neighbour[ix(k)] < 0 ? -overhang : -on_side))
+      if (!(size < 1e-10) || inside(count, k, at_) < (facet().neighbour[ix(k)] < 0 ? -overhang_ : -on_side))
         return {};
     return {face(), (point_ - surface_->position(face(), x_)).norm(), 1};
   }
@@ -155,7 +152,7 @@ private:
     double const inner = std::clamp(part, 0.0, 1.0);
     int const node = part <= 0 ? side : last;
     bool const at_node = part <= 0 || part >= 1;
-    if (at_node && (part < -overhang || part > 1 + overhang) && at_border(facet().nodes[ix(node)]))
+    if (at_node && (part < -overhang_ || part > 1 + overhang_) && at_border(facet().nodes[ix(node)]))
       return {};
     Vec2 const at = side_coordinates(count, side, inner);
     FootFeature const kind{at_node ? FootFeature::vertex : FootFeature::edge, at_node ? node : side};
@@ -213,6 +210,7 @@ private:
   Surface const* surface_;
   Vec3 point_;
   std::span<double const> x_;
+  double overhang_;
   int number_ = 0;
   Vec2 at_;
   FacetNow now_;
@@ -285,8 +283,8 @@ Foot Surface::nearest_start(Vec3 const& point, std::span<double const> x) const 
   return best;
 }
 
-Foot Surface::follow(Vec3 const& point, Foot start, std::span<double const> x) const {
-  return Walk(*this, point, x).from(start);
+Foot Surface::follow(Vec3 const& point, Foot start, std::span<double const> x, Overhang overhang) const {
+  return Walk(*this, point, x, overhang).from(start);
 }
 
 Foot Surface::project(Vec3 const& point, Foot guess, std::span<double const> x,

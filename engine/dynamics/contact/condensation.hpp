@@ -19,8 +19,6 @@ public:
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
   /// The rows of H for a bulk that contact is solved together with, and free = H y; there is no K_geo then.
   [[nodiscard]] linear::SurfaceRows rows(Vector const& y, double weight, Vector& free);
-  /// W is not what it was left as.
-  void forget() { made_of_ = {}; }
   /// Has the problem last eliminated a K_geo?
   [[nodiscard]] bool turns() const { return support_ > 0; }
   /// Of the problem last eliminated: would the bulk with K_geo be stable without contact, V^-1 - weight K_geo

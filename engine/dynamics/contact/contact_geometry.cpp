@@ -24,9 +24,8 @@ template<int D> void ContactGeometry<D>::add_search(Pair const& pair) {
   if (primary == nullptr)
     return;
   search.emplace(*primary, contact::most_depth * pair.reach);
-  if constexpr (D == 2)
-    if (pair.self)
-      search->allow_self({model_->reference.data(), ix(model_->dofs())});
+  if (pair.self)
+    search->allow_self({model_->reference.data(), ix(model_->dofs())});
 }
 
 template<int D> void ContactGeometry<D>::add_means(Pair const& pair) {

@@ -2,7 +2,6 @@
 #include "dynamics/contact/problem_assembly.hpp"
 
 #include "dynamics/contact/bond_grip.hpp"
-#include "dynamics/contact/twin_points.hpp"
 
 namespace stiction::dynamics {
 
@@ -58,10 +57,6 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     problem.points.push_back(point.data);
     guess.segment<C>(first) = point.force;
     problem.start[first] = points.before(point).gap;
-    if (points.pair_of(point).self) {
-      separate_twins<C>(problem, first, point.force);
-      condensation_.forget();
-    }
   }
   return guess;
 }

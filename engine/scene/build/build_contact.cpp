@@ -133,10 +133,6 @@ void Builder::add_pairs() {
 
 void Builder::add_pair(std::string const& name, PairPart const& part) {
   check_size({"pairs", name, "direction"}, part.direction);
-  if (scene_.part.dim() == 3 && part.secondary == part.primary)
-    return complain({"pairs", name, "primary"},
-                    "is the secondary itself; contact of a surface with itself is "
-                    "for plane scenes, in space split it into two sets");
   if (part.discretisation == Discretisation::mortar && part.secondary == part.primary)
     return complain(
         {"pairs", name, "discretisation"},

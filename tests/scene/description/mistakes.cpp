@@ -303,3 +303,30 @@ TEST_CASE("parameters of an adhesion law that do not fit together are named") {
   test::at(table, "pairs.sole.adhesion") = test::make("adhesion.bilinea");
   check_only(table, "pairs.sole.adhesion", {"bilinear", "potential"});
 }
+
+TEST_CASE("a sheet in plane stress outside the plane, averaged or damped") {
+  auto in_space = test::cube_on_floor();
+  test::at(in_space, "motions") = test::list({test::fix_in("foot.top", "xyz")});
+  test::at(in_space, "bodies.foot.plane_stress") = test::flag(true);
+  check_only(in_space, "bodies.foot.plane_stress", {"plane_strain", "leave it out"});
+  auto const sheet = [](std::string const& what, test::Input value) {
+    auto table = test::foot_on_floor();
+    test::at(table, "bodies.foot.plane_stress") = test::flag(true);
+    test::at(table, "scheme") = test::theta_xi(0.5, 0.5);
+    test::at(table, "bodies.foot." + what) = std::move(value);
+    return table;
+  };
+  check_only(sheet("interpolation", test::text("mean_dilatation")), "bodies.foot.interpolation",
+             {"thickness", "leave it out"});
+  check_only(
+      sheet("damping", test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(1, "Pa s")}})),
+      "bodies.foot.damping", {"sheet", "leave one"});
+}
+
+TEST_CASE("a surface that touches itself and is averaged by mortar") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole") = test::pair("foot.bottom", "foot.bottom");
+  test::at(table, "pairs.sole.discretisation") = test::text("mortar");
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  check_only(table, "pairs.sole.discretisation", {"touches itself", "node_to_segment"});
+}

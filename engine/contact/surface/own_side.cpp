@@ -1,0 +1,203 @@
+// Neighbourhood, facing, depth and order of the points of a surface that may touch itself.
+#include "contact/surface/own_side.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace stiction::contact {
+
+namespace {
+
+/// Cosine between a node's own normal and its counterpart's below which they face each other.
+constexpr double opposed = -0.2;
+/// Facets along the surface within which a node has no counterpart.
+constexpr int neighbourhood = 3;
+/// Direction of the order: powers of the plastic number's inverse, far from axes and diagonals.
+std::array<double, 3> const order_direction{1, 0.7548776662466927, 0.5698402909980532};
+
+int ends_of(Curve const&, int) {
+  return 2;
+}
+int ends_of(Surface const& surface, int facet) {
+  return surface.facets()[ix(facet)].count;
+}
+Index node_at(Curve const& curve, int segment, int end) {
+  return curve.segments()[ix(segment)].ends[ix(end)];
+}
+Index node_at(Surface const& surface, int facet, int corner) {
+  return surface.facets()[ix(facet)].nodes[ix(corner)];
+}
+Foot foot_at(Curve const&, int segment, int end) {
+  return {segment, static_cast<double>(end)};
+}
+Foot foot_at(Surface const& surface, int facet, int corner) {
+  Vec2 const at = node_coordinates(surface.facets()[ix(facet)].count, corner);
+  return {facet, at.x(), at.y()};
+}
+
+Vec2 position(Curve const& curve, Foot foot, std::span<double const> x) {
+  return curve.evaluate(foot, x).by_xi[0];
+}
+Vec3 position(Surface const& surface, Foot foot, std::span<double const> x) {
+  return surface.position(foot, x);
+}
+Vec2 normal_at(Curve const& curve, Foot foot, std::span<double const> x) {
+  Vec2 const along = curve.evaluate(foot, x).by_xi[1].normalized();
+  return {along.y(), -along.x()}; // the body lies to the left
+}
+Vec3 normal_at(Surface const& surface, Foot foot, std::span<double const> x) {
+  return area_vector(surface.positions(foot.segment, x), surface.facets()[ix(foot.segment)].count)
+      .normalized();
+}
+template<class Primary, class Point>
+double gap_at(Primary const& primary, Point const& point, Foot foot, std::span<double const> x) {
+  return normal_at(primary, foot, x).dot(point - position(primary, foot, x));
+}
+
+double interpolate(Curve const& curve, Foot foot, std::vector<double> const& of_nodes) {
+  auto const& ends = curve.segments()[ix(foot.segment)].ends;
+  return (1 - foot.xi) * of_nodes[ix(ends[0])] + foot.xi * of_nodes[ix(ends[1])];
+}
+double interpolate(Surface const& surface, Foot foot, std::vector<double> const& of_nodes) {
+  auto const& facet = surface.facets()[ix(foot.segment)];
+  auto const N = shape<double>(facet.count, foot.xi, foot.eta).N;
+  double sum = 0;
+  for (std::size_t k = 0; k < ix(facet.count); ++k)
+    sum += N[k] * of_nodes[ix(facet.nodes[k])];
+  return sum;
+}
+
+/// Larger than every facet in the reference, m; asked of surfaces alone.
+double longest_facet(Curve const&) {
+  return 0;
+}
+double longest_facet(Surface const& surface) {
+  double longest = 0;
+  for (auto const& facet : surface.facets())
+    for (std::size_t a = 0; a < ix(facet.count); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        longest = std::max(longest, (facet.reference[a] - facet.reference[b]).norm());
+  return 1.001 * longest;
+}
+
+/// Are they a few facets apart at most, along the surface? longest: of the facets, m.
+bool neighbours(Curve const& curve, std::span<Foot const> own, Foot foot, double) {
+  auto const &here = curve.segments()[ix(own[0].segment)], &there = curve.segments()[ix(foot.segment)];
+  double const size = std::max({curve.segment_length(), here.length, there.length});
+  return curve.reference_distance(own[0], foot) < neighbourhood * size;
+}
+bool neighbours(Surface const& surface, std::span<Foot const> own, Foot foot, double longest) {
+  Vec3 const &here = surface.facets()[ix(own[0].segment)].reference[0],
+             &there = surface.facets()[ix(foot.segment)].reference[0];
+  if ((here - there).norm() > (neighbourhood + 1) * longest)
+    return false;
+  std::vector<int> ring, seen;
+  for (Foot const& at : own)
+    ring.push_back(at.segment);
+  for (int n = 0; n <= neighbourhood; ++n) {
+    if (std::find(ring.begin(), ring.end(), foot.segment) != ring.end())
+      return true;
+    seen.insert(seen.end(), ring.begin(), ring.end());
+    std::vector<int> next;
+    for (int const facet : ring)
+      for (int const beside : surface.around(facet))
+        if (std::find(seen.begin(), seen.end(), beside) == seen.end()) {
+          seen.push_back(beside);
+          next.push_back(beside);
+        }
+    ring = std::move(next);
+  }
+  return false;
+}
+
+} // namespace
+
+template<int D>
+OwnSide<D>::OwnSide(Primary const& primary, std::span<double const> reference, double radius)
+    : primary_(&primary), longest_(longest_facet(primary)) {
+  gather_feet(reference.size() / D);
+  order_nodes(reference);
+  measure_depths(reference, radius);
+}
+
+template<int D> std::span<Foot const> OwnSide<D>::feet_of(Index node) const {
+  return {feet_.data() + starts_[ix(node)], starts_[ix(node) + 1] - starts_[ix(node)]};
+}
+
+template<int D> void OwnSide<D>::gather_feet(std::size_t nodes) {
+  auto const each_end = [&](auto const& act) {
+    for (int f = 0; f < primary_->size(); ++f)
+      for (int end = 0; end < ends_of(*primary_, f); ++end)
+        act(ix(node_at(*primary_, f, end)), foot_at(*primary_, f, end));
+  };
+  starts_.assign(nodes + 1, 0);
+  each_end([&](std::size_t node, Foot) { ++starts_[node + 1]; });
+  for (std::size_t node = 0; node < nodes; ++node)
+    starts_[node + 1] += starts_[node];
+  feet_.resize(starts_.back());
+  auto next = starts_;
+  each_end([&](std::size_t node, Foot foot) { feet_[next[node]++] = foot; });
+}
+
+template<int D> void OwnSide<D>::order_nodes(std::span<double const> reference) {
+  order_.assign(reference.size() / D, 0);
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t node = 0; node < order_.size(); ++node) {
+    for (std::size_t d = 0; d < D; ++d)
+      order_[node] += order_direction[d] * reference[D * node + d];
+    least = std::min(least, order_[node]);
+    most = std::max(most, order_[node]);
+  }
+  tie_ = 1e-12 * (most - least);
+}
+
+/// Half of what is seen through the body is not gone through.
+template<int D> void OwnSide<D>::measure_depths(std::span<double const> reference, double radius) {
+  std::vector<Box<D>> boxes;
+  boxes.reserve(ix(primary_->size()));
+  for (int f = 0; f < primary_->size(); ++f)
+    boxes.push_back(primary_->box(f, reference));
+  Grid<D> grid;
+  grid.build(boxes);
+  depth_.assign(order_.size(), radius / 2);
+  for (std::size_t node = 0; node < depth_.size(); ++node) {
+    auto const own = feet_of(static_cast<Index>(node));
+    if (own.empty())
+      continue;
+    Vec<D> const point = Eigen::Map<Vec<D> const>(&reference[D * node]);
+    grid.near(point, radius, [&](int f) {
+      double distance2 = 0;
+      Foot const foot = primary_->sample(f, point, reference, distance2);
+      double const gap = gap_at(*primary_, point, foot, reference);
+      if (gap < 0 && faces(static_cast<Index>(node), foot, reference))
+        depth_[node] = std::min(depth_[node], -gap / 2);
+    });
+  }
+}
+
+template<int D> bool OwnSide<D>::faces(Index node, Foot foot, std::span<double const> x) const {
+  auto const own = feet_of(node);
+  Vec<D> normal = Vec<D>::Zero();
+  for (Foot const& at : own)
+    normal += normal_at(*primary_, at, x);
+  return normal.normalized().dot(normal_at(*primary_, foot, x)) < opposed &&
+         !neighbours(*primary_, own, foot, longest_);
+}
+
+template<int D> bool OwnSide<D>::comes_after(Index node, Foot foot) const {
+  return order_[ix(node)] > interpolate(*primary_, foot, order_) - tie_;
+}
+
+template<int D>
+bool OwnSide<D>::allows(Index node, Vec<D> const& point, Foot foot, std::span<double const> x) const {
+  if (node < 0 || ix(node) >= order_.size() || feet_of(node).empty())
+    return true;
+  return comes_after(node, foot) && gap_at(*primary_, point, foot, x) > -depth_[ix(node)] &&
+         faces(node, foot, x);
+}
+
+template class OwnSide<2>;
+template class OwnSide<3>;
+
+} // namespace stiction::contact

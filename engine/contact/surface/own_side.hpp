@@ -1,0 +1,42 @@
+// What a node of a surface must not take for its counterpart on that same surface.
+#pragma once
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "contact/surface/curve.hpp"
+#include "contact/surface/surface.hpp"
+
+namespace stiction::contact {
+
+/// A node of a surface that may touch itself looks away from its own neighbourhood along the surface, from
+/// what it faces through the body, from what does not face it, and from what is to look for it: of two parts
+/// that meet one has the points and the other the facets, so that every couple counts once, with its area,
+/// its friction and its bond. Which one is a matter of a fixed order of material points: along a direction
+/// in which no mesh is likely to be symmetric.
+template<int D> class OwnSide {
+public:
+  using Primary = std::conditional_t<D == 2, Curve, Surface>;
+  /// reference: positions [D nodes] in which the surface does not cross itself. radius: of the search, m.
+  OwnSide(Primary const& primary, std::span<double const> reference, double radius);
+  /// May the node at `point` have its counterpart at `foot`? x: positions [D nodes].
+  [[nodiscard]] bool allows(Index node, Vec<D> const& point, Foot foot, std::span<double const> x) const;
+
+private:
+  [[nodiscard]] std::span<Foot const> feet_of(Index node) const;
+  void gather_feet(std::size_t nodes);
+  void order_nodes(std::span<double const> reference);
+  void measure_depths(std::span<double const> reference, double radius);
+  [[nodiscard]] bool comes_after(Index node, Foot foot) const;
+  [[nodiscard]] bool faces(Index node, Foot foot, std::span<double const> x) const;
+
+  Primary const* primary_;
+  double longest_ = 0;              ///< facet, m; 0 of curves
+  std::vector<std::size_t> starts_; ///< where the feet of a node stand, [nodes + 1]
+  std::vector<Foot> feet_;          ///< where nodes lie on the surface, one in each of their facets
+  std::vector<double> order_;       ///< of the nodes, m
+  std::vector<double> depth_;       ///< how far a node may have gone through its counterpart, m; [nodes]
+  double tie_ = 0;                  ///< what two places in the order must differ by, m
+};
+
+} // namespace stiction::contact

@@ -1,0 +1,96 @@
+// Surfaces that touch themselves: what their nodes find, each couple once, and how much they look at.
+#include <doctest/doctest.h>
+
+#include "contact/helpers.hpp"
+#include "contact/surface/search.hpp"
+#include "contact/surfaces.hpp"
+
+using namespace stiction;
+using namespace stiction::contact;
+using namespace stiction::test;
+
+namespace {
+
+/// A sheet of length 2 and width 1 whose second half is folded over the first, `gap` above it; it was flat.
+struct Folded {
+  Shell flat;
+  std::vector<double> rest, x;
+  Folded(int n, bool triangles, double gap) : flat(sheet(n, triangles)) {
+    flat.move([](Vec3 const& v) { return Vec3(2 * v.x(), v.y(), 0); });
+    rest = flat.with(Vec3::Zero());
+    Shell now = flat;
+    now.move([&](Vec3 const& v) { return v.x() <= 1 ? v : Vec3(2 - v.x(), v.y(), gap); });
+    x = now.with(Vec3::Zero());
+  }
+};
+
+} // namespace
+
+TEST_SUITE("contact") {
+  TEST_CASE("of two halves of a folded sheet one has the points and the other the facets") {
+    for (bool const triangles : {false, true}) {
+      int const n = 24;
+      double const gap = 0.01;
+      Folded const sheet(n, triangles, gap);
+      auto const surface = sheet.flat.surface();
+      Search<3> search(surface, 0.05);
+      search.allow_self(sheet.rest);
+      search.update(sheet.x);
+      int found = 0;
+      for (Index node = 0; node < sheet.flat.free_node(); ++node) {
+        auto const k = kinematics(search, node, {}, {}, sheet.x);
+        Vec3 const at = sheet.flat.nodes[ix(node)];
+        if (!k.found)
+          continue;
+        ++found;
+        CHECK(k.gap == doctest::Approx(gap).epsilon(1e-9));
+        CHECK(at.x() > 1); // the half that comes later
+        CHECK(surface.position(k.foot, sheet.rest).x() == doctest::Approx(2 - at.x()));
+        for (int i = 1; i < k.count; ++i)
+          CHECK(k.nodes[ix(i)] != node);
+      }
+      // all of a half but those at the fold, which face their own neighbours
+      CHECK(found >= (n / 2 - 2) * (n + 1));
+      CHECK(found <= (n / 2) * (n + 1));
+    }
+  }
+
+  TEST_CASE("a sheet that is not folded, a ball and a plate find nothing of themselves") {
+    auto const nothing = [](Shell const& shell) {
+      auto const surface = shell.surface();
+      Search<3> search(surface, 0.5);
+      auto const x = shell.with(Vec3::Zero());
+      search.allow_self(x);
+      search.update(x);
+      for (Index node = 0; node < shell.free_node(); ++node)
+        CHECK_FALSE(kinematics(search, node, {}, {}, x).found);
+    };
+    for (bool const triangles : {false, true}) {
+      nothing(waves(10, triangles));
+      nothing(ball(6, triangles));
+      for (double const thickness : {0.02, 0.2}) {
+        auto plate = cube(6, triangles);
+        nothing(plate.move([&](Vec3 const& v) { return Vec3(v.x(), v.y(), thickness * v.z()); }));
+      }
+    }
+  }
+
+  TEST_CASE("a folded sheet is looked at in n log n") {
+    std::vector<long> visits;
+    for (int const n : {32, 100, 316}) { // about 1e3, 1e4 and 1e5 facets
+      Folded const sheet(n, false, 0.3 / n);
+      auto const surface = sheet.flat.surface();
+      Search<3> search(surface, 1.0 / n);
+      search.allow_self(sheet.rest);
+      search.update(sheet.x);
+      long count = 0;
+      for (Index node = 0; node < sheet.flat.free_node(); ++node)
+        static_cast<void>(
+            search.nearest(Eigen::Map<Vec3 const>(&sheet.x[3 * ix(node)]), sheet.x, node, &count));
+      visits.push_back(count / sheet.flat.free_node());
+    }
+    CHECK(visits[0] > 0);
+    CHECK(visits[0] < 200);
+    CHECK(visits[2] <= visits[0] + 20);
+  }
+}
