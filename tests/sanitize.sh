@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds everything but the figures under the address, leak and undefined-behaviour sanitizers and runs the fast tests
-# but the proofs, which take the sanitizers too long.
+# but proofs and experiments, which take the sanitizers too long.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
