@@ -5,6 +5,7 @@ local ledger = {}
 
 local terms = { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "damping_loss", "friction_loss",
   "bonding_loss" }
+local of_springs = { "spring", "dashpot_loss" } -- where a scene has any
 
 local function largest_of(values)
   local largest = 0
@@ -18,8 +19,20 @@ end
 --- Largest energy that the account of a case leaves open over its run, and its largest term.
 function ledger.open(case, probe)
   local largest = 0
-  for _, name in ipairs(terms) do
+  local function look(name)
     largest = math.max(largest, largest_of(case:series(probe, name)))
+  end
+  for _, name in ipairs(terms) do
+    look(name)
+  end
+  local there = {}
+  for _, column in ipairs(case:columns()) do
+    there[column] = true
+  end
+  for _, name in ipairs(of_springs) do
+    if there[probe .. "/" .. name] then
+      look(name)
+    end
   end
   if largest == 0 then
     fault.script("case %s: every term of its ledger is zero, there is nothing to hold it against", case.id)

@@ -15,7 +15,7 @@ local function of(key, values)
   return levels
 end
 
-local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold" }
+local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold", "tie" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
@@ -136,6 +136,12 @@ axis("folds", "of a strip on itself", { "fold" }, {
 axis("pairs", "which whole outlines may touch", { "crowd" }, {
   { "one_way", { pairing = "one_way" } }, { "both_ways", { pairing = "both_ways" } },
   { "everything", { pairing = "everything" } }, { "everything_dry", { pairing = "everything", without = { "mu" } } },
+})
+axis("spring", "spring that draws it, stiffness [N/m]", { "tie" }, {
+  { "0", { k = 0 }, want = "refused" }, { "1e-6", { k = 1e-6 }, want = "refused" }, { "1", { k = 1 } }, { "1e9", { k = 1e9 } },
+  { "1e16", { k = 1e16 } }, { "line", { line = true } }, { "line_1e12", { line = true, k = 1e12 } },
+  { "line_slack", { line = true, rest = 2 } }, { "spread", { spread = true } }, { "stretched", { draw = 1 } },
+  { "rubber", { material = "neo_hookean", line = true } },
 })
 axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
   { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },

@@ -37,6 +37,17 @@ local function balance(case, q, say)
   say("contact force against motion, over the largest", off / (most + 1e5 * rounding), 1e-5)
 end
 
+--- What draws the block along the floor is the spring, what presses it the motion.
+local function tied(case, _, say)
+  local fx, fy = case:series("contact", "force_x"), case:series("contact", "force_y")
+  local tie, drive, off = case:series("tie", "force_x"), case:series("drive", "force_y"), 0
+  for i = 2, #fx do
+    off = math.max(off, math.abs(fx[i] + tie[i]), math.abs(fy[i] + drive[i]))
+  end
+  local most = math.max(largest(fx), largest(fy), largest(tie))
+  say("contact force against spring and motion, over the largest", off / most, 1e-5)
+end
+
 --- Signorini and Coulomb at every point and step, over the body's size and the largest pressure.
 local function complementarity(case, q, say, group)
   local deepest, tensile, both, outside = 0, 0, 0, 0
@@ -386,6 +397,7 @@ local of_scene = {
   law = { law, driven, balance, account, closed_ledger },
   punch = { balance, complementarity, above_floor, symmetry, released, account, closed_ledger },
   slide = { balance, complementarity, above_bed, sliding, account, closed_ledger },
+  tie = { tied, complementarity, above_floor, account },
   bar = { above_floor, wave, carried_by_bar, account, energy_kept },
   stack = { balance, complementarity, channel, account, closed_ledger },
   drop = { complementarity, momentum, carried_by_drop, account, energy_kept },

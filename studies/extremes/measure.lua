@@ -63,8 +63,8 @@ end
 --- Largest of all energies of the ledger and works.
 function measure.energy_scale(case)
   local most = 0
-  for _, name in ipairs { "kinetic", "strain", "bond", "potential", "motion_work", "load_work" } do
-    for _, value in ipairs((case:series("energy", name))) do
+  for _, name in ipairs { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "spring" } do
+    for _, value in ipairs(component(case, "energy", name) or {}) do
       most = math.max(most, math.abs(value))
     end
   end

@@ -214,6 +214,27 @@ scenes.drop = {
   end,
 }
 
+--- A pressed block that a spring draws along a plane, whose other end is moved: nothing else holds it sideways.
+scenes.tie = {
+  values = { size = 0.01, height = 0.005, cells = { 4, 2 }, mu = 0.3, press = 5e-5, k = 1e4, draw = 1e-3, steps = 10 },
+  make = function(q, u)
+    return {
+      bodies = { block = body_of(q, u, block(u, { 0, 0 }, { q.size, q.height }, q.cells)) },
+      obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
+      motions = { path(q, u, { set = "block.top", times = { 0, 1, 2 }, y = { 0, -q.press, -q.press } }) },
+      springs = { tie = stiction.spring { from = "block.top", stiffness = q.k * u.Pa * units.m, spread = q.spread,
+        anchor = not q.spread and list({ 1, q.height }, u.m) or nil, along = q.line and "line" or nil,
+        direction = not q.line and { 1, 0 } or nil, rest = q.rest and q.rest * u.m or nil,
+        times = list({ 0, q.pace, 2 * q.pace }, u.s), x = list({ 0, 0, q.draw }, u.m) } },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
+      probes = { contact = stiction.probe.contact { pair = "touch" },
+        line = stiction.probe.contact_line { pair = "touch" }, tie = stiction.probe.spring { spring = "tie" },
+        drive = stiction.probe.force { set = "block.top" }, driven = node(u, "block.top", { 0, q.height }),
+        sole = node(u, "block.bottom", { q.size / 2, 0 }), energy = stiction.probe.energy { audit = true } },
+    }
+  end,
+}
+
 --- Whether block i is asked about block k, each a whole boundary.
 local asks = {
   neighbours = function(i, k) return k == i + 1 end,

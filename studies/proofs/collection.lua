@@ -23,6 +23,7 @@ return {
   "bar_impact",
   "bouncing_bar",
   "sliding_block",
+  "block_on_spring",
   "sphere_impact",
   "free_collision",
   "solver_agreement",

@@ -95,6 +95,8 @@ public:
           make("solver.gauss_seidel", {{"iterations", value(300)}}); // of a second or less
     if (kinematics_ != "axisymmetric" && dice_.one_in(4))
       turn_top(scene);
+    if (dice_.one_in(3))
+      add_spring(scene);
     return scene;
   }
 
@@ -170,6 +172,28 @@ private:
     if (two_bodies_)
       all.push_back(make("motion.fix", {{"set", text("lower.bottom")}}));
     at(scene.table, "motions") = list(std::move(all));
+  }
+  /// Soft beside the bodies: to the lower body, or to a place that goes sideways.
+  void add_spring(RandomScene& scene) {
+    core::Table parts{{"from", text("upper.bottom")}, {"stiffness", value(dice_.between(1, 50), "N/m")}};
+    bool const revolved = kinematics_ == "axisymmetric";
+    if (sample_.order > 0 && sample_.name != "central_difference" && dice_.one_in(2))
+      parts["damping"] = value(dice_.between(0, 2), "N s/m");
+    if (two_bodies_ && dice_.one_in(2)) {
+      parts["to"] = text("lower.bottom");
+    } else {
+      parts["times"] = values({0, scene.dt * scene.steps}, "s");
+      parts["y"] = values({0, dice_.between(-0.1, 0.1)}, "m");
+      std::vector<double> place(static_cast<std::size_t>(dim_), -2);
+      parts["anchor"] = values(place, "m");
+    }
+    bool const along = !revolved && dice_.one_in(2);
+    if (along)
+      parts["along"] = text("line");
+    else if (parts.find("to") == parts.end() && dice_.one_in(2))
+      parts["spread"] = flag(true);
+    at(scene.table, "springs.tie") = make("spring", std::move(parts));
+    scene.words += along ? ", on a line" : ", on a spring";
   }
   /// The top tips besides, by up to a fiftieth.
   void turn_top(RandomScene& scene) {

@@ -75,6 +75,9 @@ History::History(BulkSystem const& bulk, Model const& model) : bulk_(&bulk), mod
   for (auto const& rigid : model.rigids)
     for (auto const& path : rigid.shift)
       farthest = std::max(farthest, path.farthest());
+  for (auto const& spring : model.springs)
+    for (auto const& path : spring.to.shift)
+      farthest = std::max(farthest, path.farthest());
   Vector u = Vector::Zero(model.dofs());
   for (Index node = 0; node < model.first_node.back(); ++node)
     u[model.dim() * node] = farthest;

@@ -50,6 +50,8 @@ std::string unfit_for_multigrid(Model const& model) {
     return "some body is held by its bonds alone";
   if (std::any_of(model.rigids.begin(), model.rigids.end(), [](auto const& one) { return one.free(); }))
     return "a rigid body is free";
+  if (!std::ranges::all_of(model.springs, &Spring::spread))
+    return "a spring acts on the mean of a set";
   if (!std::all_of(model.pairs.begin(), model.pairs.end(), drives))
     return "contact is between deformable bodies, or its points are means";
   if (!std::holds_alternative<contact::BipotentialNewton>(model.solver))
@@ -70,6 +72,8 @@ std::string unfit_for_ranks(Model const& model) {
       std::any_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) { return body->damping; });
   if (weights.skin || (weights.surface_apart() && damped))
     return "contact nodes have a balance of their own";
+  if (!model.springs.empty())
+    return "it has springs";
   if (model.control.bulk == BulkSolver::direct)
     return "control.bulk is \"direct\", and a factor is one process's";
   return "";

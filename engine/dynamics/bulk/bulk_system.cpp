@@ -88,10 +88,11 @@ double largest_cell(Model const& model) {
 } // namespace
 
 BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
-    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces) {
+    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model) {
   on_surface_ = contact_nodes(model);
   for (auto const& cells : model.cells)
     damped_ = damped_ || (weights.inertia && cells.damped());
+  damped_ = damped_ || (weights.inertia && springs_.damped());
   own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
   if (purpose == Purpose::steps)
     make_matrix(model, weights);
@@ -108,8 +109,8 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
     gather_grip(model);
-  linear_bodies_ = std::all_of(model.bodies.begin(), model.bodies.end(),
-                               [](auto const& body) { return solid::linear(*body); });
+  linear_bodies_ = springs_.linear() && std::all_of(model.bodies.begin(), model.bodies.end(),
+                                                    [](auto const& body) { return solid::linear(*body); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
 }
@@ -152,6 +153,7 @@ void BulkSystem::number_unknowns(Model const& model) {
       for (Index const dof : cell)
         all.back().push_back(unknown_of_[ix(dof)]);
     });
+    springs_.add_cliques(unknown_of_, all);
     return all;
   };
   auto const count = static_cast<Index>(free.size());
@@ -216,6 +218,7 @@ void BulkSystem::build_maps(Model const& model) {
     maps_[body].resize(entries[body]);
     fill_map(kept_.front().factor->pattern(), cells[body], unknowns[body], maps_[body]);
   }
+  springs_.map_entries(kept_.front().factor->pattern(), unknown_of_);
 }
 
 namespace {
@@ -367,7 +370,8 @@ void BulkSystem::choose_factor(FactorSource source, StepWeights const& weights) 
   kept_.front().is_of(std::move(source), weights);
 }
 
-void BulkSystem::add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
+void BulkSystem::add_stiffness(FactorSource const& at, StepWeights const& weights, Cost& cost) {
+  auto const& u = *at.u;
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
     auto const first = ix(dim_ * model_->first_node[body]),
                count = ix(dim_ * model_->first_node[body + 1]) - first;
@@ -375,25 +379,28 @@ void BulkSystem::add_stiffness(Vector const& u, StepWeights const& weights, doub
   }
   if (skin_)
     skin_->add_stiffness(u, skin_more_, values_);
+  springs_.add_stiffness(u, at.t, weights.xi, values_);
   ++cost.stiffness_passes;
-  double const viscous = weights.xi / (weights.rate * dt);
+  double const viscous = weights.xi / (weights.rate * at.dt);
   if (damped_ && !own_rates_)
-    add_damping(u, viscous, values_);
+    add_damping(at, viscous, values_);
   if (!own_rates_)
     return;
   viscous_.assign(values_.size(), 0.0);
-  add_damping(u, viscous, viscous_);
+  add_damping(at, viscous, viscous_);
   for (std::size_t k = 0; k < values_.size(); ++k)
     values_[k] += viscous_[k];
 }
 
-void BulkSystem::add_damping(Vector const& u, double factor, std::vector<double>& values) const {
+void BulkSystem::add_damping(FactorSource const& at, double factor, std::vector<double>& values) const {
+  auto const& u = *at.u;
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
     auto const first = ix(dim_ * model_->first_node[body]),
                count = ix(dim_ * model_->first_node[body + 1]) - first;
     if (model_->cells[body].damped())
       model_->cells[body].add_damping_stiffness({u.data() + first, count}, factor, maps_[body], values);
   }
+  springs_.add_damping_stiffness(u, at.t, factor, values);
 }
 
 /// The columns of contact unknowns in `share` times what A adds.
@@ -415,15 +422,15 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
   return entries;
 }
 
-bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost) {
-  choose_factor({std::make_shared<Vector const>(u), dt, nullptr}, weights);
+bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost, double t) {
+  choose_factor({std::make_shared<Vector const>(u), dt, t, nullptr}, weights);
   return make(weights, cost);
 }
 
 /// The present factor from its source.
 bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   auto& now = kept_.front();
-  auto const& [u, dt, carried] = now.source;
+  auto const& source = now.source;
   {
     Timer const timer(cost.assembly);
     if (weights.inertia)
@@ -432,10 +439,10 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
     else
       std::fill(values_.begin(), values_.end(), 0.0);
     if (!diagonal_)
-      add_stiffness(*u, weights, dt, cost);
+      add_stiffness(source, weights, cost);
     for (Index j = 0; j < (grip_.size() > 0 ? unknowns() : 0); ++j)
       values_[ix(factor().pattern().columns[ix(j)])] +=
-          (grip_in_matrix_ + weights.stabilisation / dt) * grip_[dof_of(j)];
+          (grip_in_matrix_ + weights.stabilisation / source.dt) * grip_[dof_of(j)];
   }
   Timer const timer(cost.factorization);
   auto const& columns = now.factor->pattern().columns;
@@ -454,7 +461,7 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   auto apart = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
   now.made = now.factor->factorize(values_, std::move(apart),
                                    model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
-  now.factor->carry_on(carried.get());
+  now.factor->carry_on(source.carried.get());
   bool const held = now.factor->hold() > 0;
   cost.factorizations += held ? 2 : 1;
   cost.shifted_factorizations += held ? 1 : 0;

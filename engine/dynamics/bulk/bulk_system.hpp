@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "dynamics/bulk/skin.hpp"
+#include "dynamics/bulk/springs.hpp"
 #include "dynamics/model/mass.hpp"
 #include "dynamics/model/state.hpp"
 #include "linear/bulk_factor.hpp"
@@ -48,16 +49,17 @@ public:
   [[nodiscard]] bool on_surface(Index node) const { return on_surface_[ix(node)]; }
   [[nodiscard]] bool surface_dof(Index dof) const { return on_surface_[ix(dof / dim_)]; }
 
-  /// F_int(u) over all degrees of freedom, with the strain energy.
+  /// F_int(u) of the cells over all degrees of freedom, with the strain energy.
   [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
   /// "cell 12 of body tape, at (0.1, 0.2) m" where it lies at rest; the number counts all bodies' from 0.
   [[nodiscard]] std::string cell_words(Index cell) const;
   /// Internal force of the skin, weighted by how much more it counts at the step's end than that of all
   /// cells, N; call only where the scheme has a skin.
   void skin_force(Vector const& u, Vector& force) const;
-  /// Has any body a viscosity?
+  [[nodiscard]] Springs const& springs() const { return springs_; }
+  /// Has any body a viscosity, or a spring a dashpot?
   [[nodiscard]] bool damped() const { return damped_; }
-  /// A(u) v over all degrees of freedom, N.
+  /// A(u) v of the cells over all degrees of freedom, N.
   void damping_force(Vector const& u, Vector const& v, Vector& force) const;
   /// What the stabilisation acts on, [degrees of freedom], N/m: E / L^2 per volume of each body (L: diagonal
   /// of its box); 0 at driven unknowns, empty where nothing asks for it.
@@ -69,8 +71,9 @@ public:
   /// of contact nodes that balance by themselves; of explicit schemes the lumped M alone, without any pass
   /// over the cells. The change of A with u is left out. Where that is not positive definite by itself but
   /// would be with the contact surfaces held, as a law that softens under a punch, the factor holds them.
-  /// False if that does not help.
-  [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
+  /// False if that does not help. t: that springs on paths are at, s.
+  [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost,
+                               double t = 0);
   /// Takes up a factor for these coefficients, of whatever u; false if none is kept. One that `recall` wants
   /// and that has been overwritten is made again.
   [[nodiscard]] bool take_factor(StepWeights const& weights, double dt, Cost& cost);
@@ -88,7 +91,7 @@ public:
   void keep_factors(std::size_t count) { kept_at_most_ = count; }
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
-  /// True if the internal force is linear in u.
+  /// True if the internal force, springs included, is linear in u.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
   /// The present one; its surface are the contact unknowns.
   [[nodiscard]] linear::BulkFactor& factor() { return *kept_.front().factor; }
@@ -136,8 +139,8 @@ private:
   [[nodiscard]] solid::Pass together(solid::Pass mine, Vector& force) const;
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
-  void add_stiffness(Vector const& u, StepWeights const& weights, double dt, Cost& cost);
-  void add_damping(Vector const& u, double factor, std::vector<double>& values) const;
+  void add_stiffness(FactorSource const& at, StepWeights const& weights, Cost& cost);
+  void add_damping(FactorSource const& at, double factor, std::vector<double>& values) const;
   [[nodiscard]] std::vector<linear::ColumnEntry> own_columns(double share) const;
 
   Model const* model_;
@@ -147,6 +150,7 @@ private:
   Index trailing_ = 0;
   std::vector<bool> on_surface_;
   Mass mass_;
+  Springs springs_;
   Vector grip_;
   double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "dynamics/bulk/springs.hpp"
 #include "dynamics/model/mass.hpp"
 #include "linear/decompositions.hpp"
 
@@ -58,6 +59,23 @@ std::vector<FreeCell> free_cells(Model const& model, std::size_t body, std::vect
   return cells;
 }
 
+/// Largest eigenvalue that springs add, at most.
+double spring_eigenvalue(Model const& model, Vector const& u, double t) {
+  Springs const springs(model);
+  if (springs.empty())
+    return 0;
+  std::vector<bool> const everywhere(ix(model.node_count()), true);
+  Vector inverse =
+      assemble_mass(model, everywhere, ContactInertia::implicit).diagonal().unaryExpr([](double m) {
+        return m > 0 ? 1 / m : 0.0;
+      });
+  auto const driven = driven_dofs(model);
+  for (Index dof = 0; dof < model.dofs(); ++dof)
+    if (driven[ix(dof)])
+      inverse[dof] = 0;
+  return springs.stiffest(u, t, inverse);
+}
+
 /// Each cell's lower triangle, one after the other.
 std::vector<double> cell_stiffnesses(Model const& model, std::size_t body, Vector const& u) {
   std::size_t entries = 0;
@@ -75,7 +93,7 @@ std::vector<double> cell_stiffnesses(Model const& model, std::size_t body, Vecto
 
 } // namespace
 
-double critical_step(Model const& model, Vector const& u) {
+double critical_step(Model const& model, Vector const& u, double t) {
   auto const driven = driven_dofs(model);
   double largest = 0;
   for (std::size_t body = 0; body < model.cells.size(); ++body) {
@@ -88,6 +106,7 @@ double critical_step(Model const& model, Vector const& u) {
       at += n * (n + 1) / 2;
     });
   }
+  largest += spring_eigenvalue(model, u, t);
   return largest > 0 ? 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 

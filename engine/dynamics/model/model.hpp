@@ -1,4 +1,4 @@
-// All that a step reads: bodies, pairs, motions, loads, scheme and solver settings.
+// All that a step reads: bodies, pairs, motions, loads, springs, scheme and solver settings.
 #pragma once
 #include <memory>
 #include <optional>
@@ -10,6 +10,7 @@
 #include "contact/solvers/solver.hpp"
 #include "dynamics/model/motion.hpp"
 #include "dynamics/model/share.hpp"
+#include "dynamics/model/spring.hpp"
 #include "dynamics/scheme/path.hpp"
 #include "dynamics/scheme/scheme.hpp"
 #include "interface/law.hpp"
@@ -101,6 +102,7 @@ struct Model {
   Vec3 gravity = Vec3::Zero(); ///< m/s^2
   std::vector<Motion> motions;
   std::vector<Load> loads;
+  std::vector<Spring> springs;
   std::vector<Pair> pairs;
   Scheme scheme;
   contact::SolverChoice solver;

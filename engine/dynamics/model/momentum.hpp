@@ -29,10 +29,11 @@ struct PairScrew {
 /// Kept where the model is `tallied`. Impulses are sums since the start of the forces that the ledger's works
 /// are found with, each with its moment where it acts: contact at the steps' ends, all else half-way.
 struct Momenta {
-  std::vector<Screw> bodies;     ///< [bodies + rigids] momentum, by the mass that the scheme moves
-  std::vector<PairScrew> pairs;  ///< [pairs] impulses
-  Screw start;                   ///< momentum of all at the start
-  Screw loads, motions;          ///< impulses of weight and loads, and of motions
+  std::vector<Screw> bodies;    ///< [bodies + rigids] momentum, by the mass that the scheme moves
+  std::vector<PairScrew> pairs; ///< [pairs] impulses
+  Screw start;                  ///< momentum of all at the start
+  Screw loads, motions;         ///< impulses of weight and loads, and of motions
+  Screw springs; ///< impulses on their nodes: of those between two sets nothing, but for moments
   std::vector<PairScrew> forces; ///< [pairs] at the end of the last step
 };
 

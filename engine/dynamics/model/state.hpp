@@ -47,17 +47,19 @@ struct SchemeLoss {
 struct Ledger {
   double kinetic = 0, strain = 0, bond = 0,
          potential = 0;          ///< potential: of gravity and of constant forces on rigid bodies
-  double motion_work = 0;        ///< done by driven nodes and moving obstacles
+  double spring = 0;             ///< stored in springs, at present
+  double motion_work = 0;        ///< done by driven nodes, moving obstacles and moving ends of springs
   double load_work = 0;          ///< done by prescribed forces
   double damping_loss = 0;       ///< dissipated by the bodies' viscosity
+  double dashpot_loss = 0;       ///< dissipated by the dashpots of springs
   double stabilisation_loss = 0; ///< dissipated by the stabilisation of quasi-statics
   double friction_loss = 0;      ///< dissipated by slip against rbar_t
   double bonding_loss = 0;       ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
-  double start = 0;              ///< kinetic + strain + bond + potential at t = 0
+  double start = 0;              ///< kinetic + strain + bond + potential + spring at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
-    return start + motion_work + load_work - (kinetic + strain + bond + potential) - damping_loss -
-           stabilisation_loss - friction_loss - bonding_loss;
+    return start + motion_work + load_work - (kinetic + strain + bond + potential + spring) - damping_loss -
+           dashpot_loss - stabilisation_loss - friction_loss - bonding_loss;
   }
   SchemeLoss predicted; ///< kept where the model is audited
   /// What is left of an audited ledger: rounding, but for bodies and bonds that are not linear.
@@ -68,6 +70,7 @@ struct Ledger {
 struct FactorSource {
   std::shared_ptr<Vector const> u;                ///< m
   double dt = 0;                                  ///< s
+  double t = 0;                                   ///< that springs on paths are at, s
   std::shared_ptr<linear::Carried const> carried; ///< beside it; null: nothing
 };
 

@@ -64,9 +64,9 @@ State Stepper::initial() {
   state.reaction.setZero(dofs);
   state.own_reactions.assign(model_->pairs.size() > 1 ? model_->pairs.size() : 0, Vector::Zero(dofs));
   state.drive.setZero(dofs);
-  static_cast<void>(bulk_.internal_force(state.u, state.internal));
+  static_cast<void>(internal(state.u, 0, state.internal));
   if (bulk_.damped()) {
-    bulk_.damping_force(state.u, state.v, state.damping);
+    damping({state.u, state.v, 0}, state.damping);
     state.internal += state.damping;
   }
   for (auto const& pair : model_->pairs)
@@ -95,7 +95,11 @@ State Stepper::initial() {
     bulk_.mass().times(state.v, mass_rate_);
     state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
   }
-  state.ledger.start = state.ledger.kinetic + state.ledger.bond;
+  if (!bulk_.springs().empty()) {
+    Vector unused = Vector::Zero(dofs);
+    state.ledger.spring = bulk_.springs().add_force(state.u, 0, unused);
+  }
+  state.ledger.start = state.ledger.kinetic + state.ledger.bond + state.ledger.spring;
   if (model_->tallied) {
     state.momenta.pairs.resize(model_->pairs.size());
     state.momenta.forces.resize(model_->pairs.size());
@@ -104,13 +108,6 @@ State Stepper::initial() {
       state.momenta.start += body;
   }
   return state;
-}
-
-/// Weight and prescribed forces at a time, N.
-void Stepper::gather_external(double t, Vector& force) const {
-  force = bulk_.mass().dead_load;
-  for (auto const& load : model_->loads)
-    force += load.path.value(t) * load.force;
 }
 
 /// What the scheme keeps beside velocities: M a = F at rest without contact, and no impulse yet.
@@ -167,22 +164,6 @@ template<class Force> void Stepper::look_ahead(Force const& force, Vector& value
     value += (ahead - value) / part;
 }
 
-/// F_int(u1) and its energy; false if a cell has turned inside out.
-bool Stepper::internal_forces(Outcome& outcome) {
-  Timer const timer(cost_.assembly);
-  auto const pass = bulk_.internal_force(u_, internal_);
-  ++cost_.force_passes;
-  if (!pass.sound()) {
-    outcome.verdict = StepVerdict::inverted_cell;
-    outcome.reason = fmt::format("{} before it is deformed, turned inside out: it is pressed or sheared too "
-                                 "far for its size; give a finer mesh there, less load, or smaller steps",
-                                 bulk_.cell_words(pass.inverted_cell));
-    return false;
-  }
-  strain_ = pass.energy;
-  return true;
-}
-
 /// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
 void Stepper::accelerate(State const& old, double dt) {
   bool const second = weights_.accelerations(), kicked = old.kick.size() > 0;
@@ -212,11 +193,11 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   u_ = old.u + d_;
   if (weights_.explicit_forces)
     internal_ = old.internal;
-  else if (!internal_forces(outcome))
+  else if (!internal_forces(old.t + dt, outcome))
     return false;
   if (leads_) {
     Timer const timer(cost_.assembly);
-    look_ahead([&](Vector const& u, Vector& f) { static_cast<void>(bulk_.internal_force(u, f)); }, internal_);
+    look_ahead([&](Vector const& u, Vector& f) { static_cast<void>(internal(u, old.t + dt, f)); }, internal_);
     ++cost_.force_passes;
   }
   if (weights_.inertia)
@@ -225,7 +206,8 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     inertia_.setZero(d_.size());
   if (bulk_.damped()) {
     Timer const timer(cost_.assembly);
-    bulk_.damping_force(u_, old.v + rate_change_, damping_);
+    Vector const rates = old.v + rate_change_;
+    damping({u_, rates, old.t + dt}, damping_);
     internal_ += damping_;
   }
   unbalanced_ = inertia_ - weights_.early * (external_old_ - old.internal) -
@@ -285,13 +267,14 @@ bool Stepper::converged(Outcome& outcome) {
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
 /// one.
-bool Stepper::correct(double dt, Outcome& outcome) {
+bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
+  double const t = old.t + dt;
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
   bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
   if (keep && apply_factor())
     return true;
   if (!keep || !bulk_.linear()) {
-    if (!bulk_.factorize(u_, weights_, dt, cost_)) {
+    if (!bulk_.factorize(u_, weights_, dt, cost_, t)) {
       outcome.verdict = StepVerdict::indefinite;
       outcome.reason = "the effective stiffness is not positive definite";
       return false;
@@ -372,8 +355,11 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
       1e-9 * (std::abs(after.start) + std::abs(after.motion_work) + std::abs(after.load_work) +
               std::abs(after.potential) + std::abs(after.bond));
   double const there = before.kinetic + std::abs(before.strain) + change(&Ledger::motion_work) +
-                       change(&Ledger::load_work) + change(&Ledger::potential) + rounded;
-  auto const loss = [](Ledger const& ledger) { return ledger.scheme_loss() + ledger.damping_loss; };
+                       change(&Ledger::load_work) + change(&Ledger::potential) + std::abs(before.spring) +
+                       rounded;
+  auto const loss = [](Ledger const& ledger) {
+    return ledger.scheme_loss() + ledger.damping_loss + ledger.dashpot_loss;
+  };
   if (weights_.inertia && !weights_.explicit_forces &&
       loss(before) - loss(after) > there + change(&Ledger::bond))
     return "the time scheme made more energy than there was";
@@ -420,12 +406,12 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
           fmt::format("left off after {} iterations, {}", outcome.iterations, unmet(outcome, now));
       return outcome;
     }
-    if (!correct(dt, outcome))
+    if (!correct(old, dt, outcome))
       return outcome;
     if (leads_)
       arrive(old, old.t + dt);
   }
-  if (!weights_.explicit_forces || internal_forces(outcome))
+  if (!weights_.explicit_forces || internal_forces(old.t + dt, outcome))
     finish(old, dt, outcome);
   if (!outcome.converged())
     return outcome;

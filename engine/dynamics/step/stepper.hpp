@@ -69,7 +69,9 @@ private:
   void arrive(State const& old, double t1);
   template<class Force> void look_ahead(Force const& force, Vector& value);
   [[nodiscard]] bool balance(State const& old, double dt, Outcome& outcome);
-  [[nodiscard]] bool internal_forces(Outcome& outcome);
+  solid::Pass internal(Vector const& u, double t, Vector& force) const;
+  void damping(Instant const& now, Vector& force) const;
+  [[nodiscard]] bool internal_forces(double t, Outcome& outcome);
   [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
   void accelerate(State const& old, double dt);
   void start_rates(State& state);
@@ -78,16 +80,17 @@ private:
   [[nodiscard]] bool apart(Index dof) const;
   [[nodiscard]] double imbalance() const;
   [[nodiscard]] bool converged(Outcome& outcome);
-  [[nodiscard]] bool correct(double dt, Outcome& outcome);
+  [[nodiscard]] bool correct(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
   void finish(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
   void account(State const& old, State& next) const;
+  void account_springs(State const& old, State& next) const;
   void set_momenta(State& state) const;
   void tally(State const& old, State& next) const;
   void audit(State const& old, State& next) const;
   [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
-  [[nodiscard]] double path_work(State const& old) const;
+  [[nodiscard]] double path_work(State const& old, State const& next) const;
   void audit_contact(State const& old, State& next) const;
   [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 

@@ -39,6 +39,19 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
   return force.dot(d_) / (next.t - old.t);
 }
 
+/// What springs store, what their dashpots took, and what was done on ends that follow paths.
+void Stepper::account_springs(State const& old, State& next) const {
+  auto& ledger = next.ledger;
+  auto const& springs = bulk_.springs();
+  Instant const before{old.u, old.v, old.t}, after{next.u, next.v, next.t};
+  Vector unused = Vector::Zero(next.u.size());
+  ledger.spring = springs.add_force(next.u, next.t, unused);
+  auto const work = springs.path_work(before, after, weights_.work);
+  ledger.motion_work += work.elastic + work.viscous;
+  if (springs.damped())
+    ledger.dashpot_loss += springs.damping_loss(before, after, weights_.work);
+}
+
 /// Adds the step to the ledger (physics.md 6); works use the force averages of the scheme.
 void Stepper::account(State const& old, State& next) const {
   auto& ledger = next.ledger;
@@ -66,6 +79,8 @@ void Stepper::account(State const& old, State& next) const {
   ledger.load_work += ((1 - omega) * (external_old_ - dead_load) + omega * (external_ - dead_load)).dot(d_);
   if (bulk_.damped())
     ledger.damping_loss += viscous_loss(old, next);
+  if (!bulk_.springs().empty())
+    account_springs(old, next);
   if (weights_.stabilisation > 0)
     ledger.stabilisation_loss += weights_.stabilisation / (next.t - old.t) * bulk_.grip().dot(d_.cwiseAbs2());
   ledger.strain = strain_;

@@ -89,20 +89,28 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
   return unmet;
 }
 
-/// Work of the internal forces along the straight way from u0 to u1, J: by the Gauss-Lobatto rule of four
+/// Work of the internal forces along the straight way from u0 to u1, J: of springs what they store more, of
+/// cells by the Gauss-Lobatto rule of four
 /// points, whose error falls with the sixth power of the way, or trapezia where they are linear in u.
-double Stepper::path_work(State const& old) const {
+double Stepper::path_work(State const& old, State const& next) const {
   auto const elastic = [this](Vector const& all, Vector const& viscous) {
     return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
   };
-  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
+  double ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
+  double stored = 0;
+  if (!bulk_.springs().empty()) {
+    Vector of_springs = Vector::Zero(d_.size());
+    stored = -bulk_.springs().add_force(old.u, old.t, of_springs);
+    stored += bulk_.springs().add_force(next.u, next.t, of_springs);
+    ends -= of_springs.dot(d_);
+  }
   if (bulk_.linear_bodies())
-    return 0.5 * ends;
+    return 0.5 * ends + stored;
   double const inner = 0.5 - 0.5 / std::sqrt(5.0);
   Vector first, second;
   static_cast<void>(bulk_.internal_force(old.u + inner * d_, first));
   static_cast<void>(bulk_.internal_force(old.u + (1 - inner) * d_, second));
-  return (ends + 5 * (first + second).dot(d_)) / 12;
+  return (ends + 5 * (first + second).dot(d_)) / 12 + stored;
 }
 
 /// Loss at the contact points, and what the nodal reactions do beside the work at the points.
@@ -130,15 +138,19 @@ void Stepper::audit(State const& old, State& next) const {
   double const omega = weights_.work, dt = next.t - old.t;
   if (weights_.inertia)
     loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_);
-  double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_);
+  SpringWork on_paths;
+  if (!bulk_.springs().empty())
+    on_paths = bulk_.springs().path_work({old.u, old.v, old.t}, {next.u, next.v, next.t}, omega);
+  double mean_work = ((1 - omega) * old.internal + omega * internal_).dot(d_) + on_paths.elastic;
   if (bulk_.damped()) {
     double const viscous = ((1 - omega) * old.damping + omega * damping_).dot(d_);
     mean_work -= viscous;
-    loss.rates += viscous - (next.ledger.damping_loss - old.ledger.damping_loss);
+    loss.rates += viscous + on_paths.viscous - (next.ledger.damping_loss - old.ledger.damping_loss) -
+                  (next.ledger.dashpot_loss - old.ledger.dashpot_loss);
   }
   if (weights_.skin)
     mean_work += excess_.dot(d_);
-  loss.averages += mean_work - path_work(old);
+  loss.averages += mean_work - path_work(old, next);
   audit_contact(old, next);
 }
 

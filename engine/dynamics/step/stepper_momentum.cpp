@@ -27,6 +27,14 @@ void Stepper::tally(State const& old, State& next) const {
   Vector const half_way = 0.5 * (old.u + next.u);
   all.loads += dt * resultant(*model_, half_way, (1 - omega) * external_old_ + omega * external_, 0, nodes);
   all.motions += dt * resultant(*model_, half_way, next.drive, 0, nodes);
+  if (!bulk_.springs().empty()) {
+    Vector first = Vector::Zero(next.u.size()), last = first;
+    bulk_.springs().add_force(old.u, old.t, first);
+    bulk_.springs().add_damping({old.u, old.v, old.t}, first);
+    bulk_.springs().add_force(next.u, next.t, last);
+    bulk_.springs().add_damping({next.u, next.v, next.t}, last);
+    all.springs += -dt * resultant(*model_, half_way, (1 - omega) * first + omega * last, 0, nodes);
+  }
   Vector force;
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
     contact_->reaction(force, static_cast<int>(p));

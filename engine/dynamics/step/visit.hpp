@@ -49,15 +49,15 @@ template<class Archive> void visit(Archive& archive, SchemeLoss& loss) {
 }
 
 template<class Archive> void visit(Archive& archive, Ledger& ledger) {
-  auto& [kinetic, strain, bond, potential, motion_work, load_work, damping_loss, stabilisation_loss,
-         friction_loss, bonding_loss, start, predicted] = ledger;
-  archive(kinetic, strain, bond, potential, motion_work, load_work, damping_loss, stabilisation_loss,
-          friction_loss, bonding_loss, start, predicted);
+  auto& [kinetic, strain, bond, potential, spring, motion_work, load_work, damping_loss, dashpot_loss,
+         stabilisation_loss, friction_loss, bonding_loss, start, predicted] = ledger;
+  archive(kinetic, strain, bond, potential, spring, motion_work, load_work, damping_loss, dashpot_loss,
+          stabilisation_loss, friction_loss, bonding_loss, start, predicted);
 }
 
 template<class Archive> void visit(Archive& archive, FactorSource& source) {
-  auto& [u, dt, carried] = source;
-  archive(u, dt, carried);
+  auto& [u, dt, t, carried] = source;
+  archive(u, dt, t, carried);
 }
 
 template<class Archive> void visit(Archive& archive, Screw& screw) {
@@ -71,8 +71,8 @@ template<class Archive> void visit(Archive& archive, PairScrew& pair) {
 }
 
 template<class Archive> void visit(Archive& archive, Momenta& momenta) {
-  auto& [bodies, pairs, start, loads, motions, forces] = momenta;
-  archive(bodies, pairs, start, loads, motions, forces);
+  auto& [bodies, pairs, start, loads, motions, springs, forces] = momenta;
+  archive(bodies, pairs, start, loads, motions, springs, forces);
 }
 
 template<class Archive> void visit(Archive& archive, State& state) {

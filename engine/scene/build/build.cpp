@@ -57,6 +57,7 @@ Scene Builder::run() {
   add_obstacles();
   add_motions();
   add_loads();
+  add_springs();
   hold_axis();
   add_pairs();
   check_probes();
@@ -276,7 +277,7 @@ std::optional<Indices> Builder::resolve(Where const& where, std::string const& n
                                 fmt::join(known, ", ")));
     return {};
   }
-  bool const primary = where.back() == "primary";
+  bool const primary = where.back() == "primary" || where.back() == "from" || where.back() == "to";
   for (auto const& [obstacle, part] : scene_.part.obstacles)
     if (primary)
       known.push_back(obstacle);

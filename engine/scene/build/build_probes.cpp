@@ -57,6 +57,9 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
   if constexpr (requires { part.obstacle; })
     if (!scene_.part.obstacles.contains(part.obstacle))
       unknown_name({"probes", name, "obstacle"}, "obstacle", part.obstacle, names(scene_.part.obstacles));
+  if constexpr (requires { part.spring; })
+    if (!scene_.part.springs.contains(part.spring))
+      unknown_name({"probes", name, "spring"}, "spring", part.spring, names(scene_.part.springs));
   if constexpr (requires { part.set; })
     if (scene_.part.obstacles.contains(part.set))
       return complain(

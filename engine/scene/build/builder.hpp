@@ -51,6 +51,13 @@ private:
   void add_load(Where const& where, PointForcePart const& part);
   void add_components(Where const& where, LoadPath const& load, Vector const& shares);
 
+  // build_springs.cpp
+  void add_springs();
+  void add_spring(Where const& where, SpringPart const& part);
+  void check_spring(Where const& where, SpringPart const& part);
+  void set_spring_way(Where const& where, SpringPart const& part, dynamics::Spring& spring);
+  [[nodiscard]] std::optional<dynamics::SpringEnd> spring_end(Where const& where, std::string const& name);
+
   // support.cpp
   void hold_axis();
   void check_supports(dynamics::ContactSystem const& contact, dynamics::State const& start);

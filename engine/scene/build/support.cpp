@@ -59,7 +59,7 @@ void Builder::hold_axis() {
 
 namespace {
 
-constexpr double least = 1e-7; ///< of a stabilisation
+constexpr double least = 1e-7; ///< of a stabilisation, and of a spring beside its body
 
 /// The rigid motions of all bodies, one after the other, and what resists them.
 class RigidMotions {
@@ -100,6 +100,16 @@ public:
           hold({node}, Eigen::RowVectorXd::Unit(model_->dim(), motion.component));
   }
 
+  /// The ways of springs from end to end. What is too soft beside its body holds nothing: its points, moved
+  /// by any friction, would meet their gaps loosely.
+  void hold_springs() {
+    for (auto const& spring : model_->springs)
+      for (std::size_t k = 0; k < holding_members(spring); ++k)
+        for (int c = 0; c < model_->dim(); ++c)
+          if (Vec3 const way = way_of(spring, c); !way.isZero(0))
+            hold_spring(spring, k, way);
+  }
+
   /// Per body the motions that nothing resists, by the component that is most of each.
   [[nodiscard]] std::vector<std::vector<std::string>> loose() const {
     Eigen::SelfAdjointEigenSolver<Dense> const all(held_);
@@ -123,6 +133,35 @@ private:
     Vec3 middle = Vec3::Zero();
     double size = 0; ///< m
   };
+  /// None of a spring below `least` E, times a length where forces are not per metre of depth.
+  [[nodiscard]] std::size_t holding_members(dynamics::Spring const& spring) const {
+    auto const found = std::ranges::upper_bound(model_->first_node, spring.from.nodes.front());
+    auto const b = static_cast<std::size_t>(found - model_->first_node.begin() - 1);
+    bool const plane = model_->kinematics == solid::Kinematics::plane_strain;
+    double const young = material::moduli(model_->bodies[b]->material).young;
+    if (spring.stiffness < least * young * (plane ? 1 : frames_[b].size))
+      return 0;
+    return spring.spread ? spring.from.nodes.size() : 1;
+  }
+  /// The c-th way along which a spring resists; one that has a direction resists along the first alone.
+  static Vec3 way_of(dynamics::Spring const& spring, int c) {
+    if (spring.along == dynamics::SpringAlong::axes)
+      return spring.axes[c] > 0 ? Vec3(Vec3::Unit(c)) : Vec3(Vec3::Zero());
+    return c == 0 ? spring.direction : Vec3(Vec3::Zero());
+  }
+  /// Along a way, of the mean of a set or, where the spring is spread, of its k-th node.
+  void hold_spring(dynamics::Spring const& spring, std::size_t k, Vec3 const& way) {
+    Indices nodes = spring.spread ? Indices{spring.from.nodes[k]} : spring.from.nodes;
+    std::vector<double> shares = spring.spread ? std::vector<double>{1} : spring.from.shares;
+    nodes.insert(nodes.end(), spring.to.nodes.begin(), spring.to.nodes.end());
+    for (double const share : spring.to.shares)
+      shares.push_back(-share);
+    int const dim = model_->dim();
+    Eigen::RowVectorXd weights(dim * static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      weights.segment(dim * static_cast<Eigen::Index>(i), dim) = shares[i] * way.head(dim).transpose();
+    hold(nodes, weights);
+  }
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(names_.size()); }
 
   dynamics::Model const* model_;
@@ -148,8 +187,8 @@ void hold_bonds(dynamics::Model const& model, dynamics::ContactSystem const& con
 
 } // namespace
 
-/// Without inertia every rigid motion needs something that resists it from the start: a motion, an intact
-/// bond or the stabilisation of the scheme; contact alone is not counted on.
+/// Without inertia every rigid motion needs something that resists it from the start: a motion, a spring, an
+/// intact bond or the stabilisation of the scheme; contact alone is not counted on.
 void Builder::check_supports(dynamics::ContactSystem const& contact, dynamics::State const& start) {
   auto& model = *scene_.model;
   auto const weights = dynamics::weights(model.scheme);
@@ -163,6 +202,7 @@ void Builder::check_supports(dynamics::ContactSystem const& contact, dynamics::S
     return;
   RigidMotions motions(model);
   motions.hold_motions();
+  motions.hold_springs();
   auto loose = motions.loose();
   auto const any = [&] { return std::ranges::any_of(loose, [](auto const& own) { return !own.empty(); }); };
   if (!any())
@@ -176,8 +216,9 @@ void Builder::check_supports(dynamics::ContactSystem const& contact, dynamics::S
     if (!loose[b].empty())
       complain(
           {"bodies", scene_.bodies[b]},
-          fmt::format("can {}: no motion holds it, nor a bond that is whole at the start, and in a "
-                      "quasi-static run contact alone cannot; fix or drive a set of it (at a plane of "
+          fmt::format("can {}: no motion holds it, nor a spring of at least 1e-7 of its stiffness, nor a "
+                      "bond that is whole at the start, and in "
+                      "a quasi-static run contact alone cannot; fix or drive a set of it (at a plane of "
                       "symmetry the component across it), let scheme.quasi_static{{stabilisation = 1e-6}} "
                       "hold it until contact does, or give it inertia with scheme.theta_xi",
                       fmt::join(loose[b], ", ")));

@@ -35,6 +35,7 @@ std::vector<Category> const& catalog() {
       {"adhesion", "adhesion laws", schemas<interface::AdhesionLaw>()},
       {"motion", "prescribed displacements", schemas<MotionPart>()},
       {"load", "prescribed forces", schemas<LoadPart>()},
+      {"spring", "springs and dashpots", {SpringPart::schema()}},
       {"schedule", "stages of the run", {SchedulePart::schema()}},
       {"stage", "a stretch with equal steps", {StagePart::schema()}},
       {"accuracy", "steps chosen from their error", {dynamics::Accuracy::schema()}},

@@ -311,6 +311,7 @@ core::Schema const& ScenePart::schema() {
           .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
           .nested("motions", "motion", Need::optional, "list of motions")
           .nested("loads", "load", Need::optional, "list of prescribed forces")
+          .nested("springs", "spring", Need::optional, "table of springs and dashpots by name")
           .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")
           .nested("scheme", "scheme", Need::optional, "time scheme; default theta_xi{}")
           .nested("solver", "solver", Need::optional, "contact solver; default newton{}")
@@ -329,6 +330,8 @@ void ScenePart::read_nested(Reader& reader) {
   obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
                                   [](Reader r) { return r.record<ObstaclePart>(); });
   pairs = named<PairPart>(reader, "pairs", Need::optional, [](Reader r) { return r.record<PairPart>(); });
+  springs =
+      named<SpringPart>(reader, "springs", Need::optional, [](Reader r) { return r.record<SpringPart>(); });
   probes =
       named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
   for (auto& motion : reader.children("motions", Need::optional))

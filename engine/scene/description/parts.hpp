@@ -121,6 +121,21 @@ struct PointForcePart : LoadPath {
 };
 using LoadPart = std::variant<TractionPart, PointForcePart>;
 
+/// A spring and a dashpot between two ends.
+struct SpringPart {
+  std::string from, to;              ///< "body.set", or the name of an obstacle; to: empty: a place
+  Numbers anchor;                    ///< m; empty: where `from` is
+  Numbers times, x, y, z;            ///< s, m: of the place
+  double stiffness = 0, damping = 0; ///< N/m, N s/m
+  dynamics::SpringAlong along = dynamics::SpringAlong::axes; ///< axes or line
+  Numbers axes, direction;                                   ///< 1; empty: all axes, none
+  double rest = 0;                                           ///< m
+  bool rests = false;                                        ///< `rest` is given
+  bool spread = false;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
 /// A stretch of the run with equal steps.
 struct StagePart {
   double until = 0; ///< s
@@ -177,12 +192,16 @@ struct EnergyProbe {
   bool audit = false;
   static core::Schema const& schema();
 };
+struct SpringProbe {
+  std::string spring;
+  static core::Schema const& schema();
+};
 struct MomentumProbe {
   Numbers about; ///< m; empty: the origin
   static core::Schema const& schema();
 };
 using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe,
-                               EnergyProbe, MomentumProbe>;
+                               EnergyProbe, MomentumProbe, SpringProbe>;
 
 struct ScenePart {
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;
@@ -192,6 +211,7 @@ struct ScenePart {
   std::map<std::string, PairPart> pairs;
   std::vector<MotionPart> motions;
   std::vector<LoadPart> loads;
+  std::map<std::string, SpringPart> springs;
   std::map<std::string, ProbePart> probes;
   dynamics::Scheme scheme;
   contact::SolverChoice solver;

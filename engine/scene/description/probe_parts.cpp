@@ -72,6 +72,14 @@ core::Schema const& RigidProbe::schema() {
   return made;
 }
 
+core::Schema const& SpringProbe::schema() {
+  static auto const made =
+      Describe<SpringProbe>{"spring", "force, elongation and energy of a spring with its dashpot", ""}
+          .text("spring", &SpringProbe::spring, Need::required, "name of the spring")
+          .build();
+  return made;
+}
+
 core::Schema const& EnergyProbe::schema() {
   static auto const made =
       Describe<EnergyProbe>{"energy", "the energy ledger of the run", "physics.md 6"}

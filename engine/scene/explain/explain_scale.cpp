@@ -61,6 +61,9 @@ std::vector<KnownLength> known_lengths(Facts const& all) {
   for (auto const& rigid : all.scene->model->rigids)
     for (auto const& path : rigid.shift)
       add(way_of(path), "the way of an obstacle");
+  for (auto const& spring : all.scene->model->springs)
+    for (auto const& path : spring.to.shift)
+      add(way_of(path), "the way of the end of spring " + spring.name);
   for (auto const& pair : all.pairs)
     add(pair.gap, "the gap of pair " + pair.pair->name);
   return lengths;

@@ -75,6 +75,9 @@ double fastest(dynamics::Model const& model) {
   for (auto const& rigid : model.rigids)
     for (auto const& path : rigid.shift)
       speed = std::max(speed, path.fastest());
+  for (auto const& spring : model.springs)
+    for (auto const& path : spring.to.shift)
+      speed = std::max(speed, path.fastest());
   return speed;
 }
 

@@ -83,6 +83,9 @@ struct Facts {
 
 /// explain_scene.cpp: what the scene models.
 void describe_scene(Facts const& facts, Explanation& explanation);
+/// explain_springs.cpp: springs, one by one; those that cost much or swing faster than the steps.
+void describe_springs(Facts const& facts, Explanation& explanation);
+void warn_of_springs(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_numbers.cpp: the numbers that decide.
 void describe_numbers(Facts const& facts, Explanation& explanation);
 /// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any

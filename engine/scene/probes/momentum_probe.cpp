@@ -88,6 +88,8 @@ void add_columns(Scene const& scene, Writer const& writer) {
   }
   writer.columns("load_impulse", "load_angular_impulse", "impulse of loads and weight");
   writer.columns("motion_impulse", "motion_angular_impulse", "impulse of motions");
+  if (!scene.model->springs.empty())
+    writer.columns("spring_impulse", "spring_angular_impulse", "impulse of springs");
   writer.columns("unaccounted_p", "unaccounted_l", "change of all momentum less all impulses");
 }
 
@@ -108,6 +110,7 @@ Screw both_sides(dynamics::PairScrew const& pair) {
 Screw impulses(dynamics::Momenta const& momenta) {
   Screw sum = momenta.loads;
   sum += momenta.motions;
+  sum += momenta.springs;
   for (auto const& pair : momenta.pairs)
     sum += both_sides(pair);
   return sum;
@@ -135,6 +138,8 @@ Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns con
     }
     put(momenta.loads, about, which, row);
     put(momenta.motions, about, which, row);
+    if (!model.springs.empty())
+      put(momenta.springs, about, which, row);
     Screw rest = all;
     rest += -1 * momenta.start;
     rest += -1 * impulses(momenta);

@@ -315,22 +315,33 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
   context.column("strain", unit, "strain energy");
   context.column("bond", unit, "bond energy, (9)");
   context.column("potential", unit, "potential energy of gravity");
-  context.column("motion_work", unit, "work done by motions and obstacles");
+  context.column("motion_work", unit, "work done by motions, obstacles and moving ends of springs");
   context.column("load_work", unit, "work done by prescribed forces");
   context.column("damping_loss", unit, "dissipated by the bodies' viscosity");
   context.column("stabilisation_loss", unit, "dissipated by the stabilisation of scheme.quasi_static");
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
   context.column("scheme_loss", unit, "lost by the time scheme");
+  bool const springs = !context.scene.model->springs.empty();
+  if (springs) {
+    context.column("spring", unit, "stored in springs");
+    context.column("dashpot_loss", unit, "dissipated by the dashpots of springs");
+  }
   Sampler const more = probe.audit ? add_audit(context) : Sampler{};
-  return [more](State const& state, std::vector<double>& row) {
+  return [more, springs](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
     row.insert(row.end(),
                {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work, l.damping_loss,
                 l.stabilisation_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
+    if (springs)
+      row.insert(row.end(), {l.spring, l.dashpot_loss});
     if (more)
       more(state, row);
   };
+}
+
+Sampler add(SpringProbe const& probe, Context const& context) {
+  return add_spring(probe, context.scene, context.series, context.name);
 }
 
 Sampler add(MomentumProbe const& probe, Context const& context) {

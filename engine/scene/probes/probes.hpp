@@ -29,4 +29,8 @@ struct Columns {
 [[nodiscard]] Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                                    std::string const& name);
 
+/// The same of a spring probe.
+[[nodiscard]] Sampler add_spring(SpringProbe const& probe, Scene const& scene, Columns const& series,
+                                 std::string const& name);
+
 } // namespace stiction::scene

@@ -7,8 +7,10 @@ local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa
 local columns = {}
 
 local fillers = {
-  plane_strain = { pair = "pair", set = "body.top", obstacle = "obstacle", body = "body", near = { 0*m, 1*m } },
-  three_dimensional = { pair = "pair", set = "body.top", obstacle = "obstacle", body = "body", near = { 0*m, 0*m, 1*m } },
+  plane_strain = { pair = "pair", set = "body.top", obstacle = "obstacle", body = "body", spring = "spring",
+    near = { 0*m, 1*m } },
+  three_dimensional = { pair = "pair", set = "body.top", obstacle = "obstacle", body = "body",
+    spring = "spring", near = { 0*m, 0*m, 1*m } },
 }
 
 local function probe_of(kind, filler, audit)
@@ -35,6 +37,7 @@ local function scene_of(kinds, kinematics)
       material = stiction.material.linear_elastic { young = 1*Pa, poisson = 0 } } },
     obstacles = { obstacle = stiction.obstacle { shape = stiction.rigid.plane(plane and {} or { normal = { 0, 0, 1 } }) } },
     pairs = { pair = stiction.pair { secondary = "body.bottom", primary = "obstacle" } },
+    springs = { spring = stiction.spring { from = "body.top", stiffness = 1*units.N/m } },
     probes = probes,
     schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
   }

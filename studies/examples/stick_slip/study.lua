@@ -1,6 +1,6 @@
 -- A block drawn over a plane by a soft strip: it sticks until the strip pulls with mu_s P, slips, and sticks again.
 --    P ______
---     |______|________   slow     The strip is the spring, k = E h / L: a scene has no springs of its own.
+--     |______|________   slow     The strip is the spring, k = E h / L; stiction.spring would do as well.
 --   -------------------->         P presses as a dead traction on the block's top.
 local stiction = require "stiction"
 local units, numeric = stiction.units, stiction.numeric
