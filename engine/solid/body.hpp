@@ -9,7 +9,8 @@
 
 namespace stiction::solid {
 
-/// plane_strain: per metre of depth, or of the thickness of a sheet in plane stress. axisymmetric: coordinates (r, z), integrals over the full turn.
+/// plane_strain: per metre of depth, or of the thickness of a sheet in plane stress. axisymmetric:
+/// coordinates (r, z), integrals over the full turn.
 enum class Kinematics { plane_strain, axisymmetric, three_dimensional };
 
 /// Displacement components per node, which is the dimension of the mesh too.
