@@ -138,8 +138,6 @@ TEST_SUITE("dynamics") {
       bulk.take(5);
       CHECK(eliminate(0.5)); // another matrix
       CHECK_FALSE(eliminate(0.5));
-      condensation.forget();
-      CHECK(eliminate(0.5));
     }
   }
 }
