@@ -10,8 +10,6 @@
 
 namespace stiction::solid {
 
-inline constexpr int most_points = 27;
-
 /// One group of a block's cells after the other. Call deform, then respond or flow, then what is wanted. What
 /// lanes say that no cell is left for is that of the last one.
 template<Kinematics kinematics, int Nodes> class CellGroup {
