@@ -64,7 +64,7 @@ end)
 
 local function audited(open, largest)
   local series = { unaccounted = { 0, open, 0 } }
-  return { id = "run", series = function(_, probe, name)
+  return { id = "run", columns = function() return { "energy/kinetic" } end, series = function(_, probe, name)
     equal(probe, "energy")
     return series[name] or { 0, name == "kinetic" and -(largest or 2) or 0, 0 }
   end }
