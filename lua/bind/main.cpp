@@ -11,6 +11,7 @@
 #include "bind/state.hpp"
 #include "bind/trace.hpp"
 #include "bind/wrap.hpp"
+#include "linear/blocking.hpp"
 
 namespace {
 
@@ -85,6 +86,7 @@ int serve(lua_State* lua) {
 int main(int count, char** words) {
   try {
     setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    linear::fix_blocking();
     auto const line = bind::parse_command_line(count, words);
     if (line.command.empty())
       return line.code;
