@@ -355,8 +355,7 @@ local function pressures_of(case, line, q)
 end
 
 local function carried_by_bar(case, q, say)
-  local width = q.size / q.cells * q.L
-  carried(say, case:series("contact", "force_y"), { (case:series("point", "pressure")) }, width)
+  carried(say, case:series("contact", "force_y"), pressures_of(case, "line", q), 0.5 * q.size / q.cells * q.L)
 end
 
 local function carried_by_drop(case, q, say)

@@ -159,7 +159,7 @@ scenes.bar = {
       scheme = stiction.scheme.theta_xi {}, schedule = schedule_of(q, u, { last }),
       probes = { point = stiction.probe.contact_point { pair = "touch", near = list({ 0, q.gap }, u.m) },
         contact = stiction.probe.contact { pair = "touch" }, energy = stiction.probe.energy { audit = true },
-        sole = node(u, "bar.bottom", { 0, q.gap }) },
+        line = stiction.probe.contact_line { pair = "touch" }, sole = node(u, "bar.bottom", { 0, q.gap }) },
     }
   end,
 }
