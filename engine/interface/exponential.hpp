@@ -164,6 +164,8 @@ template<int D>
   double sum = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     double const level = -std::log(beta + points[k] * (step.old.beta - beta)); // = y u + y^2 v
+    if (level <= 0) // beta rounds to 1, and v may be all there is
+      continue;
     double const y = 2 * level / (u + std::sqrt(u * u + 4 * v * level));
     sum += weights[k] * y * y;
   }

@@ -55,6 +55,12 @@ Handle file_access() {
   return access;
 }
 
+Handle timeless(hid_t kind) {
+  Handle creation(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
+  return creation;
+}
+
 std::string last_reason() {
   return reason_number != 0 ? std::strerror(reason_number) : "reason unknown";
 }

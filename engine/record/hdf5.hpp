@@ -14,6 +14,8 @@ void keep_reasons();
 
 /// File access that leaves a killed file readable (V18 bounds) and lets others read it meanwhile (no lock).
 [[nodiscard]] Handle file_access();
+/// Creation without time stamps: equal runs give equal files. `kind` is H5P_FILE_CREATE, ...
+[[nodiscard]] Handle timeless(hid_t kind);
 
 /// The system's reason ("No space left on device") of the last failed call, or "reason unknown".
 [[nodiscard]] std::string last_reason();

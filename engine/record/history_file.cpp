@@ -25,19 +25,12 @@ hsize_t chunk_rows(std::size_t width) {
   return std::clamp<hsize_t>(256 / width, 32, 128);
 }
 
-/// Creation without time stamps: equal runs give equal files. `kind` is H5P_FILE_CREATE, ...
-Handle timeless(hid_t kind) {
-  Handle creation(H5Pcreate(kind), H5Pclose);
-  H5Pset_obj_track_times(creation, false);
-  return creation;
-}
-
 Handle create_dataset(hid_t file, std::string const& name, std::size_t width) {
   std::array<hsize_t, 2> const size{0, width}, limit{H5S_UNLIMITED, width}, chunk{chunk_rows(width), width};
   int const rank = width == 1 ? 1 : 2;
   double const unwritten = std::numeric_limits<double>::quiet_NaN(); // tells the reader where a kill struck
   Handle const space(H5Screate_simple(rank, size.data(), limit.data()), H5Sclose);
-  Handle const creation = timeless(H5P_DATASET_CREATE);
+  Handle const creation = hdf5::timeless(H5P_DATASET_CREATE);
   H5Pset_chunk(creation, rank, chunk.data());
   H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &unwritten);
   return {H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
@@ -59,8 +52,9 @@ bool write_rows(hid_t dataset, hsize_t first, std::span<double const> values, st
 
 HistoryFile::HistoryFile(std::filesystem::path path) : path_(std::move(path)), part_(part_name(path_)) {
   hdf5::keep_reasons();
-  file_ = Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), hdf5::file_access()),
-                 H5Fclose);
+  file_ =
+      Handle(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, hdf5::timeless(H5P_FILE_CREATE), hdf5::file_access()),
+             H5Fclose);
   if (!file_.valid())
     throw unwritable(path_, hdf5::last_reason());
 }
@@ -97,7 +91,8 @@ Handle HistoryFile::open_group(std::string const& group) {
     std::string const name = group.substr(begin, end - begin);
     here = H5Lexists(here, name.c_str(), H5P_DEFAULT) > 0
                ? Handle(H5Gopen2(here, name.c_str(), H5P_DEFAULT), H5Gclose)
-               : Handle(H5Gcreate2(here, name.c_str(), H5P_DEFAULT, timeless(H5P_GROUP_CREATE), H5P_DEFAULT),
+               : Handle(H5Gcreate2(here, name.c_str(), H5P_DEFAULT, hdf5::timeless(H5P_GROUP_CREATE),
+                                   H5P_DEFAULT),
                         H5Gclose);
     begin = end + 1;
   }

@@ -27,7 +27,7 @@ constexpr hsize_t chunk_numbers = 1 << 17; // 1 MiB
 
 /// Row by row in chunks, bytes shuffled and deflated, if there are enough of them.
 hdf5::Handle compression(std::vector<hsize_t> shape, std::size_t count) {
-  hdf5::Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  auto list = hdf5::timeless(H5P_DATASET_CREATE);
   if (count < least_compressed || H5Zfilter_avail(H5Z_FILTER_DEFLATE) <= 0)
     return list;
   shape[0] = std::clamp<hsize_t>(chunk_numbers * shape[0] / count, 1, shape[0]);
@@ -215,7 +215,8 @@ void save_problem(std::filesystem::path const& path, contact::Problem const& pro
   {
     auto const access = hdf5::file_access();
     H5Pset_small_data_block_size(access, 0); // a small file, written once
-    hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+    hdf5::Handle const file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, hdf5::timeless(H5P_FILE_CREATE), access),
+                            H5Fclose);
     auto const n = static_cast<hsize_t>(problem.free.size());
     auto const& entries = problem.W.dense();
     std::vector<double> const W(entries.data(), entries.data() + entries.size()); // column by column

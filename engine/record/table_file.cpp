@@ -51,7 +51,7 @@ Packed pack(TableColumn const& column, std::size_t rows) {
 Handle write_rows(hid_t file, std::string const& name, hid_t type, hsize_t rows, void const* bytes) {
   hsize_t const chunk = std::clamp<hsize_t>(rows, 1, largest_chunk);
   Handle const space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
-  Handle const layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  Handle const layout = hdf5::timeless(H5P_DATASET_CREATE);
   H5Pset_chunk(layout, 1, &chunk);
   Handle const links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
@@ -105,7 +105,8 @@ void write_table(std::filesystem::path const& path, std::string const& name, std
   for (auto const& column : columns)
     packed.push_back(pack(column, rows));
   auto const part = part_name(path);
-  Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5::file_access()), H5Fclose);
+  Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, hdf5::timeless(H5P_FILE_CREATE), hdf5::file_access()),
+              H5Fclose);
   bool held = file.valid() && write_whole(file, name, columns, packed, rows) &&
               write_columns(file, columns, packed, rows) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
   auto const reason = hdf5::last_reason();

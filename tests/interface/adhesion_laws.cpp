@@ -179,6 +179,18 @@ TEST_SUITE("interface") {
     }
   }
 
+  TEST_CASE("what a bond loses is a number from zero up, however small the opening") {
+    for (auto const& named : adhesions())
+      for (double size = 1e-30; size < 0.1; size *= 1.3)
+        for (Local<3> const& way : {Local<3>(1, 0, 0), Local<3>(0, 1, 0), Local<3>(0.3, -0.5, 0.8)}) {
+          CAPTURE(named.name);
+          CAPTURE(size);
+          double const loss = dissipation<3>(named.law, {initial_bond(named.law, 0), 1, true}, size * way);
+          CHECK(loss >= 0);
+          CHECK(std::isfinite(loss));
+        }
+  }
+
   TEST_CASE("a bond that is gone pulls no more and does not come back") {
     for (auto const& named : adhesions()) {
       if (!irreversible(named.law))

@@ -9,9 +9,10 @@ namespace stiction::dynamics {
 
 namespace {
 
-/// What a factor is to go on with, of those wanted; none where it is not among them.
-template<class Kept> auto const* carried_for(Kept const& one, std::vector<FactorSource> const& wanted) {
-  auto const found = std::ranges::find_if(wanted, [&](auto const& source) { return one.comes_from(source); });
+/// What a factor that does not depend on u is to go on with, of those wanted; none where it is not among
+/// them.
+linear::Carried const* carried_for(double dt, std::vector<FactorSource> const& wanted) {
+  auto const found = std::ranges::find_if(wanted, [&](auto const& source) { return source.dt == dt; });
   return found != wanted.end() ? found->carried.get() : nullptr;
 }
 
@@ -20,7 +21,7 @@ template<class Kept> auto const* carried_for(Kept const& one, std::vector<Factor
 void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights const& weights) {
   if (linear_) {
     for (auto& one : kept_)
-      one.factor->carry_on(carried_for(one, wanted));
+      one.factor->carry_on(carried_for(one.source.dt, wanted));
     return;
   }
   std::vector<Kept> had = std::exchange(kept_, {});
@@ -79,11 +80,19 @@ std::vector<FactorSource> BulkSystem::sources() const {
 std::vector<FactorSource> BulkSystem::lasting() const {
   std::vector<FactorSource> all;
   for (auto const& one : kept_)
-    if (linear_ && one.made && one.factor->coupled() == nullptr) {
+    if (linear_ && one.made) {
       all.push_back(one.source);
       all.back().carried = one.factor->carried();
     }
   return all;
+}
+
+std::optional<FactorSource> BulkSystem::held(FactorSource const& wanted) const {
+  auto const is_it = [&](Kept const& one) { return one.made && one.comes_from(wanted); };
+  for (auto const* among : {&kept_, &parked_})
+    if (auto const found = std::ranges::find_if(*among, is_it); found != among->end())
+      return FactorSource{wanted.u, wanted.dt, wanted.t, found->factor->carried()};
+  return {};
 }
 
 } // namespace stiction::dynamics

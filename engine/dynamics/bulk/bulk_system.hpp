@@ -84,8 +84,11 @@ public:
   void make_again(std::vector<FactorSource> const& wanted, StepWeights const& weights);
   /// Those kept, the last used first; none where they do not depend on u and carry nothing.
   [[nodiscard]] std::vector<FactorSource> sources() const;
-  /// Those that `sources` leaves out, as they do not depend on u: who goes on elsewhere makes them again.
+  /// Those kept that do not depend on u, whether carrying or not: who goes on elsewhere makes them again.
   [[nodiscard]] std::vector<FactorSource> lasting() const;
+  /// This one with what its factor carries by now, if that is made, though the present step may have put it
+  /// aside.
+  [[nodiscard]] std::optional<FactorSource> held(FactorSource const& wanted) const;
   /// Keeps the factors of so many step sizes, those used last, instead of one; each takes the memory of one.
   /// Where it is more than one, one more is held for a step that may yet be given up.
   void keep_factors(std::size_t count) { kept_at_most_ = count; }

@@ -55,9 +55,10 @@ public:
     visit(rest);
     begin_files(&mark);
     auto made = standing_.lasting;
-    for (std::size_t k = 0; k < std::min(state_.factors.size(), standing_.made.size()); ++k)
-      if (standing_.made[k] != 0)
-        made.push_back(state_.factors[k]);
+    for (std::size_t k = 0; k < standing_.made.size(); ++k) {
+      made.push_back(state_.factors.at(ix(standing_.made[k])));
+      made.back().carried = standing_.carried.at(k);
+    }
     stepper_.go_on(made, settled_);
   }
 
@@ -139,12 +140,13 @@ private:
     template<class Archive> void visit(Archive& archive) { archive(stage, step, done, begun); }
   };
 
-  /// The factors that need not be made when steps want them: those that do not depend on u, and of the
-  /// state's own those that no failed step has overwritten.
+  /// The factors that need not be made when steps want them: all of a system whose factors do not depend on
+  /// u, or else of the state's own those that no failed step has overwritten.
   struct Standing {
     std::vector<dynamics::FactorSource> lasting;
-    Indices made; ///< [factors of the state], 0 or 1
-    template<class Archive> void visit(Archive& archive) { archive(lasting, made); }
+    Indices made;                                                ///< of the state's, by number
+    std::vector<std::shared_ptr<linear::Carried const>> carried; ///< [made] by then
+    template<class Archive> void visit(Archive& archive) { archive(lasting, made, carried); }
   };
 
   /// Adds its lifetime to the time spent on output.
@@ -332,11 +334,12 @@ private:
   }
 
   [[nodiscard]] Standing standing() {
-    Standing now{stepper_.bulk().lasting(), {}};
-    auto const there = stepper_.bulk().sources();
-    for (auto const& wanted : state_.factors)
-      now.made.push_back(std::ranges::any_of(
-          there, [&](auto const& one) { return one.u == wanted.u && one.dt == wanted.dt; }));
+    Standing now{stepper_.bulk().lasting(), {}, {}};
+    for (std::size_t k = 0; !stepper_.bulk().linear() && k < state_.factors.size(); ++k)
+      if (auto held = stepper_.bulk().held(state_.factors[k])) {
+        now.made.push_back(static_cast<Index>(k));
+        now.carried.push_back(std::move(held->carried));
+      }
     return now;
   }
 

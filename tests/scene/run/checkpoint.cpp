@@ -5,6 +5,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <fstream>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -70,9 +71,14 @@ void check_same(Case const& a, Case const& b) {
   }
 }
 
+/// Up to where it names its own folder.
+std::string reason_of(scene::RunResult const& result) {
+  return result.reason.substr(0, result.reason.find("; its problem is"));
+}
+
 void check_same(scene::RunResult const& a, scene::RunResult const& b) {
   CHECK(a.verdict == b.verdict);
-  CHECK(a.reason == b.reason);
+  CHECK(reason_of(a) == reason_of(b));
   CHECK(a.steps == b.steps);
   CHECK(a.iterations == b.iterations);
   CHECK(a.cuts == b.cuts);
@@ -152,7 +158,11 @@ test::Input edge(double x, double y, std::string const& name) {
 
 TEST_CASE("scenes of all kinds that are stopped and taken up end bitwise as if they had not been") {
   long continued = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  std::vector<unsigned> seeds(60);
+  std::iota(seeds.begin(), seeds.end(), 0);
+  // a failed attempt has put the factor aside (78), asked the same one for more columns (105)
+  seeds.insert(seeds.end(), {78, 105});
+  for (unsigned const seed : seeds) {
     auto scene = test::RandomScenes(seed).draw();
     enrich(scene, seed % 3 == 0);
     CAPTURE(seed);
