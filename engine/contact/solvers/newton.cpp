@@ -20,7 +20,7 @@ constexpr int refinements = 3;
 constexpr double near_by = 0.3; // residual of a guess that Newton takes first
 constexpr long huge = 150;      // rows, from which on sweeps cost less than its factorizations
 constexpr int quick = 12;       // iterations, before what is sure takes over
-constexpr int proximals = 24;   // in which the residual has to halve
+constexpr int proximals = 80;   // in which the residual has to halve: rigid walls take many
 constexpr int pivotings = 12;   // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
