@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
+#include <cstring>
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
@@ -17,6 +18,14 @@ public:
 
   Pack() = default;
   Pack(double all) : v_{all, all, all, all} {}
+
+  /// Four numbers that follow each other in memory.
+  [[nodiscard]] static Pack load(double const* from) {
+    Pack result;
+    std::memcpy(&result.v_, from, sizeof result.v_);
+    return result;
+  }
+  void store(double* to) const { std::memcpy(to, &v_, sizeof v_); }
 
   [[nodiscard]] double operator[](int lane) const { return v_[lane]; }
   void set(int lane, double value) { v_[lane] = value; }
@@ -44,6 +53,22 @@ public:
   }
   friend Pack cbrt(Pack const& a) {
     return a.each([](double x) { return std::cbrt(x); });
+  }
+  /// Of positive, normal numbers, to the last digits: with m = a / 2^e in [1/sqrt(2), sqrt(2)] and s =
+  /// (m - 1) / (m + 1) it is e ln 2 + 2 (s + s^3 / 3 + s^5 / 5 + ...).
+  friend Pack log(Pack const& a) {
+    using Bits = unsigned long long __attribute__((vector_size(32)));
+    constexpr double root = 1.4142135623730951, high = 0x1.62e42fefa39efp-1, low = 0x1.abc9e3b39803fp-56;
+    Bits const bits = Bits(a.v_), one = Bits(Pack(1).v_), two_52 = Bits(Pack(0x1p52).v_);
+    Lanes m = Lanes((bits & 0xfffffffffffffULL) | one), e = Lanes((bits >> 52) | two_52) - (0x1p52 + 1023);
+    auto const over = m > Pack(root).v_;
+    m = over ? 0.5 * m : m;
+    e = over ? e + 1 : e;
+    Lanes const s = (m - 1) / (m + 1), z = s * s;
+    Lanes sum = z * (1.0 / 21) + 1.0 / 19;
+    for (double const n : {17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0})
+      sum = sum * z + 1 / n;
+    return Pack(e * high + (2 * s * sum + e * low));
   }
   friend Pack pow(Pack const& a, double exponent) {
     return a.each([exponent](double x) { return std::pow(x, exponent); });

@@ -5,6 +5,7 @@
 
 #include "material/kelvin_voigt.hpp"
 #include "material/material.hpp"
+#include "material/prony.hpp"
 #include "mesh/topology/mesh.hpp"
 
 namespace stiction::solid {
@@ -36,6 +37,7 @@ struct Body {
   std::optional<material::KelvinVoigt> damping{}; ///< viscous stress beside the law's; none by default
   std::vector<material::Material> laws{};         ///< of each block of the mesh; empty: `material` of all
   bool plane_stress = false; ///< a thin sheet, S_33 = 0 and E_33 free; with plane_strain and plain alone
+  std::vector<material::PronyTerm> relaxing{}; ///< networks beside the law; none by default
   [[nodiscard]] material::Material const& law_of(std::size_t block) const {
     return laws.empty() ? material : laws.at(block);
   }

@@ -23,9 +23,9 @@ public:
   using Square = Eigen::Matrix<Pack, Nodes, Nodes>;
   using Stiffness = std::array<Square, G::pairs>; ///< between components i >= j, lower ones by symmetry
 
-  CellGroup(PreparedBlock const& block, Body const& body)
-      : block_(block), body_(body), finite_(!small_strain(*block.law)),
-        mean_(body.interpolation == Interpolation::mean_dilatation) {}
+  explicit CellGroup(Deformed const& at)
+      : block_(at.block), body_(at.body), networks_(at.networks), finite_(!small_strain(*at.block.law)),
+        mean_(at.body.interpolation == Interpolation::mean_dilatation) {}
 
   /// How many lanes have a cell of their own.
   [[nodiscard]] int cells() const { return block_.cells_in(number_); }
@@ -71,6 +71,8 @@ public:
   template<material::Wanted wanted> Pack respond() {
     solid::respond<voigt>(*block_.law, wanted, {strains_.data(), at(points())},
                           {responses_.data(), at(points())});
+    if (networks_ != nullptr)
+      add_networks<wanted>();
     if constexpr (plane)
       if (body_.plane_stress)
         AcrossSheet::condense(wanted, {responses_.data(), at(points())});
@@ -78,6 +80,31 @@ public:
     for (int q = 0; q < points(); ++q)
       energy += volume(q) * responses_[at(q)].energy;
     return energy;
+  }
+
+  /// Takes networks that remember V of each term and W through a step; the energies in each cell.
+  material::NetworkEnergy<Pack> relax(Remembered const& memory) {
+    material::NetworkEnergy<Pack> sum;
+    auto const terms = memory.steps.size();
+    Voigt V, from;
+    std::span<Pack> const numbers(V.data(), voigt);
+    for (int q = 0; q < points(); ++q) {
+      RememberedAt place{number_, q, (terms + 1) * voigt, terms * voigt};
+      recall(block_, memory.before, place, {from.data(), voigt});
+      Voigt const to = material::metric_strain<voigt>(!finite_, strains_[at(q)]);
+      keep(block_, memory.after, place, {to.data(), voigt});
+      material::MetricMove<voigt, Pack> const move(!finite_, from, to);
+      material::NetworkEnergy<Pack> of_point;
+      for (std::size_t k = 0; k < terms; ++k) {
+        place.skip = k * voigt;
+        recall(block_, memory.before, place, numbers);
+        move.pass(memory.steps[k], V, of_point);
+        keep(block_, memory.after, place, numbers);
+      }
+      sum.stored += volume(q) * of_point.stored;
+      sum.dissipated += volume(q) * of_point.dissipated;
+    }
+    return sum;
   }
 
   /// The viscous response to velocities v at every point; the power it dissipates.
@@ -169,6 +196,14 @@ private:
     for (int q = 0; finite_ && q < points(); ++q) {
       points_[at(q)].F(2, 2) = sqrt(1 + 2 * strains_[at(q)][2]);
       points_[at(q)].jacobian *= points_[at(q)].F(2, 2);
+    }
+  }
+
+  template<material::Wanted wanted> void add_networks() {
+    for (int q = 0; q < points(); ++q) {
+      Eigen::Map<Voigt const> const P(&networks_->pulls[(ix(number_) * at(points()) + at(q)) * voigt]);
+      material::add_networks<voigt, wanted>(!finite_, networks_->modulus, Voigt(P), strains_[at(q)],
+                                            responses_[at(q)]);
     }
   }
 
@@ -264,6 +299,7 @@ private:
 
   PreparedBlock const& block_;
   Body const& body_;
+  BlockNetworks const* networks_;
   bool finite_, mean_;
   Index number_ = 0;
   Pack sound_ = 1; ///< 0 where det F was not positive at a point

@@ -88,6 +88,8 @@ Cells::Cells(Body const& body, Kinematics kinematics, PartOf const& part)
   whole_ = static_cast<Index>(blocks_.size());
   if (shared_)
     take(CellPart::forces, part);
+  if (relaxing())
+    number_points();
   core::each(static_cast<Index>(blocks_.size()), [&](Index i) { prepare(blocks_[ix(i)]); });
   parts_.resize(blocks_.size());
   std::ptrdiff_t entry = 0;
@@ -124,7 +126,7 @@ void Cells::divide(mesh::CellKind kind, material::Material const& law, Alike con
               before = static_cast<Index>(blocks_.size());
   auto const place = [&](Index k) { return before + (k % 2 == 0 ? k / 2 : (count + k) / 2); };
   for (Index k = 0; k < count; ++k)
-    blocks_.push_back({kind, nodes, points, {}, {}, {}, {}, &passes(kinematics_, nodes), &law});
+    blocks_.push_back({kind, nodes, points, {}, {}, {}, {}, &passes(kinematics_, nodes), &law, 0, shared_});
   for (std::size_t c = 0; c < slab.size(); ++c) {
     auto& own = blocks_[ix(place(slab[c]))];
     auto const* const cell = &cells.connectivity[c * ix(nodes)];
@@ -180,10 +182,17 @@ template<class BlockPass> void Cells::each_block(BlockPass const& pass) const {
                [&](Index k) { pass(ix(wave.first + k), blocks_[ix(wave.first + k)]); });
 }
 
-Pass Cells::add_force(std::span<double const> u, std::span<double> force) const {
+namespace {
+BlockNetworks const* networks_of(Networks const* networks, std::size_t block) {
+  return networks != nullptr ? &(*networks)[block] : nullptr;
+}
+} // namespace
+
+Pass Cells::add_force(std::span<double const> u, std::span<double> force, Networks const* networks) const {
   each_block([&](std::size_t i, PreparedBlock const& block) {
     parts_[i].energy = 0;
-    Index const inverted = block.passes->add_force({block, *body_, u}, force, parts_[i].energy);
+    Index const inverted =
+        block.passes->add_force({block, *body_, u, networks_of(networks, i)}, force, parts_[i].energy);
     parts_[i].inverted_cell = inverted >= 0 ? block.number[ix(inverted)] : -1;
   });
   Pass pass;
@@ -195,18 +204,18 @@ Pass Cells::add_force(std::span<double const> u, std::span<double> force) const 
   return pass;
 }
 
-/// Calls pass(block, target) for each block with the part of the map that is its own.
+/// Calls pass(number of a block, target) for each block with the part of the map that is its own.
 template<class BlockPass>
 void Cells::each_target(ScatterMap const& map, StiffnessTarget target, BlockPass const& pass) const {
-  each_block([&](std::size_t i, PreparedBlock const& block) {
-    pass(block, StiffnessTarget{target.factor, map.data() + first_entry_[i], target.values});
+  each_block([&](std::size_t i, PreparedBlock const&) {
+    pass(i, StiffnessTarget{target.factor, map.data() + first_entry_[i], target.values});
   });
 }
 
 void Cells::add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
-                          std::span<double> values) const {
-  each_target(map, {factor, nullptr, values}, [&](PreparedBlock const& block, StiffnessTarget const& target) {
-    block.passes->add_stiffness({block, *body_, u}, target);
+                          std::span<double> values, Networks const* networks) const {
+  each_target(map, {factor, nullptr, values}, [&](std::size_t i, StiffnessTarget const& target) {
+    blocks_[i].passes->add_stiffness({blocks_[i], *body_, u, networks_of(networks, i)}, target);
   });
 }
 
@@ -227,18 +236,19 @@ void Cells::add_damping_stiffness(std::span<double const> u, double factor, Scat
                                   std::span<double> values) const {
   if (!damped())
     return;
-  each_target(map, {factor, nullptr, values}, [&](PreparedBlock const& block, StiffnessTarget const& target) {
-    block.passes->add_damping_stiffness({block, *body_, u}, target);
+  each_target(map, {factor, nullptr, values}, [&](std::size_t i, StiffnessTarget const& target) {
+    blocks_[i].passes->add_damping_stiffness({blocks_[i], *body_, u}, target);
   });
 }
 
-NodalStress Cells::stress(std::span<double const> u) const {
+NodalStress Cells::stress(std::span<double const> u, std::span<double const> memory) const {
   if (shared_)
-    return Cells(*body_, kinematics_).stress(u);
+    return stress_of_whole(u, memory);
+  auto const now = relaxing() ? networks(memory, 0) : Networks{};
   Index const nodes = body_->mesh.node_count();
   StressSums sums{Vector::Zero(nodes), Matrix::Zero(nodes, stress_components(kinematics_))};
-  each_block([&](std::size_t, PreparedBlock const& block) {
-    block.passes->add_stress({block, *body_, u}, sums);
+  each_block([&](std::size_t i, PreparedBlock const& block) {
+    block.passes->add_stress({block, *body_, u, networks_of(now.empty() ? nullptr : &now, i)}, sums);
   });
   NodalStress result{std::move(sums.cauchy), Vector::Zero(nodes)};
   for (Index i = 0; i < nodes; ++i) {

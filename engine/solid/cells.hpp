@@ -29,6 +29,9 @@ struct NodalStress {
 /// and its energy, which one of them has to.
 enum class CellPart { none, forces, all };
 
+/// What the networks of a body that relaxes do within a step, [blocks of Cells].
+using Networks = std::vector<BlockNetworks>;
+
 /// Many cells are kept in slabs, of which every other one can be worked on at the same time: what is summed
 /// at a node has an order that does not depend on the number of threads.
 class Cells {
@@ -39,10 +42,30 @@ public:
   Cells(Body const& body, Kinematics kinematics, PartOf const& part = {});
 
   /// force[dim * nodes] += F_int(u) of (35), N. u[dim * nodes] belongs to this body's nodes.
-  [[nodiscard]] Pass add_force(std::span<double const> u, std::span<double> force) const;
+  /// networks: beside the law; none: the law alone.
+  [[nodiscard]] Pass add_force(std::span<double const> u, std::span<double> force,
+                               Networks const* networks = nullptr) const;
   /// values[map[k]] += factor * K(u) of (39). Call only where add_force was sound.
   void add_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
-                     std::span<double> values) const;
+                     std::span<double> values, Networks const* networks = nullptr) const;
+
+  /// Has the body networks that relax? Without them the calls below are not for it.
+  [[nodiscard]] bool relaxing() const { return !body_->relaxing.empty(); }
+  /// Size of what they remember, all 0 at rest: [groups of four cells, points, terms and the metric, stress
+  /// components, lanes] block by block, or by_cell where others share the cells.
+  [[nodiscard]] Eigen::Index memory_size() const;
+  /// The same as [points of the cells in the order of the mesh, terms and the metric, stress components].
+  [[nodiscard]] Vector by_cell(std::span<double const> memory) const;
+  /// And back.
+  [[nodiscard]] Vector from_cells(std::span<double const> by_cell) const;
+  /// What they do in a step of size dt, s (0: at present); an empty memory is one of rest.
+  [[nodiscard]] Networks networks(std::span<double const> memory, double dt) const;
+  /// The same, in memory that is there.
+  void find_networks(std::span<double const> memory, double dt, Networks& all) const;
+  /// The step of size dt that has ended at u: fills `after` for all cells of which all is the part here, and
+  /// tells their energies, J.
+  [[nodiscard]] material::NetworkEnergy<double>
+  relax(std::span<double const> u, double dt, std::span<double const> before, std::span<double> after) const;
 
   /// Whether the body has viscous stress; without it the two passes below do nothing.
   [[nodiscard]] bool damped() const { return body_->damping.has_value(); }
@@ -53,7 +76,8 @@ public:
   void add_damping_stiffness(std::span<double const> u, double factor, ScatterMap const& map,
                              std::span<double> values) const;
 
-  [[nodiscard]] NodalStress stress(std::span<double const> u) const;
+  /// memory: of networks that relax; an empty one is of rest.
+  [[nodiscard]] NodalStress stress(std::span<double const> u, std::span<double const> memory = {}) const;
 
   /// Visits each cell's consistent mass per component: nodes of the cell, m[nodes, nodes] in kg.
   void each_mass(std::function<void(std::span<Index const>, Dense const&)> const& visit) const;
@@ -77,8 +101,14 @@ private:
   };
   void take(CellPart wanted, PartOf const& part);
   void divide(mesh::CellKind kind, material::Material const& law, Alike const& cells);
+  void number_points();
+  [[nodiscard]] std::size_t remembered_each() const;
+  template<class Visit> void each_remembered(Visit const& visit) const;
+  [[nodiscard]] NodalStress stress_of_whole(std::span<double const> u, std::span<double const> memory) const;
   void prepare(PreparedBlock& block) const;
   void prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, PreparedBlock& prepared) const;
+  [[nodiscard]] std::vector<material::NetworkStep> network_steps(material::Material const& law,
+                                                                 double dt) const;
   template<class Visit> void each_whole(Visit const& visit) const;
   template<class BlockPass> void each_block(BlockPass const& pass) const;
   template<class BlockPass>
@@ -87,7 +117,10 @@ private:
   Body const* body_;
   Kinematics kinematics_;
   std::vector<PreparedBlock> blocks_;
-  bool shared_;     ///< are some cells others' part?
+  bool shared_;                             ///< are some cells others' part?
+  std::ptrdiff_t points_ = 0,               ///< quadrature points of all cells of the mesh, where they relax
+      places_ = 0;                          ///< and those that there is memory for, lanes without cells too
+  std::vector<std::ptrdiff_t> mesh_points_; ///< [blocks] as first_point by_cell
   Index whole_ = 0; ///< so many blocks, the first, have cells of which all is the part
   std::vector<std::ptrdiff_t> first_entry_; ///< [blocks], in the ScatterMap
   std::vector<Wave> waves_;

@@ -15,7 +15,7 @@ public:
   static constexpr int nodes = Nodes;
 
   Index add_force(Deformed const& at, std::span<double> force, double& energy) const override {
-    Group group(at.block, at.body);
+    Group group(at);
     for (Index g = 0; g < at.block.groups(); ++g) {
       if (int const bad = group.deform(g, at.u); bad >= 0)
         return at.block.cell(g, bad);
@@ -30,7 +30,7 @@ public:
   }
 
   double add_damping(Deformed const& at, std::span<double const> v, std::span<double> force) const override {
-    Group group(at.block, at.body);
+    Group group(at);
     double power = 0;
     for (Index g = 0; g < at.block.groups(); ++g) {
       group.deform(g, at.u);
@@ -45,13 +45,25 @@ public:
   }
 
   void add_stress(Deformed const& at, StressSums& sums) const override {
-    Group group(at.block, at.body);
+    Group group(at);
     for (Index g = 0; g < at.block.groups(); ++g) {
       group.deform(g, at.u);
       group.template respond<material::Wanted::stress>();
       for (int q = 0; q < group.points(); ++q)
         add_stress_of(group, q, sums);
     }
+  }
+
+  material::NetworkEnergy<double> relax(Deformed const& at, Remembered const& memory) const override {
+    Group group(at);
+    material::NetworkEnergy<double> sum;
+    for (Index g = 0; g < at.block.groups(); ++g) {
+      group.deform(g, at.u);
+      auto const of_cells = group.relax(memory);
+      add_lanes(group, of_cells.stored, sum.stored);
+      add_lanes(group, of_cells.dissipated, sum.dissipated);
+    }
+    return sum;
   }
 
 private:
@@ -83,7 +95,7 @@ private:
 
   template<class Respond>
   static void add_matrices(Deformed const& at, StiffnessTarget const& target, Respond const& respond) {
-    Group group(at.block, at.body);
+    Group group(at);
     typename Group::Stiffness K;
     Index const* map = target.map;
     for (Index g = 0; g < at.block.groups(); ++g) {

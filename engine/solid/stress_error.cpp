@@ -33,6 +33,10 @@ Apart take_apart(Body const& body, std::span<double const> u) {
   return apart;
 }
 
+std::span<double const> view(Vector const& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
 /// int |s|^2 of s[nodes, 11, 22, 33, 12 [, 23, 13]] between the nodes of a cell;
 /// mass over density: int N_a N_b.
 double square(Dense const& s, Dense const& mass, double density) {
@@ -48,10 +52,12 @@ double StressError::relative() const {
   return e + s > 0 ? std::sqrt(e / (e + s)) : 0;
 }
 
-StressError stress_error(Body const& body, Kinematics kinematics, std::span<double const> u) {
+StressError stress_error(Body const& body, Kinematics kinematics, std::span<double const> u,
+                         std::span<double const> memory) {
   auto const apart = take_apart(body, u);
   Cells const whole(body, kinematics), cells(apart.body, kinematics);
-  Matrix const recovered = whole.stress(u).cauchy, own = cells.stress(apart.u).cauchy;
+  Vector const of_cells = memory.empty() ? Vector() : cells.from_cells(view(whole.by_cell(memory)));
+  Matrix const recovered = whole.stress(u, memory).cauchy, own = cells.stress(apart.u, view(of_cells)).cauchy;
   StressError result;
   cells.each_mass([&](std::span<Index const> nodes, Dense const& mass) {
     Dense smooth(static_cast<Eigen::Index>(nodes.size()), recovered.cols()), jump = smooth;

@@ -14,6 +14,8 @@ struct StressError {
   [[nodiscard]] double relative() const;
 };
 
-[[nodiscard]] StressError stress_error(Body const& body, Kinematics kinematics, std::span<double const> u);
+/// memory: of networks that relax, as of Cells.
+[[nodiscard]] StressError stress_error(Body const& body, Kinematics kinematics, std::span<double const> u,
+                                       std::span<double const> memory = {});
 
 } // namespace stiction::solid

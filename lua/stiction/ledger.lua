@@ -5,7 +5,7 @@ local ledger = {}
 
 local terms = { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "damping_loss", "friction_loss",
   "bonding_loss" }
-local of_springs = { "spring", "dashpot_loss" } -- where a scene has any
+local if_any = { "spring", "dashpot_loss", "relaxation_loss" } -- where a scene has springs or bodies that relax
 
 local function largest_of(values)
   local largest = 0
@@ -29,7 +29,7 @@ function ledger.open(case, probe)
   for _, column in ipairs(case:columns()) do
     there[column] = true
   end
-  for _, name in ipairs(of_springs) do
+  for _, name in ipairs(if_any) do
     if there[probe .. "/" .. name] then
       look(name)
     end

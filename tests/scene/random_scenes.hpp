@@ -75,7 +75,7 @@ inline Input random_material(Dice& dice) {
 /// Draws the parts of one scene.
 class RandomScenes {
 public:
-  explicit RandomScenes(unsigned seed) : dice_(seed), sheets_(seed + 1000) {}
+  explicit RandomScenes(unsigned seed) : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -124,12 +124,17 @@ private:
         dice_.one_in(3))
       parts["damping"] =
           make("damping.kelvin_voigt", {{"shear_viscosity", value(dice_.between(0, 5), "Pa s")}});
+    if (!parts.contains("plane_stress") && !sample_.cells && relaxing_.one_in(4))
+      parts["relaxing"] = list({make("prony", {{"share", value(relaxing_.between(0.1, 0.5))},
+                                               {"time", value(std::exp2(relaxing_.between(-12, 3)), "s")}})});
     return make("body", std::move(parts));
   }
   void add_bodies(RandomScene& scene) {
     two_bodies_ = dice_.one_in(2);
     double const gap = dice_.one_in(3) ? 0.004 : 0;
     at(scene.table, "bodies.upper") = body(gap);
+    if (at(scene.table, "bodies.upper").table()->contains("relaxing"))
+      scene.words += ", relaxing";
     if (two_bodies_)
       at(scene.table, "bodies.lower") = body(-1);
     else if (dice_.one_in(3) && dim_ == 2 && kinematics_ != "axisymmetric")
@@ -207,7 +212,7 @@ private:
     scene.words += ", tipped";
   }
 
-  Dice dice_, sheets_; ///< what is drawn of sheets leaves all else as it was
+  Dice dice_, sheets_, relaxing_; ///< what is drawn of sheets and of relaxation leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

@@ -29,7 +29,7 @@ void BulkSystem::recall(std::vector<FactorSource> const& wanted, StepWeights con
   for (auto const& source : wanted) {
     auto const found = std::ranges::find_if(had, [&](Kept const& one) { return one.comes_from(source); });
     if (found == had.end()) {
-      kept_.emplace_back().is_of(source, weights);
+      kept_.emplace_back().is_of(source, weights, relaxing_);
     } else {
       kept_.push_back(std::move(*found));
       had.erase(found);
@@ -56,7 +56,7 @@ void BulkSystem::make_again(std::vector<FactorSource> const& wanted, StepWeights
   for (auto source = wanted.rbegin(); source != wanted.rend(); ++source) {
     Kept one;
     one.factor = spare();
-    one.is_of(*source, weights);
+    one.is_of(*source, weights, relaxing_);
     kept_.insert(kept_.begin(), std::move(one));
     Cost not_counted;
     core::expect(make(weights, not_counted), "a factor that has been to be made again");

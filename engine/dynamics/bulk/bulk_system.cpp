@@ -90,8 +90,10 @@ double largest_cell(Model const& model) {
 BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
     : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model) {
   on_surface_ = contact_nodes(model);
-  for (auto const& cells : model.cells)
+  for (auto const& cells : model.cells) {
     damped_ = damped_ || (weights.inertia && cells.damped());
+    relaxing_ = relaxing_ || cells.relaxing();
+  }
   damped_ = damped_ || (weights.inertia && springs_.damped());
   own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
   if (purpose == Purpose::steps)
@@ -266,14 +268,23 @@ void BulkSystem::set_mass(StepWeights const& weights) {
   }
 }
 
-solid::Pass BulkSystem::internal_force(Vector const& u, Vector& force) const {
+namespace {
+/// Of a body; null where it has none.
+solid::Networks const* of_body(std::vector<solid::Networks> const& networks, std::size_t body) {
+  return networks.empty() || networks[body].empty() ? nullptr : &networks[body];
+}
+} // namespace
+
+solid::Pass BulkSystem::internal_force(Vector const& u, Vector& force, Forces what) const {
   force.setZero(u.size());
   solid::Pass all;
   Index first_cell = 0;
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
     auto const first = ix(dim_ * model_->first_node[body]),
                count = ix(dim_ * model_->first_node[body + 1]) - first;
-    auto const pass = model_->cells[body].add_force({u.data() + first, count}, {force.data() + first, count});
+    auto const* networks = what == Forces::all ? of_body(networks_, body) : nullptr;
+    auto const pass =
+        model_->cells[body].add_force({u.data() + first, count}, {force.data() + first, count}, networks);
     if (!pass.sound()) {
       all.inverted_cell = first_cell + pass.inverted_cell;
       break;
@@ -321,16 +332,22 @@ double mass_factor(StepWeights const& weights, double dt) {
 }
 } // namespace
 
-void BulkSystem::Kept::is_of(FactorSource from, StepWeights const& weights) {
+void BulkSystem::Kept::is_of(FactorSource from, StepWeights const& weights, bool relaxing) {
   source = std::move(from);
   made = wanted = false;
   xi = weights.xi;
   mass = mass_factor(weights, source.dt);
+  relaxed = relaxing ? source.dt : 0;
+}
+
+bool BulkSystem::Kept::is(StepWeights const& weights, double dt, bool relaxing) const {
+  return source.u != nullptr && xi == weights.xi && mass == mass_factor(weights, dt) &&
+         relaxed == (relaxing ? dt : 0);
 }
 
 bool BulkSystem::take_factor(StepWeights const& weights, double dt, Cost& cost) {
-  double const mass = mass_factor(weights, dt);
-  auto const found = std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(weights.xi, mass); });
+  auto const found =
+      std::ranges::find_if(kept_, [&](Kept const& one) { return one.is(weights, dt, relaxing_); });
   if (found == kept_.end())
     return false;
   std::rotate(kept_.begin(), found, found + 1);
@@ -351,9 +368,9 @@ std::unique_ptr<linear::BulkFactor> BulkSystem::spare() {
 /// Puts first what may be overwritten by a factor from this source: one of the same coefficients, one that is
 /// empty or new, or the one used longest ago.
 void BulkSystem::choose_factor(FactorSource source, StepWeights const& weights) {
-  double const mass = mass_factor(weights, source.dt);
-  auto found = std::ranges::find_if(
-      kept_, [&](Kept const& one) { return one.is(weights.xi, mass) || one.source.u == nullptr; });
+  auto found = std::ranges::find_if(kept_, [&](Kept const& one) {
+    return one.is(weights, source.dt, relaxing_) || one.source.u == nullptr;
+  });
   if (found == kept_.end() && kept_.size() < kept_at_most_) {
     auto memory = spare();
     kept_.emplace_back().factor = std::move(memory);
@@ -367,15 +384,20 @@ void BulkSystem::choose_factor(FactorSource source, StepWeights const& weights) 
     found->factor = std::move(memory);
   }
   std::rotate(kept_.begin(), found, found + 1);
-  kept_.front().is_of(std::move(source), weights);
+  kept_.front().is_of(std::move(source), weights, relaxing_);
 }
 
 void BulkSystem::add_stiffness(FactorSource const& at, StepWeights const& weights, Cost& cost) {
   auto const& u = *at.u;
+  bool const present = relaxing_ && at.dt == relax_dt_ && at.memory == memory_ && !networks_.empty();
+  auto const made_again =
+      relaxing_ && !present ? networks_of(at.memory.get(), at.dt) : std::vector<solid::Networks>{};
+  auto const& networks = present ? networks_ : made_again;
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
     auto const first = ix(dim_ * model_->first_node[body]),
                count = ix(dim_ * model_->first_node[body + 1]) - first;
-    model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_);
+    model_->cells[body].add_stiffness({u.data() + first, count}, weights.xi, maps_[body], values_,
+                                      of_body(networks, body));
   }
   if (skin_)
     skin_->add_stiffness(u, skin_more_, values_);
@@ -423,7 +445,7 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
 }
 
 bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost, double t) {
-  choose_factor({std::make_shared<Vector const>(u), dt, t, nullptr}, weights);
+  choose_factor({std::make_shared<Vector const>(u), dt, t, nullptr, linear_ ? nullptr : memory_}, weights);
   return make(weights, cost);
 }
 

@@ -36,6 +36,9 @@ struct Cost {
 /// What a system is for: steps, or the state before the first, which wants forces and mass and no matrix.
 enum class Purpose { steps, beginning };
 
+/// Of bodies that relax: with their networks, or of their laws alone.
+enum class Forces { all, laws };
+
 class BulkSystem {
 public:
   BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose = Purpose::steps);
@@ -49,8 +52,18 @@ public:
   [[nodiscard]] bool on_surface(Index node) const { return on_surface_[ix(node)]; }
   [[nodiscard]] bool surface_dof(Index dof) const { return on_surface_[ix(dof / dim_)]; }
 
-  /// F_int(u) of the cells over all degrees of freedom, with the strain energy.
-  [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force) const;
+  /// F_int(u) of the cells over all degrees of freedom, with the strain energy of the laws: with what
+  /// networks do in the step that remember_from has begun, or of the laws alone.
+  [[nodiscard]] solid::Pass internal_force(Vector const& u, Vector& force, Forces what = Forces::all) const;
+  /// Has any body networks that relax?
+  [[nodiscard]] bool relaxing() const { return relaxing_; }
+  /// What they remember at rest; null without them.
+  [[nodiscard]] std::shared_ptr<Memory const> memory_at_rest() const;
+  /// A step of size dt begins with this memory.
+  void remember_from(std::shared_ptr<Memory const> memory, double dt);
+  /// It ends at u: what they remember then, and their energies, J.
+  [[nodiscard]] std::shared_ptr<Memory const> relax(Vector const& u,
+                                                    material::NetworkEnergy<double>& energy) const;
   /// "cell 12 of body tape, at (0.1, 0.2) m" where it lies at rest; the number counts all bodies' from 0.
   [[nodiscard]] std::string cell_words(Index cell) const;
   /// Internal force of the skin, weighted by how much more it counts at the step's end than that of all
@@ -115,11 +128,11 @@ private:
     bool made = false;            ///< false: to be made from the source when it is asked for
     bool wanted = false;          ///< by the state that the present step starts from
     double xi = 0, mass = 0;      ///< coefficients of K and of M, 1 and 1/s^2
+    double relaxed = 0;           ///< step size that it holds for, s; 0: where it does no more than those
     double scale = 0, bodies = 0; ///< N/m
-    void is_of(FactorSource from, StepWeights const& weights);
-    [[nodiscard]] bool is(double of_xi, double of_mass) const {
-      return source.u != nullptr && xi == of_xi && mass == of_mass;
-    }
+    /// relaxing: does the matrix depend on dt for that too?
+    void is_of(FactorSource from, StepWeights const& weights, bool relaxing);
+    [[nodiscard]] bool is(StepWeights const& weights, double dt, bool relaxing) const;
     [[nodiscard]] bool comes_from(FactorSource const& other) const {
       return source.u == other.u && source.dt == other.dt;
     }
@@ -140,6 +153,7 @@ private:
     return !model_->share || model_->share->own(dof_of(unknown) / dim_);
   }
   [[nodiscard]] solid::Pass together(solid::Pass mine, Vector& force) const;
+  [[nodiscard]] std::vector<solid::Networks> networks_of(Memory const* memory, double dt) const;
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
   void add_stiffness(FactorSource const& at, StepWeights const& weights, Cost& cost);
@@ -166,9 +180,12 @@ private:
   std::vector<Kept> parked_; ///< wanted, but overwritten by the present step; at most one
   std::vector<std::unique_ptr<linear::BulkFactor>> spare_; ///< memory of factors that nobody wants
   std::size_t kept_at_most_ = 1;
-  bool linear_ = false, linear_bodies_ = false, damped_ = false;
-  bool own_rates_ = false; ///< of damped bodies' contact nodes
-  double cell_size_ = 0;   ///< m
+  bool linear_ = false, linear_bodies_ = false, damped_ = false, relaxing_ = false;
+  std::shared_ptr<Memory const> memory_;  ///< at the start of the present step
+  double relax_dt_ = 0;                   ///< its size, s
+  std::vector<solid::Networks> networks_; ///< [bodies], in it; empty without bodies that relax
+  bool own_rates_ = false;                ///< of damped bodies' contact nodes
+  double cell_size_ = 0;                  ///< m
 };
 
 } // namespace stiction::dynamics

@@ -77,7 +77,8 @@ double spring_eigenvalue(Model const& model, Vector const& u, double t) {
 }
 
 /// Each cell's lower triangle, one after the other.
-std::vector<double> cell_stiffnesses(Model const& model, std::size_t body, Vector const& u) {
+std::vector<double> cell_stiffnesses(Model const& model, std::size_t body, Vector const& u,
+                                     Memory const* memory) {
   std::size_t entries = 0;
   auto const dim = ix(model.dim());
   model.cells[body].each_cell(
@@ -87,17 +88,20 @@ std::vector<double> cell_stiffnesses(Model const& model, std::size_t body, Vecto
     apart[k] = static_cast<Index>(k);
   std::vector<double> values(entries, 0.0);
   auto const first = dim * ix(model.first_node[body]), end = dim * ix(model.first_node[body + 1]);
-  model.cells[body].add_stiffness({u.data() + first, end - first}, 1, apart, values);
+  auto const& cells = model.cells[body];
+  auto const networks = cells.relaxing() ? cells.networks(memory_of(memory, body), 0) : solid::Networks{};
+  cells.add_stiffness({u.data() + first, end - first}, 1, apart, values,
+                      networks.empty() ? nullptr : &networks);
   return values;
 }
 
 } // namespace
 
-double critical_step(Model const& model, Vector const& u, double t) {
+double critical_step(Model const& model, Vector const& u, double t, Memory const* memory) {
   auto const driven = driven_dofs(model);
   double largest = 0;
   for (std::size_t body = 0; body < model.cells.size(); ++body) {
-    auto const stiffness = cell_stiffnesses(model, body, u);
+    auto const stiffness = cell_stiffnesses(model, body, u, memory);
     auto const cells = free_cells(model, body, driven);
     std::size_t k = 0, at = 0;
     model.cells[body].each_cell([&](std::span<Index const> nodes) {

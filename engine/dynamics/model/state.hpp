@@ -1,6 +1,7 @@
 // All that must survive a step.
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "contact/node_to_segment/kinematics.hpp"
@@ -52,6 +53,7 @@ struct Ledger {
   double load_work = 0;          ///< done by prescribed forces
   double damping_loss = 0;       ///< dissipated by the bodies' viscosity
   double dashpot_loss = 0;       ///< dissipated by the dashpots of springs
+  double relaxation_loss = 0;    ///< dissipated by the bodies' networks that relax
   double stabilisation_loss = 0; ///< dissipated by the stabilisation of quasi-statics
   double friction_loss = 0;      ///< dissipated by slip against rbar_t
   double bonding_loss = 0;       ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
@@ -59,12 +61,23 @@ struct Ledger {
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
     return start + motion_work + load_work - (kinetic + strain + bond + potential + spring) - damping_loss -
-           dashpot_loss - stabilisation_loss - friction_loss - bonding_loss;
+           dashpot_loss - relaxation_loss - stabilisation_loss - friction_loss - bonding_loss;
   }
   SchemeLoss predicted; ///< kept where the model is audited
   /// What is left of an audited ledger: rounding, but for bodies and bonds that are not linear.
   [[nodiscard]] double unaccounted() const { return scheme_loss() - predicted.sum(); }
 };
+
+/// What the networks of each body remember, as solid::Cells::relax fills it, [bodies]; 1.
+using Memory = std::vector<Vector>;
+
+/// Of one body; empty without memory.
+[[nodiscard]] inline std::span<double const> memory_of(Memory const* memory, std::size_t body) {
+  if (memory == nullptr)
+    return {};
+  auto const& own = (*memory)[body];
+  return {own.data(), static_cast<std::size_t>(own.size())};
+}
 
 /// What a factor was made from that serves steps to come: to tell it from others, and to make it again.
 struct FactorSource {
@@ -72,6 +85,7 @@ struct FactorSource {
   double dt = 0;                                  ///< s
   double t = 0;                                   ///< that springs on paths are at, s
   std::shared_ptr<linear::Carried const> carried; ///< beside it; null: nothing
+  std::shared_ptr<Memory const> memory{};         ///< at the start of its step; null: of rest
 };
 
 struct State {
@@ -99,7 +113,11 @@ struct State {
   std::vector<FactorSource> factors;
   double critical_step = 0; ///< of explicit schemes, s, found `critical_age` steps ago; age 0: not known
   int critical_age = 0;
-  Momenta momenta; ///< empty unless the model is tallied
+  Momenta momenta;                      ///< empty unless the model is tallied
+  std::shared_ptr<Memory const> memory; ///< null without bodies that relax
+  [[nodiscard]] std::span<double const> memory_of(std::size_t body) const {
+    return dynamics::memory_of(memory.get(), body);
+  }
 };
 
 } // namespace stiction::dynamics

@@ -74,6 +74,7 @@ State Stepper::initial() {
   state.on_rigid.resize(model_->rigids.size());
   if (model_->dim() == 3)
     state.turned.assign(model_->rigids.size(), Eigen::Matrix3d::Identity());
+  state.memory = bulk_.memory_at_rest();
   start_rates(state);
   contact_->begin(state, 0, 1, true);
   contact_->locate(state.u, true);
@@ -140,6 +141,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
     arrive(old, t1);
   gather_external(old.t, external_old_);
   gather_external(t1, external_);
+  bulk_.remember_from(old.memory, dt);
   if (weights_.skin)
     bulk_.skin_force(old.u, skin_old_);
   contact_->begin(old, t1, dt, start != Start::unturned);
@@ -358,7 +360,7 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
                        change(&Ledger::load_work) + change(&Ledger::potential) + std::abs(before.spring) +
                        rounded;
   auto const loss = [](Ledger const& ledger) {
-    return ledger.scheme_loss() + ledger.damping_loss + ledger.dashpot_loss;
+    return ledger.scheme_loss() + ledger.damping_loss + ledger.dashpot_loss + ledger.relaxation_loss;
   };
   if (weights_.inertia && !weights_.explicit_forces &&
       loss(before) - loss(after) > there + change(&Ledger::bond))
@@ -432,6 +434,11 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.u = u_;
   next.internal = internal_;
   next.damping = damping_;
+  if (bulk_.relaxing()) {
+    Timer const timer(cost_.assembly);
+    next.memory = bulk_.relax(u_, relaxed_);
+    strain_ += relaxed_.stored;
+  }
   next.reaction = reaction_;
   next.own_reactions.resize(model_->pairs.size() > 1 ? model_->pairs.size() : 0);
   for (std::size_t pair = 0; pair < next.own_reactions.size(); ++pair)

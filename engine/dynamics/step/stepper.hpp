@@ -91,6 +91,8 @@ private:
   void audit(State const& old, State& next) const;
   [[nodiscard]] Vector unmet_balance(State const& old, State const& next) const;
   [[nodiscard]] double path_work(State const& old, State const& next) const;
+  [[nodiscard]] double work_within(State const& old) const;
+  [[nodiscard]] double relaxing_work(State const& old) const;
   void audit_contact(State const& old, State& next) const;
   [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 
@@ -116,7 +118,8 @@ private:
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N
   Vector inverse_mass_;            ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
-  int critical_age_ = 0; ///< as State::critical_age, after the step
+  int critical_age_ = 0;                    ///< as State::critical_age, after the step
+  material::NetworkEnergy<double> relaxed_; ///< of the step that ends, J
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
   double previous_worst_ = 0;                       ///< imbalance or contact's residual, N

@@ -81,6 +81,7 @@ void Stepper::account(State const& old, State& next) const {
     ledger.damping_loss += viscous_loss(old, next);
   if (!bulk_.springs().empty())
     account_springs(old, next);
+  ledger.relaxation_loss += relaxed_.dissipated;
   if (weights_.stabilisation > 0)
     ledger.stabilisation_loss += weights_.stabilisation / (next.t - old.t) * bulk_.grip().dot(d_.cwiseAbs2());
   ledger.strain = strain_;

@@ -90,27 +90,44 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
 }
 
 /// Work of the internal forces along the straight way from u0 to u1, J: of springs what they store more, of
-/// cells by the Gauss-Lobatto rule of four
-/// points, whose error falls with the sixth power of the way, or trapezia where they are linear in u.
+/// cells by the Gauss-Lobatto rule of four points, whose error falls with the sixth power of the way, or
+/// trapezia where they are linear in u. That of networks that relax is what they store more and dissipate.
 double Stepper::path_work(State const& old, State const& next) const {
-  auto const elastic = [this](Vector const& all, Vector const& viscous) {
-    return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
-  };
-  double ends = elastic(old.internal, old.damping) + elastic(internal_, damping_);
-  double stored = 0;
+  double stored = 0, by_springs = 0;
   if (!bulk_.springs().empty()) {
     Vector of_springs = Vector::Zero(d_.size());
     stored = -bulk_.springs().add_force(old.u, old.t, of_springs);
     stored += bulk_.springs().add_force(next.u, next.t, of_springs);
-    ends -= of_springs.dot(d_);
+    by_springs = of_springs.dot(d_);
   }
+  if (bulk_.relaxing())
+    return relaxing_work(old) + stored;
+  auto const elastic = [this](Vector const& all, Vector const& viscous) {
+    return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
+  };
+  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_) - by_springs;
   if (bulk_.linear_bodies())
     return 0.5 * ends + stored;
+  return (ends + 5 * work_within(old)) / 12 + stored;
+}
+
+/// What the laws' forces at the two inner points of that rule do along the whole way, J.
+double Stepper::work_within(State const& old) const {
   double const inner = 0.5 - 0.5 / std::sqrt(5.0);
   Vector first, second;
-  static_cast<void>(bulk_.internal_force(old.u + inner * d_, first));
-  static_cast<void>(bulk_.internal_force(old.u + (1 - inner) * d_, second));
-  return (ends + 5 * (first + second).dot(d_)) / 12 + stored;
+  static_cast<void>(bulk_.internal_force(old.u + inner * d_, first, Forces::laws));
+  static_cast<void>(bulk_.internal_force(old.u + (1 - inner) * d_, second, Forces::laws));
+  return (first + second).dot(d_);
+}
+
+/// That work where bodies relax, J: of the laws alone, and what networks store more and dissipate.
+double Stepper::relaxing_work(State const& old) const {
+  Vector first, last;
+  double const stored = old.ledger.strain - bulk_.internal_force(old.u, first, Forces::laws).energy;
+  static_cast<void>(bulk_.internal_force(u_, last, Forces::laws));
+  double const ends = (first + last).dot(d_);
+  return (bulk_.linear_bodies() ? 0.5 * ends : (ends + 5 * work_within(old)) / 12) + relaxed_.stored -
+         stored + relaxed_.dissipated;
 }
 
 /// Loss at the contact points, and what the nodal reactions do beside the work at the points.

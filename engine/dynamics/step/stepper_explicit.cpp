@@ -23,7 +23,8 @@ void Stepper::set_explicit_rates(State const& old, double dt, State& next) const
 /// The stability limit holds for the state it was found for; where bodies are not linear it is found anew
 /// from time to time.
 std::optional<Outcome> Stepper::too_long(State const& old, double dt) {
-  critical_step_ = old.critical_age == 0 ? critical_step(*model_, old.u, old.t) : old.critical_step;
+  critical_step_ =
+      old.critical_age == 0 ? critical_step(*model_, old.u, old.t, old.memory.get()) : old.critical_step;
   critical_age_ = bulk_.linear_bodies() ? 1 : (old.critical_age + 1) % critical_steps;
   if (dt <= critical_step_ * (1 + critical_margin))
     return {};

@@ -152,6 +152,7 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
   mesh::check(body->mesh, name);
   give_laws(*body, part.laws_by_set);
   body->plane_stress = part.plane_stress;
+  body->relaxing = part.relaxing;
   check_radius(name, body->mesh);
   solid::check_interpolation(*body);
   model.first_node.push_back(model.first_node.back() + body->mesh.node_count());
@@ -172,6 +173,10 @@ void Builder::check_sheet(std::string const& name, BodyPart const& part) {
     complain({"bodies", name, "damping"},
              "is not for sheets in plane stress, whose thickness would have a rate of its own; leave one of "
              "the two out");
+  if (!part.relaxing.empty())
+    complain({"bodies", name, "relaxing"},
+             "is not for sheets in plane stress, whose thickness would relax by itself; leave one of the two "
+             "out");
 }
 
 void Builder::add_bodies() {
@@ -188,6 +193,11 @@ void Builder::add_bodies() {
           {"bodies", name, "damping"},
           "would lower the stability limit of scheme.central_difference and lag by a step; leave it out or "
           "use an implicit scheme");
+    if (!part.relaxing.empty() && dynamics::weights(model.scheme).skin)
+      complain(
+          {"bodies", name, "relaxing"},
+          "cannot go with contact_inertia = \"cells\", which takes the stress of cells at contact twice; "
+          "leave it out or use contact_inertia = \"implicit\"");
     try {
       make_body(name, part);
     } catch (core::InputError const& error) {

@@ -28,6 +28,7 @@ std::vector<Category> const& catalog() {
       {"material", "bulk laws", schemas<material::Material>()},
       {"remesh", "a mesh made anew until it is fine enough", {RemeshPart::schema()}},
       {"damping", "viscosity beside the bulk law", {material::KelvinVoigt::schema()}},
+      {"prony", "a term of relaxation beside the bulk law", {material::PronyTerm::schema()}},
       {"obstacle", "a rigid obstacle on its path", {ObstaclePart::schema()}},
       {"rigid", "shapes of rigid obstacles", schemas<contact::Obstacle>()},
       {"pair", "two surfaces that may touch", {PairPart::schema()}},

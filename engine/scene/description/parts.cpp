@@ -95,6 +95,9 @@ core::Schema const& BodyPart::schema() {
               "a thin sheet, free to change its thickness, in a scene of kinematics plane_strain; forces are "
               "per metre of its thickness")
           .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
+          .nested("relaxing", "prony", Need::optional,
+                  "list of terms {share = or modulus =, time =} of a Prony series beside the bulk law; none: "
+                  "elastic")
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .build();
   return made;
@@ -111,12 +114,26 @@ void BodyPart::read_nested(Reader& reader) {
     damping = std::get<material::KelvinVoigt>(
         nested_choice<std::variant<material::KelvinVoigt>>(reader, "damping", Need::optional));
   static_cast<void>(reader.at("damping", Need::optional));
+  read_relaxing(reader);
   if (reader.has("remesh")) {
     remesh = reader.child("remesh", Need::optional).record<RemeshPart>();
     if (!std::holds_alternative<mesh::GmshGeometry>(mesh))
       reader.complain_at("remesh", "needs a mesh that gmsh makes from outlines; give the body a mesh.gmsh");
   }
   static_cast<void>(reader.at("remesh", Need::optional));
+}
+
+void BodyPart::read_relaxing(Reader& reader) {
+  if (!reader.has("relaxing")) {
+    static_cast<void>(reader.at("relaxing", Need::optional));
+    return;
+  }
+  for (auto& term : reader.children("relaxing"))
+    relaxing.push_back(term.record<material::PronyTerm>());
+  if (relaxing.empty() || relaxing.size() > material::most_prony_terms)
+    reader.complain_at(
+        "relaxing", fmt::format("has {} terms; give 1 to {} of {{share = 0.4, time = 1*s}}, or leave it out",
+                                relaxing.size(), material::most_prony_terms));
 }
 
 core::Schema const& RemeshPart::schema() {

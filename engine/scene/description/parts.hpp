@@ -44,9 +44,13 @@ struct BodyPart {
   solid::Interpolation interpolation = solid::Interpolation::plain;
   bool plane_stress = false; ///< in a plane scene: a thin sheet
   std::optional<material::KelvinVoigt> damping;
-  std::optional<RemeshPart> remesh; ///< only with mesh.gmsh
+  std::vector<material::PronyTerm> relaxing; ///< empty: it does not
+  std::optional<RemeshPart> remesh;          ///< only with mesh.gmsh
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
+
+private:
+  void read_relaxing(core::Reader& reader);
 };
 
 /// A rigid obstacle and where it goes: along paths, or, with a mass, where the forces take it.

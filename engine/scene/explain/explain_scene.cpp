@@ -72,6 +72,25 @@ std::string cell_words(solid::Body const& body) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// Each time against the steps and the run.
+void add_relaxation(Facts const& all, BodyFacts const& facts, Section& section) {
+  double at_once = 1;
+  double const shear = facts.moduli.shear();
+  for (auto const& term : facts.body->relaxing) {
+    at_once += term.stiffness(shear) / shear;
+    std::string words =
+        fmt::format("G_k = {}, {:.2g} of the longest step, {:.2g} of the run",
+                    human(term.stiffness(shear), "Pa"), term.time / all.longest_step, term.time / all.end);
+    if (term.time < 0.1 * all.longest_step)
+      words += ": gone within a step";
+    else if (term.time > 10 * all.end)
+      words += ": a spring, as long as the run lasts";
+    add(section, "relaxes in " + human(term.time, "s"), words, term.time);
+  }
+  if (at_once > 1)
+    add(section, "at once", fmt::format("{:.4g} times as stiff in shear as at rest", at_once), at_once);
+}
+
 void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation) {
   auto const& body = *facts.body;
   int const dim = all.scene->part.dim();
@@ -99,6 +118,7 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
                   facts.moduli.poisson, human(facts.moduli.shear(), "Pa"), human(facts.moduli.bulk(), "Pa")));
   if (body.damping)
     add(section, "damping", settings("damping", &*body.damping, material::KelvinVoigt::schema()));
+  add_relaxation(all, facts, section);
   bool const per_metre = all.scene->part.kinematics == solid::Kinematics::plane_strain;
   section.lines.push_back(
       {"mass", human(facts.mass, per_metre ? "kg/m" : "kg"), facts.mass, per_metre ? "kg/m" : "kg", ""});

@@ -318,6 +318,10 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
   context.column("motion_work", unit, "work done by motions, obstacles and moving ends of springs");
   context.column("load_work", unit, "work done by prescribed forces");
   context.column("damping_loss", unit, "dissipated by the bodies' viscosity");
+  bool const relaxing = std::ranges::any_of(context.scene.model->bodies,
+                                            [](auto const& body) { return !body->relaxing.empty(); });
+  if (relaxing)
+    context.column("relaxation_loss", unit, "dissipated by networks that relax");
   context.column("stabilisation_loss", unit, "dissipated by the stabilisation of scheme.quasi_static");
   context.column("friction_loss", unit, "dissipated by friction");
   context.column("bonding_loss", unit, "dissipated by bonding, int A b beta'^2 dt");
@@ -328,11 +332,13 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
     context.column("dashpot_loss", unit, "dissipated by the dashpots of springs");
   }
   Sampler const more = probe.audit ? add_audit(context) : Sampler{};
-  return [more, springs](State const& state, std::vector<double>& row) {
+  return [more, relaxing, springs](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
     row.insert(row.end(),
-               {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work, l.damping_loss,
-                l.stabilisation_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
+               {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work, l.damping_loss});
+    if (relaxing)
+      row.push_back(l.relaxation_loss);
+    row.insert(row.end(), {l.stabilisation_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
     if (springs)
       row.insert(row.end(), {l.spring, l.dashpot_loss});
     if (more)

@@ -22,7 +22,7 @@ void add_stress(Scene const& scene, dynamics::State const& state, record::FieldF
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     int const dim = model.dim();
     auto const first = ix(dim * model.first_node[b]), count = ix(dim * model.first_node[b + 1]) - first;
-    auto const nodal = model.cells[b].stress({state.u.data() + first, count});
+    auto const nodal = model.cells[b].stress({state.u.data() + first, count}, state.memory_of(b));
     for (Eigen::Index i = 0; i < nodal.von_mises.size(); ++i) {
       auto const s = nodal.cauchy.row(i);
       for (Eigen::Index k = 0; k < 6; ++k)

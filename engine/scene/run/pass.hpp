@@ -159,7 +159,7 @@ private:
   bool too_long() {
     if (!dynamics::weights(scene_->model->scheme).explicit_forces)
       return false;
-    double const limit = dynamics::critical_step(*scene_->model, state_.u, state_.t);
+    double const limit = dynamics::critical_step(*scene_->model, state_.u, state_.t, state_.memory.get());
     double start = 0;
     for (auto const& stage : scene_->part.schedule.stages) {
       double const dt = (stage.until - start) / stage.steps;

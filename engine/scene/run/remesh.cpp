@@ -90,8 +90,8 @@ void MeshControl::note_errors(Seen& seen, dynamics::State const& state) const {
   int const dim = model.dim();
   auto const first = ix(dim * model.first_node[seen.body]),
              count = ix(dim * model.first_node[seen.body + 1]) - first;
-  auto const found =
-      solid::stress_error(*model.bodies[seen.body], model.kinematics, {state.u.data() + first, count});
+  auto const found = solid::stress_error(*model.bodies[seen.body], model.kinematics,
+                                         {state.u.data() + first, count}, state.memory_of(seen.body));
   seen.error = std::max(seen.error, found.relative());
   double whole = 0;
   for (std::size_t c = 0; c < found.error.size(); ++c)

@@ -33,7 +33,7 @@ local function scene_of(kinds, kinematics)
     or stiction.mesh.box { size = { 1*m, 1*m, 1*m }, cells = { 1, 1, 1 } }
   return stiction.scene {
     kinematics = kinematics,
-    bodies = { body = stiction.body { mesh = mesh, density = 1*kg/m^3,
+    bodies = { body = stiction.body { mesh = mesh, density = 1*kg/m^3, relaxing = { { share = 1, time = 1*s } },
       material = stiction.material.linear_elastic { young = 1*Pa, poisson = 0 } } },
     obstacles = { obstacle = stiction.obstacle { shape = stiction.rigid.plane(plane and {} or { normal = { 0, 0, 1 } }) } },
     pairs = { pair = stiction.pair { secondary = "body.bottom", primary = "obstacle" } },

@@ -56,6 +56,15 @@ std::vector<std::pair<std::string, test::Input>> scenes() {
   all.emplace_back("viscous", dragged(test::make("scheme.theta_xi")));
   test::at(all.back().second, "bodies.upper.damping") =
       test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(10, "Pa s")}});
+  all.emplace_back("relaxing", dragged(test::make("scheme.theta_xi")));
+  all.emplace_back("relaxing linear", dragged(test::quasi_static()));
+  for (char const* body : {"lower", "upper"}) {
+    auto const bodies = std::string("bodies.") + body;
+    test::at(all.back().second, bodies + ".material") = test::linear_elastic(1000, 0.3);
+    for (auto* table : {&all.back().second, &all[all.size() - 2].second})
+      test::at(*table, bodies + ".relaxing") =
+          test::list({test::make("prony", {{"share", test::value(0.5)}, {"time", test::value(0.2, "s")}})});
+  }
   all.emplace_back("explicit", dragged(test::make("scheme.central_difference")));
   return all;
 }
@@ -76,6 +85,9 @@ bool same(dynamics::State const& a, dynamics::State const& b) {
                same(a.internal, b.internal) && same(a.reaction, b.reaction) && same(a.drive, b.drive) &&
                a.ledger.scheme_loss() == b.ledger.scheme_loss() && a.factors.size() == b.factors.size() &&
                a.critical_age == b.critical_age && a.critical_step == b.critical_step;
+  equal = equal && (a.memory == nullptr) == (b.memory == nullptr);
+  for (std::size_t body = 0; equal && a.memory != nullptr && body < a.memory->size(); ++body)
+    equal = same((*a.memory)[body], (*b.memory)[body]);
   for (std::size_t p = 0; equal && p < a.contacts.size(); ++p)
     for (std::size_t i = 0; i < a.contacts[p].size(); ++i)
       equal = equal && same(a.contacts[p][i], b.contacts[p][i]);

@@ -304,7 +304,7 @@ TEST_CASE("parameters of an adhesion law that do not fit together are named") {
   check_only(table, "pairs.sole.adhesion", {"bilinear", "potential"});
 }
 
-TEST_CASE("a sheet in plane stress outside the plane, averaged or damped") {
+TEST_CASE("a sheet in plane stress outside the plane, averaged, damped or relaxing") {
   auto in_space = test::cube_on_floor();
   test::at(in_space, "motions") = test::list({test::fix_in("foot.top", "xyz")});
   test::at(in_space, "bodies.foot.plane_stress") = test::flag(true);
@@ -321,6 +321,10 @@ TEST_CASE("a sheet in plane stress outside the plane, averaged or damped") {
   check_only(
       sheet("damping", test::make("damping.kelvin_voigt", {{"shear_viscosity", test::value(1, "Pa s")}})),
       "bodies.foot.damping", {"sheet", "leave one"});
+  check_only(
+      sheet("relaxing",
+            test::list({test::make("prony", {{"share", test::value(0.4)}, {"time", test::value(1, "s")}})})),
+      "bodies.foot.relaxing", {"sheet", "leave one"});
 }
 
 TEST_CASE("a surface that touches itself and is averaged by mortar") {
@@ -329,4 +333,30 @@ TEST_CASE("a surface that touches itself and is averaged by mortar") {
   test::at(table, "pairs.sole.discretisation") = test::text("mortar");
   test::at(table, "motions") = test::list({test::fix("foot.top")});
   check_only(table, "pairs.sole.discretisation", {"touches itself", "node_to_segment"});
+}
+
+TEST_CASE("terms of relaxation that say too little or too much are named") {
+  auto const term = [](std::vector<std::pair<std::string, double>> const& numbers) {
+    core::Table table;
+    for (auto const& [name, number] : numbers)
+      table[name] = test::value(number, name == "time" ? "s" : name == "modulus" ? "Pa" : "1");
+    return test::make("prony", std::move(table));
+  };
+  auto table = test::foot_on_floor();
+  auto& relaxing = test::at(table, "bodies.foot.relaxing");
+  relaxing = test::list({term({{"share", 0.4}, {"time", 1}}), term({{"modulus", 100}, {"time", 1e3}})});
+  CHECK(complaints(table).empty());
+  relaxing = test::list({term({{"share", 0.4}, {"time", 1}}), term({{"time", 1}})});
+  check_only(table, "bodies.foot.relaxing[2].share", {"modulus", "more than 0"});
+  relaxing = test::list({term({{"share", 0.4}, {"modulus", 100}, {"time", 1}})});
+  check_only(table, "bodies.foot.relaxing[1].share", {"leave one of them out"});
+  relaxing = test::list({term({{"share", 0.4}, {"time", 0}})});
+  check_only(table, "bodies.foot.relaxing[1].time", {"0 s", "> 0 s"});
+  relaxing = test::list({});
+  check_only(table, "bodies.foot.relaxing", {"0 terms", "1 to 20"});
+  relaxing = test::list(core::List(21, term({{"share", 0.4}, {"time", 1}})));
+  check_only(table, "bodies.foot.relaxing", {"21 terms", "1 to 20"});
+  relaxing = test::list({term({{"share", 0.4}, {"time", 1}})});
+  test::at(table, "scheme") = test::make("scheme.theta_xi", {{"contact_inertia", test::text("cells")}});
+  check_only(table, "bodies.foot.relaxing", {"\"cells\"", "\"implicit\""});
 }

@@ -117,7 +117,7 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
                               scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
                               mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt,
-                              scene::RemeshPart, dynamics::Accuracy>;
+                              material::PronyTerm, scene::RemeshPart, dynamics::Accuracy>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();

@@ -391,3 +391,20 @@ TEST_CASE("numbers for people have three digits and a short unit") {
   CHECK(scene::human(3600, "s") == "1 h");
   CHECK(scene::percent(0.083) == "8.3 %");
 }
+
+TEST_CASE("times of relaxation are held against the steps and the run") {
+  auto table = foot_on_floor(); // 2 s in steps of 0.25 s and 0.1 s
+  auto const term = [](double share, double time) {
+    return make("prony", {{"share", value(share)}, {"time", value(time, "s")}});
+  };
+  at(table, "bodies.foot.relaxing") = list({term(0.5, 1e-3), term(0.25, 1), term(2, 1e6)});
+  auto const explanation = scene::explain(table);
+  CHECK(number(explanation, "Body foot", "at once") == doctest::Approx(3.75));
+  CHECK(contains(line(explanation, "Body foot", "relaxes in 1 ms").words,
+                 "G_k = 250 Pa, 0.004 of the longest step"));
+  CHECK(contains(line(explanation, "Body foot", "relaxes in 1 ms").words, "gone within a step"));
+  CHECK(contains(line(explanation, "Body foot", "relaxes in 1 s").words,
+                 "4 of the longest step, 0.5 of the run"));
+  CHECK_FALSE(contains(line(explanation, "Body foot", "relaxes in 1 s").words, ":"));
+  CHECK(contains(line(explanation, "Body foot", "relaxes in " + scene::human(1e6, "s")).words, "a spring"));
+}

@@ -238,3 +238,17 @@ TEST_CASE("probes: force of a set that is an obstacle points to the probe that h
   }
   CHECK(words.find("stiction.probe.rigid { obstacle = \"floor\" }") != std::string::npos);
 }
+
+TEST_CASE("the energy probe shows what networks that relax dissipate, where there are any") {
+  auto table = test::foot_on_floor();
+  test::at(table, "probes.energy") = test::make("probe.energy");
+  CHECK_FALSE(sample(table).series.columns.contains("energy/relaxation_loss"));
+  test::at(table, "bodies.foot.relaxing") =
+      test::list({test::make("prony", {{"share", test::value(0.5)}, {"time", test::value(0.5, "s")}})});
+  auto const relaxing = sample(table);
+  double const loss = relaxing.number("energy/relaxation_loss");
+  CHECK(loss > 0);
+  CHECK(loss == relaxing.state.ledger.relaxation_loss);
+  CHECK(relaxing.number("energy/scheme_loss") == relaxing.state.ledger.scheme_loss());
+  CHECK(relaxing.number("energy/strain") == relaxing.state.ledger.strain);
+}
