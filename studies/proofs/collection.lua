@@ -19,6 +19,7 @@ return {
   "dcb",
   "peeled_film",
   "capstan",
+  "relaxing_bar",
   "time_schemes",
   "bar_impact",
   "bouncing_bar",
