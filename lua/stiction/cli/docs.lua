@@ -8,6 +8,7 @@ local root = engine.library_root() .. "/stiction/"
 --- By file the words that scripts write where the source writes others.
 local sources = {
   { "numeric.lua", { ["numeric."] = "stiction.numeric." } },
+  { "relaxation.lua", { ["relaxation."] = "stiction.relaxation." } },
   { "sample.lua", { ["sample."] = "stiction.sample." }, without = { drawn = true } },
   { "schemes.lua", { ["schemes."] = "stiction.schemes." } },
   { "figure.lua", { ["figure."] = "stiction.figure." }, without = { spec = true } },

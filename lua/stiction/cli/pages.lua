@@ -145,6 +145,7 @@ check: equal(name, value, expected, tolerance), close(name, value, expected, rel
        table{title =, columns = {...}, rows = {{"key", ...}, ...}}: into the report, joined by title and key.
 stiction.schemes: names(), make(name), about(name): the time schemes that studies compare.
 stiction.csv "FILE" or {file =, units =}: columns of measured values by name, as lists of quantities.
+stiction.relaxation.fit{frequency =, storage =, loss =}: rest, terms (a body's `relaxing`), error, worst.
 figure: lines{...}, field{...}, panel{...}, map{...}: 'stiction help figure'.]]
 
 pages.figure = [[
