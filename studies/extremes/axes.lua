@@ -128,6 +128,15 @@ axis("sheet", "in plane stress", { "punch", "slide" }, {
   { "venant", { sheet = true, material = "st_venant_kirchhoff" } },
   { "mean", { sheet = true, interpolation = "mean_dilatation" }, want = "refused" },
 })
+axis("relax", "time in which the body relaxes [s]", { "punch", "slide", "slide_mortar", "drop", "crowd", "fold", "tie" }, {
+  { "0", { relax = 0 }, want = "refused" }, { "1e-9", { relax = 1e-9 } }, { "1e-3", { relax = 1e-3 } }, { "1", { relax = 1 } },
+  { "1e9", { relax = 1e9 } }, { "share_0", { relax = 1, share = 0 }, want = "refused" }, { "share_1e-9", { relax = 0.1, share = 1e-9 } },
+  { "share_1e6", { relax = 0.1, share = 1e6, tilts = true } }, { "rubber", { relax = 0.1, material = "neo_hookean" } },
+  { "sheet", { relax = 0.1, sheet = true }, want = "refused" },
+})
+axis("relax", "time in which the body relaxes [s]", { "punch", "slide", "slide_mortar", "drop", "crowd", "tie" }, {
+  { "0.4999_mean", { relax = 0.1, nu = 0.4999, interpolation = "mean_dilatation" } },
+})
 axis("folds", "of a strip on itself", { "fold" }, {
   { "2", { folds = 2, press = 3e-3 } }, { "4", { folds = 4, press = 5e-3 } }, { "few_steps", { steps = 4 } },
   { "flat", { press = 1.6e-3 } }, { "apart", { press = -3e-3 } }, { "bonded", { C = 1e9, w = 1, b = 0.5, pull = 3e-3 } },

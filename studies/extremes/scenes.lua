@@ -40,6 +40,7 @@ end
 local function body_of(q, u, mesh, t)
   return stiction.body { mesh = mesh, material = material_of(q, u, t and t.factor), density = q.rho * u.kg / u.m^3,
     interpolation = q.interpolation, plane_stress = q.sheet, velocity = t and t.velocity,
+    relaxing = q.relax and { { share = q.share, time = q.relax * u.s } } or nil,
     damping = q.eta and stiction.damping.kelvin_voigt { shear_viscosity = q.eta * u.Pa * u.s,
       bulk_viscosity = q.eta * u.Pa * u.s } or nil }
 end
@@ -74,7 +75,7 @@ local function path(q, u, t)
     y = t.y and list(t.y, u.m), z = t.z and list(t.z, u.m) }
 end
 
-local ordinary = { L = 1, M = 1, T = 1, E = 1e6, nu = 0.3, rho = 1000, material = "linear_elastic", pace = 1, beta0 = 0,
+local ordinary = { L = 1, M = 1, T = 1, E = 1e6, nu = 0.3, rho = 1000, material = "linear_elastic", pace = 1, beta0 = 0, share = 1,
   interpolation = "plain", discretisation = "node_to_segment", halvings = 10 }
 
 local function floor()
