@@ -31,6 +31,13 @@ for ranks in 1 2 4; do
   holds "$ranks ranks: $(near alone.csv "of$ranks.csv" 1e-8)" near alone.csv "of$ranks.csv" 1e-8
   holds "the manifest tells of $ranks ranks" grep -q "\"ranks\": $ranks" "of$ranks/lawfinite/manifest.json"
 done
+expect 0 "finished" "$stiction" run block --no-figures --set relaxes=1 --set bulk=multigrid --out relaxing1
+expect 0 "finished" "$stiction" run block --no-figures --set relaxes=1 --ranks 3 --out relaxing3
+for folder in relaxing1 relaxing3; do
+  numbers_of_block $folder >$folder.csv
+done
+holds "bodies that relax, 3 ranks: $(near relaxing1.csv relaxing3.csv 1e-8)" near relaxing1.csv relaxing3.csv 1e-8
+holds "they have another answer than those that do not" [ "$(sed -n 2p relaxing1.csv)" != "$(sed -n 2p alone.csv)" ]
 expect 0 "finished" "$stiction" run block --no-figures --ranks 2 --out again
 numbers_of_block again >again.csv
 holds "two runs of two ranks: $(diff of2.csv again.csv)" cmp -s of2.csv again.csv

@@ -8,14 +8,16 @@ local function of(time, column, sign)
   return function(run) return sign * run:at(time, "sole", column) end
 end
 return stiction.study {
-  title = "A block on a plane", chosen = { steps = { 4, "few" }, plane = { 0, "1: in the plane" }, bulk = { "automatic", "or not" } },
+  title = "A block on a plane", chosen = { steps = { 4, "few" }, plane = { 0, "1: in the plane" }, bulk = { "automatic", "or not" },
+    relaxes = { 0, "1: by two networks" } },
   sweep = { law = { "linear", "finite" } },
   scene = function(p)
     local flat = p.plane == 1
     local z, depth, down = 0*mm, { 4*mm, 4*mm, 2*mm }, { 0*mm, -0.1*mm, -0.1*mm }
     return stiction.scene {
       kinematics = flat and "plane_strain" or "three_dimensional",
-      bodies = { block = stiction.body { material = laws[p.law], density = 1000*kg/m^3, mesh = flat
+      bodies = { block = stiction.body { material = laws[p.law], density = 1000*kg/m^3,
+        relaxing = p.relaxes == 1 and { { share = 2, time = 0.5*s }, { modulus = 1*MPa, time = 10*s } } or nil, mesh = flat
         and stiction.mesh.block { size = { 4*mm, 2*mm }, cells = { 8, 4 } }
         or stiction.mesh.box { size = depth, cells = { 8, 8, 4 } } } },
       obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
