@@ -5,7 +5,7 @@ local ledger = {}
 
 local terms = { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "damping_loss", "friction_loss",
   "bonding_loss" }
-local if_any = { "spring", "dashpot_loss", "relaxation_loss" } -- where a scene has springs or bodies that relax
+local if_any = { "spring", "dashpot_loss", "relaxation_loss", "surface" } -- springs, bodies that relax, surface stress
 
 local function largest_of(values)
   local largest = 0

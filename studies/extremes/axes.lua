@@ -15,7 +15,7 @@ local function of(key, values)
   return levels
 end
 
-local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold", "tie" }
+local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold", "tie", "tube" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
@@ -151,6 +151,15 @@ axis("spring", "spring that draws it, stiffness [N/m]", { "tie" }, {
   { "1e16", { k = 1e16 } }, { "line", { line = true } }, { "line_1e12", { line = true, k = 1e12 } },
   { "line_slack", { line = true, rest = 2 } }, { "spread", { spread = true } }, { "stretched", { draw = 1 } },
   { "rubber", { material = "neo_hookean", line = true } },
+})
+axis("fill", "gas, pressure over E or volume, that fills it; stress of its surface over E size", { "tube" }, {
+  { "0", { fill = 0 } }, { "1e-9", { fill = 1e-9 } }, { "1", { fill = 1 } }, { "1000", { fill = 1e3, steps = 1000 } },
+  { "sucked", { fill = -0.3, outside = 1 } }, { "vacuum", { fill = -0.1 }, want = "refused" },
+  { "volume", { by = "volume", fill = 4 } }, { "volume_1e3", { by = "volume", fill = 1e3, steps = 300 } },
+  { "volume_1e-3", { by = "volume", fill = 1e-3, steps = 100 } }, { "volume_0", { by = "volume", fill = 0 }, want = "refused" },
+  { "pressure", { by = "pressure" } }, { "pressure_beyond", { by = "pressure", fill = 1 } },
+  { "gamma_1e-9", { gamma = 1e-9 } }, { "gamma_0.2", { gamma = 0.2 } }, { "gamma_1e3", { gamma = 1e3 } },
+  { "gamma_0", { gamma = 0 }, want = "refused" }, { "linear", { material = "linear_elastic", fill = 1 } },
 })
 axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
   { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },

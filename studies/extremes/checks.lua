@@ -48,6 +48,26 @@ local function tied(case, _, say)
   say("contact force against spring and motion, over the largest", off / most, 1e-5)
 end
 
+--- The cavity is as wide as its wall says, has the volume that was asked for, and an amount of gas keeps p V.
+local function gas_law(case, q, say)
+  if q.by == "pressure" then
+    return
+  end
+  local pressure, volume, u = case:series("gas", "pressure"), case:series("gas", "volume"), case:series("wall", "u_x")
+  local wrong, off, stress = 0, 0, measure.scales(q).stress
+  for i, t in ipairs(case.time) do
+    local asked = (q.by == "volume" and q.fill - 1 or q.fill * stress) * t / (q.pace * q.T)
+    local got, outside = volume[i] / volume[1] - 1, (q.outside or 0) * stress
+    if q.by ~= "volume" then
+      got = (pressure[i] + outside) * volume[i] / volume[1] - outside
+    end
+    off = math.max(off, math.abs(got - asked) / (q.by == "volume" and 1 or math.max(math.abs(q.fill), 1e-30) * stress))
+    wrong = math.max(wrong, math.abs(volume[i] / volume[1] / (1 + u[i] / (q.size * q.L)) ^ 2 - 1))
+  end
+  say("volume of the cavity against its wall's way", wrong, 1e-9)
+  say("volume or p V against what was asked for", off, q.by == "volume" and 1e-6 * math.max(1, largest(pressure) / stress) or 1e-9)
+end
+
 --- Signorini and Coulomb at every point and step, over the body's size and the largest pressure.
 local function complementarity(case, q, say, group)
   local deepest, tensile, both, outside = 0, 0, 0, 0
@@ -397,6 +417,7 @@ local of_scene = {
   punch = { balance, complementarity, above_floor, symmetry, released, account, closed_ledger },
   slide = { balance, complementarity, above_bed, sliding, account, closed_ledger },
   tie = { tied, complementarity, above_floor, account },
+  tube = { gas_law, account },
   bar = { above_floor, wave, carried_by_bar, account, energy_kept },
   stack = { balance, complementarity, channel, account, closed_ledger },
   drop = { complementarity, momentum, carried_by_drop, account, energy_kept },

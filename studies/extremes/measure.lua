@@ -63,7 +63,7 @@ end
 --- Largest of all energies of the ledger and works.
 function measure.energy_scale(case)
   local most = 0
-  for _, name in ipairs { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "spring" } do
+  for _, name in ipairs { "kinetic", "strain", "bond", "potential", "motion_work", "load_work", "spring", "surface" } do
     for _, value in ipairs(component(case, "energy", name) or {}) do
       most = math.max(most, math.abs(value))
     end

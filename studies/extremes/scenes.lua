@@ -236,6 +236,30 @@ scenes.tie = {
   end,
 }
 
+--- A ring of a long tube about the axis, radii size and size + wall, filled through its inner side and rounded by its stress.
+scenes.tube = {
+  values = { size = 0.01, wall = 0.01, cells = { 4, 1 }, press = 0, fill = 0.05, by = "amount", steps = 10, material = "neo_hookean" },
+  make = function(q, u)
+    local gas = q.by ~= "pressure"
+    local blown = { set = "ring.left", times = list({ 0, 1 * q.pace }, u.s) }
+    if q.by == "volume" then
+      blown.volume = { 1, q.fill }
+    else
+      blown.pressure = list({ 0, q.fill * q.E }, u.Pa)
+      blown.outside = q.outside and q.outside * q.E * u.Pa or nil
+    end
+    return {
+      kinematics = "axisymmetric", bodies = { ring = body_of(q, u, block(u, { q.size, 0 }, { q.wall, q.size / 5 }, q.cells)) },
+      motions = { stiction.motion.fix { set = "ring.all", y = true } },
+      loads = { stiction.load[gas and "gas" or "pressure"](blown),
+        q.gamma and stiction.load.surface_stress { set = "ring.right", gamma = q.gamma * q.E * q.size * u.J_m2 } or nil },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1 }),
+      probes = { gas = gas and stiction.probe.gas { set = "ring.left" } or nil, wall = node(u, "ring.left", { q.size, 0 }),
+        energy = stiction.probe.energy { audit = true } },
+    }
+  end,
+}
+
 --- Whether block i is asked about block k, each a whole boundary.
 local asks = {
   neighbours = function(i, k) return k == i + 1 end,

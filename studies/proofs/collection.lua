@@ -6,6 +6,8 @@ return {
   "pinched_ring",
   "cook_membrane",
   "greco_block",
+  "balloon",
+  "soft_drop",
   "hertz_2d",
   "hertz_3d",
   "cattaneo_mindlin",

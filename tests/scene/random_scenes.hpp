@@ -75,7 +75,8 @@ inline Input random_material(Dice& dice) {
 /// Draws the parts of one scene.
 class RandomScenes {
 public:
-  explicit RandomScenes(unsigned seed) : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000) {}
+  explicit RandomScenes(unsigned seed)
+      : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -97,6 +98,8 @@ public:
       turn_top(scene);
     if (dice_.one_in(3))
       add_spring(scene);
+    if (pressed_.one_in(4))
+      press_side(scene);
     return scene;
   }
 
@@ -212,7 +215,22 @@ private:
     scene.words += ", tipped";
   }
 
-  Dice dice_, sheets_, relaxing_; ///< what is drawn of sheets and of relaxation leaves all else as it was
+  /// By a pressure that follows, or by surface stress, of up to a twentieth of the stiffness.
+  void press_side(RandomScene& scene) {
+    bool const stress = pressed_.one_in(2);
+    core::Table parts{{"set", text("upper.right")}};
+    if (stress) {
+      parts["gamma"] = value(pressed_.between(1, 25), "N/m");
+    } else {
+      parts["times"] = values({0, scene.dt * scene.steps}, "s");
+      parts["pressure"] = values({0, pressed_.between(-25, 25)}, "Pa");
+    }
+    at(scene.table, "loads") =
+        list({make(stress ? "load.surface_stress" : "load.pressure", std::move(parts))});
+    scene.words += stress ? ", surface stress" : ", pressure";
+  }
+
+  Dice dice_, sheets_, relaxing_, pressed_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

@@ -52,6 +52,8 @@ std::string unfit_for_multigrid(Model const& model) {
     return "a rigid body is free";
   if (!std::ranges::all_of(model.springs, &Spring::spread))
     return "a spring acts on the mean of a set";
+  if (!model.gases.empty())
+    return "gas couples the wall of its cavity";
   if (!std::all_of(model.pairs.begin(), model.pairs.end(), drives))
     return "contact is between deformable bodies, or its points are means";
   if (!std::holds_alternative<contact::BipotentialNewton>(model.solver))
@@ -72,8 +74,8 @@ std::string unfit_for_ranks(Model const& model) {
       std::any_of(model.bodies.begin(), model.bodies.end(), [](auto const& body) { return body->damping; });
   if (weights.skin || (weights.surface_apart() && damped))
     return "contact nodes have a balance of their own";
-  if (!model.springs.empty())
-    return "it has springs";
+  if (!model.springs.empty() || !model.pressures.empty() || !model.surface_stresses.empty())
+    return "it has springs, or loads that follow a surface";
   if (model.control.bulk == BulkSolver::direct)
     return "control.bulk is \"direct\", and a factor is one process's";
   return "";

@@ -1,4 +1,6 @@
-// Unknowns by their nodes, as multigrid has them, and the rigid-body motions of these.
+// Unknowns by their nodes, as multigrid has them, the rigid-body motions of these, and words for cells.
+#include <fmt/format.h>
+
 #include "dynamics/bulk/bulk_system.hpp"
 #include "linear/multigrid_factor.hpp"
 
@@ -40,6 +42,18 @@ Dense BulkSystem::motions(Model const& model, Indices const& nodes) {
       rows.col(3 + axis) = Vec3::Unit(axis).cross(x);
   }
   return all;
+}
+
+std::string BulkSystem::cell_words(Index cell) const {
+  std::size_t body = 0;
+  while (cell >= model_->cells[body].count())
+    cell -= model_->cells[body++].count();
+  Vector middle = Vector::Zero(dim_);
+  auto const nodes = model_->cells[body].nodes_of(cell);
+  for (Index const node : nodes)
+    middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
+  return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
+                     fmt::join(middle, ", "));
 }
 
 } // namespace stiction::dynamics

@@ -91,7 +91,7 @@ std::optional<FactorSource> BulkSystem::held(FactorSource const& wanted) const {
   auto const is_it = [&](Kept const& one) { return one.made && one.comes_from(wanted); };
   for (auto const* among : {&kept_, &parked_})
     if (auto const found = std::ranges::find_if(*among, is_it); found != among->end())
-      return FactorSource{wanted.u, wanted.dt, wanted.t, found->factor->carried()};
+      return FactorSource{wanted.u, wanted.dt, wanted.t, wanted.gas, found->factor->carried()};
   return {};
 }
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <fmt/format.h>
 #include <utility>
 
 #include "core/threads.hpp"
@@ -88,7 +87,8 @@ double largest_cell(Model const& model) {
 } // namespace
 
 BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
-    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model) {
+    : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model),
+      surface_loads_(model) {
   on_surface_ = contact_nodes(model);
   for (auto const& cells : model.cells) {
     damped_ = damped_ || (weights.inertia && cells.damped());
@@ -111,8 +111,9 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
     gather_grip(model);
-  linear_bodies_ = springs_.linear() && std::all_of(model.bodies.begin(), model.bodies.end(),
-                                                    [](auto const& body) { return solid::linear(*body); });
+  linear_bodies_ = springs_.linear() && surface_loads_.empty() &&
+                   std::all_of(model.bodies.begin(), model.bodies.end(),
+                               [](auto const& body) { return solid::linear(*body); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
 }
@@ -156,6 +157,7 @@ void BulkSystem::number_unknowns(Model const& model) {
         all.back().push_back(unknown_of_[ix(dof)]);
     });
     springs_.add_cliques(unknown_of_, all);
+    surface_loads_.add_cliques(unknown_of_, all);
     return all;
   };
   auto const count = static_cast<Index>(free.size());
@@ -221,6 +223,7 @@ void BulkSystem::build_maps(Model const& model) {
     fill_map(kept_.front().factor->pattern(), cells[body], unknowns[body], maps_[body]);
   }
   springs_.map_entries(kept_.front().factor->pattern(), unknown_of_);
+  surface_loads_.map_entries(kept_.front().factor->pattern(), unknown_of_);
 }
 
 namespace {
@@ -293,18 +296,6 @@ solid::Pass BulkSystem::internal_force(Vector const& u, Vector& force, Forces wh
     first_cell += model_->cells[body].count();
   }
   return model_->share ? together(all, force) : all;
-}
-
-std::string BulkSystem::cell_words(Index cell) const {
-  std::size_t body = 0;
-  while (cell >= model_->cells[body].count())
-    cell -= model_->cells[body++].count();
-  Vector middle = Vector::Zero(dim_);
-  auto const nodes = model_->cells[body].nodes_of(cell);
-  for (Index const node : nodes)
-    middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
-  return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
-                     fmt::join(middle, ", "));
 }
 
 void BulkSystem::skin_force(Vector const& u, Vector& force) const {
@@ -402,6 +393,8 @@ void BulkSystem::add_stiffness(FactorSource const& at, StepWeights const& weight
   if (skin_)
     skin_->add_stiffness(u, skin_more_, values_);
   springs_.add_stiffness(u, at.t, weights.xi, values_);
+  if (!surface_loads_.empty())
+    surface_loads_.add_stiffness(u, at.t, at.gas, weights.xi, values_);
   ++cost.stiffness_passes;
   double const viscous = weights.xi / (weights.rate * at.dt);
   if (damped_ && !own_rates_)
@@ -444,8 +437,12 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
   return entries;
 }
 
-bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost, double t) {
-  choose_factor({std::make_shared<Vector const>(u), dt, t, nullptr, linear_ ? nullptr : memory_}, weights);
+bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost,
+                           LoadsAt const& at) {
+  auto gas = at.gas.empty() ? std::vector<double>(model_->gases.size(), 0.0) : at.gas;
+  choose_factor(
+      {std::make_shared<Vector const>(u), dt, at.t, std::move(gas), nullptr, linear_ ? nullptr : memory_},
+      weights);
   return make(weights, cost);
 }
 

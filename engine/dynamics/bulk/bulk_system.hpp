@@ -5,6 +5,7 @@
 
 #include "dynamics/bulk/skin.hpp"
 #include "dynamics/bulk/springs.hpp"
+#include "dynamics/bulk/surface_loads.hpp"
 #include "dynamics/model/mass.hpp"
 #include "dynamics/model/state.hpp"
 #include "linear/bulk_factor.hpp"
@@ -39,6 +40,12 @@ enum class Purpose { steps, beginning };
 /// Of bodies that relax: with their networks, or of their laws alone.
 enum class Forces { all, laws };
 
+/// Where loads that follow paths and volumes are.
+struct LoadsAt {
+  double t = 0;                 ///< s
+  std::vector<double> gas = {}; ///< pressures, Pa; empty: without gas
+};
+
 class BulkSystem {
 public:
   BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose = Purpose::steps);
@@ -70,6 +77,7 @@ public:
   /// cells, N; call only where the scheme has a skin.
   void skin_force(Vector const& u, Vector& force) const;
   [[nodiscard]] Springs const& springs() const { return springs_; }
+  [[nodiscard]] SurfaceLoads const& surface_loads() const { return surface_loads_; }
   /// Has any body a viscosity, or a spring a dashpot?
   [[nodiscard]] bool damped() const { return damped_; }
   /// A(u) v of the cells over all degrees of freedom, N.
@@ -84,9 +92,9 @@ public:
   /// of contact nodes that balance by themselves; of explicit schemes the lumped M alone, without any pass
   /// over the cells. The change of A with u is left out. Where that is not positive definite by itself but
   /// would be with the contact surfaces held, as a law that softens under a punch, the factor holds them.
-  /// False if that does not help. t: that springs on paths are at, s.
+  /// False if that does not help. at: beside u, what springs and loads are at.
   [[nodiscard]] bool factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost,
-                               double t = 0);
+                               LoadsAt const& at = {});
   /// Takes up a factor for these coefficients, of whatever u; false if none is kept. One that `recall` wants
   /// and that has been overwritten is made again.
   [[nodiscard]] bool take_factor(StepWeights const& weights, double dt, Cost& cost);
@@ -107,7 +115,7 @@ public:
   void keep_factors(std::size_t count) { kept_at_most_ = count; }
   /// True if the matrix does not depend on u, so that a factor for these coefficients is exact.
   [[nodiscard]] bool linear() const { return linear_; }
-  /// True if the internal force, springs included, is linear in u.
+  /// True if the internal force, springs included, is linear in u, and no load follows it.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
   /// The present one; its surface are the contact unknowns.
   [[nodiscard]] linear::BulkFactor& factor() { return *kept_.front().factor; }
@@ -168,6 +176,7 @@ private:
   std::vector<bool> on_surface_;
   Mass mass_;
   Springs springs_;
+  SurfaceLoads surface_loads_;
   Vector grip_;
   double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dynamics/bulk/springs.hpp"
+#include "dynamics/bulk/surface_loads.hpp"
 #include "dynamics/model/mass.hpp"
 #include "linear/decompositions.hpp"
 
@@ -59,10 +60,11 @@ std::vector<FreeCell> free_cells(Model const& model, std::size_t body, std::vect
   return cells;
 }
 
-/// Largest eigenvalue that springs add, at most.
-double spring_eigenvalue(Model const& model, Vector const& u, double t) {
+/// Largest eigenvalue that springs and loads add, at most.
+double load_eigenvalue(Model const& model, Vector const& u, double t) {
   Springs const springs(model);
-  if (springs.empty())
+  SurfaceLoads const loads(model);
+  if (springs.empty() && loads.empty())
     return 0;
   std::vector<bool> const everywhere(ix(model.node_count()), true);
   Vector inverse =
@@ -73,7 +75,7 @@ double spring_eigenvalue(Model const& model, Vector const& u, double t) {
   for (Index dof = 0; dof < model.dofs(); ++dof)
     if (driven[ix(dof)])
       inverse[dof] = 0;
-  return springs.stiffest(u, t, inverse);
+  return springs.stiffest(u, t, inverse) + (loads.empty() ? 0 : loads.stiffest(u, t, inverse));
 }
 
 /// Each cell's lower triangle, one after the other.
@@ -110,7 +112,7 @@ double critical_step(Model const& model, Vector const& u, double t, Memory const
       at += n * (n + 1) / 2;
     });
   }
-  largest += spring_eigenvalue(model, u, t);
+  largest += load_eigenvalue(model, u, t);
   return largest > 0 ? 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 

@@ -11,6 +11,7 @@
 #include "dynamics/model/motion.hpp"
 #include "dynamics/model/share.hpp"
 #include "dynamics/model/spring.hpp"
+#include "dynamics/model/surface_load.hpp"
 #include "dynamics/scheme/path.hpp"
 #include "dynamics/scheme/scheme.hpp"
 #include "interface/law.hpp"
@@ -103,6 +104,9 @@ struct Model {
   std::vector<Motion> motions;
   std::vector<Load> loads;
   std::vector<Spring> springs;
+  std::vector<Pressure> pressures;
+  std::vector<Gas> gases;
+  std::vector<SurfaceStress> surface_stresses;
   std::vector<Pair> pairs;
   Scheme scheme;
   contact::SolverChoice solver;

@@ -49,6 +49,7 @@ struct Ledger {
   double kinetic = 0, strain = 0, bond = 0,
          potential = 0;          ///< potential: of gravity and of constant forces on rigid bodies
   double spring = 0;             ///< stored in springs, at present
+  double surface = 0;            ///< of surface stresses, at present
   double motion_work = 0;        ///< done by driven nodes, moving obstacles and moving ends of springs
   double load_work = 0;          ///< done by prescribed forces
   double damping_loss = 0;       ///< dissipated by the bodies' viscosity
@@ -57,11 +58,11 @@ struct Ledger {
   double stabilisation_loss = 0; ///< dissipated by the stabilisation of quasi-statics
   double friction_loss = 0;      ///< dissipated by slip against rbar_t
   double bonding_loss = 0;       ///< by the bonds: int A b beta'^2 dt of RCC, the damage of cohesive laws
-  double start = 0;              ///< kinetic + strain + bond + potential + spring at t = 0
+  double start = 0;              ///< kinetic + strain + bond + potential + spring + surface at t = 0
   /// What the scheme itself has lost (positive) or made.
   [[nodiscard]] double scheme_loss() const {
-    return start + motion_work + load_work - (kinetic + strain + bond + potential + spring) - damping_loss -
-           dashpot_loss - relaxation_loss - stabilisation_loss - friction_loss - bonding_loss;
+    return start + motion_work + load_work - (kinetic + strain + bond + potential + spring + surface) -
+           damping_loss - dashpot_loss - relaxation_loss - stabilisation_loss - friction_loss - bonding_loss;
   }
   SchemeLoss predicted; ///< kept where the model is audited
   /// What is left of an audited ledger: rounding, but for bodies and bonds that are not linear.
@@ -83,7 +84,8 @@ using Memory = std::vector<Vector>;
 struct FactorSource {
   std::shared_ptr<Vector const> u;                ///< m
   double dt = 0;                                  ///< s
-  double t = 0;                                   ///< that springs on paths are at, s
+  double t = 0;                                   ///< that springs and loads on paths are at, s
+  std::vector<double> gas;                        ///< [gases] pressure over that outside, Pa
   std::shared_ptr<linear::Carried const> carried; ///< beside it; null: nothing
   std::shared_ptr<Memory const> memory{};         ///< at the start of its step; null: of rest
 };
@@ -107,6 +109,7 @@ struct State {
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
+  std::vector<double> gas;             ///< [gases] pressure over that outside, Pa
   Ledger ledger;
   /// The factors that the step which led here left for the next, the last used first; none where they do not
   /// depend on u and carry nothing.

@@ -65,6 +65,7 @@ State Stepper::initial() {
   state.own_reactions.assign(model_->pairs.size() > 1 ? model_->pairs.size() : 0, Vector::Zero(dofs));
   state.drive.setZero(dofs);
   static_cast<void>(internal(state.u, 0, state.internal));
+  state.gas = bulk_.surface_loads().gas_pressures(state.u, 0, std::vector<double>(model_->gases.size(), 0.0));
   if (bulk_.damped()) {
     damping({state.u, state.v, 0}, state.damping);
     state.internal += state.damping;
@@ -96,11 +97,10 @@ State Stepper::initial() {
     bulk_.mass().times(state.v, mass_rate_);
     state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
   }
-  if (!bulk_.springs().empty()) {
-    Vector unused = Vector::Zero(dofs);
-    state.ledger.spring = bulk_.springs().add_force(state.u, 0, unused);
-  }
-  state.ledger.start = state.ledger.kinetic + state.ledger.bond + state.ledger.spring;
+  Vector unused = Vector::Zero(dofs);
+  state.ledger.spring = bulk_.springs().add_force(state.u, 0, unused);
+  state.ledger.surface = bulk_.surface_loads().add_stresses(state.u, unused);
+  state.ledger.start = state.ledger.kinetic + state.ledger.bond + state.ledger.spring + state.ledger.surface;
   if (model_->tallied) {
     state.momenta.pairs.resize(model_->pairs.size());
     state.momenta.forces.resize(model_->pairs.size());
@@ -114,6 +114,7 @@ State Stepper::initial() {
 /// What the scheme keeps beside velocities: M a = F at rest without contact, and no impulse yet.
 void Stepper::start_rates(State& state) {
   gather_external(0, external_);
+  add_following(state.u, 0, state.gas, external_);
   Vector const force = external_ - state.internal;
   if (weights_.explicit_forces)
     state.kick.setZero(model_->dofs());
@@ -142,6 +143,11 @@ void Stepper::predict(State const& old, double dt, Start start) {
   gather_external(old.t, external_old_);
   gather_external(t1, external_);
   bulk_.remember_from(old.memory, dt);
+  if (bulk_.surface_loads().pressed()) {
+    prescribed_ = external_;
+    gas_old_ = old.gas;
+    add_following(old.u, old.t, gas_old_, external_old_);
+  }
   if (weights_.skin)
     bulk_.skin_force(old.u, skin_old_);
   contact_->begin(old, t1, dt, start != Start::unturned);
@@ -155,15 +161,6 @@ void Stepper::arrive(State const& old, double t1) {
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->value(t1) - old.u[dof];
   leads_ = false;
-}
-
-/// value = force(u) becomes what the tangent says of force(u + lead), by a difference.
-template<class Force> void Stepper::look_ahead(Force const& force, Vector& value) {
-  double const part = 1e-6 * bulk_.cell_size() / lead_.lpNorm<Eigen::Infinity>();
-  Vector ahead;
-  force(u_ + part * lead_, ahead);
-  if (ahead.allFinite())
-    value += (ahead - value) / part;
 }
 
 /// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
@@ -202,6 +199,7 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     look_ahead([&](Vector const& u, Vector& f) { static_cast<void>(internal(u, old.t + dt, f)); }, internal_);
     ++cost_.force_passes;
   }
+  follow(old.t + dt);
   if (weights_.inertia)
     accelerate(old, dt);
   else
@@ -270,13 +268,14 @@ bool Stepper::converged(Outcome& outcome) {
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
 /// one.
 bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
-  double const t = old.t + dt;
   bool const slow = outcome.iterations > 1 && contraction_ > refactor_above;
-  bool const keep = bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
+  bool const keep =
+      !bulk_.surface_loads().stiff() && bulk_.take_factor(weights_, dt, cost_) && (bulk_.linear() || !slow);
   if (keep && apply_factor())
     return true;
   if (!keep || !bulk_.linear()) {
-    if (!bulk_.factorize(u_, weights_, dt, cost_, t)) {
+    if (!bulk_.factorize(u_, weights_, dt, cost_,
+                         {old.t + dt, bulk_.surface_loads().steady(gas_, gas_old_)})) {
       outcome.verdict = StepVerdict::indefinite;
       outcome.reason = "the effective stiffness is not positive definite";
       return false;
@@ -358,7 +357,7 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
               std::abs(after.potential) + std::abs(after.bond));
   double const there = before.kinetic + std::abs(before.strain) + change(&Ledger::motion_work) +
                        change(&Ledger::load_work) + change(&Ledger::potential) + std::abs(before.spring) +
-                       rounded;
+                       std::abs(before.surface) + change(&Ledger::surface) + rounded;
   auto const loss = [](Ledger const& ledger) {
     return ledger.scheme_loss() + ledger.damping_loss + ledger.dashpot_loss + ledger.relaxation_loss;
   };
@@ -433,6 +432,7 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.t = old.t + dt;
   next.u = u_;
   next.internal = internal_;
+  next.gas = gas_;
   next.damping = damping_;
   if (bulk_.relaxing()) {
     Timer const timer(cost_.assembly);

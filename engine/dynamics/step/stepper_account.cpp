@@ -82,6 +82,10 @@ void Stepper::account(State const& old, State& next) const {
   if (!bulk_.springs().empty())
     account_springs(old, next);
   ledger.relaxation_loss += relaxed_.dissipated;
+  if (bulk_.surface_loads().stressed()) {
+    Vector unused = Vector::Zero(next.u.size());
+    ledger.surface = bulk_.surface_loads().add_stresses(next.u, unused);
+  }
   if (weights_.stabilisation > 0)
     ledger.stabilisation_loss += weights_.stabilisation / (next.t - old.t) * bulk_.grip().dot(d_.cwiseAbs2());
   ledger.strain = strain_;

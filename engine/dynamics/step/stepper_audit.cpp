@@ -89,23 +89,23 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
   return unmet;
 }
 
-/// Work of the internal forces along the straight way from u0 to u1, J: of springs what they store more, of
-/// cells by the Gauss-Lobatto rule of four points, whose error falls with the sixth power of the way, or
-/// trapezia where they are linear in u. That of networks that relax is what they store more and dissipate.
+/// Work of the internal forces along the straight way from u0 to u1, J: of springs and surfaces what they
+/// store more, of cells by the Gauss-Lobatto rule of four points, whose error falls with the sixth power of
+/// the way, or trapezia where they are linear in u. That of networks that relax is what they store more and
+/// dissipate.
 double Stepper::path_work(State const& old, State const& next) const {
-  double stored = 0, by_springs = 0;
-  if (!bulk_.springs().empty()) {
-    Vector of_springs = Vector::Zero(d_.size());
-    stored = -bulk_.springs().add_force(old.u, old.t, of_springs);
-    stored += bulk_.springs().add_force(next.u, next.t, of_springs);
-    by_springs = of_springs.dot(d_);
+  double stored = 0, by_others = 0;
+  if (!bulk_.springs().empty() || bulk_.surface_loads().stressed()) {
+    double before = 0, after = 0;
+    by_others = (stored_forces(old.u, old.t, before) + stored_forces(next.u, next.t, after)).dot(d_);
+    stored = after - before;
   }
   if (bulk_.relaxing())
     return relaxing_work(old) + stored;
   auto const elastic = [this](Vector const& all, Vector const& viscous) {
     return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);
   };
-  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_) - by_springs;
+  double const ends = elastic(old.internal, old.damping) + elastic(internal_, damping_) - by_others;
   if (bulk_.linear_bodies())
     return 0.5 * ends + stored;
   return (ends + 5 * work_within(old)) / 12 + stored;

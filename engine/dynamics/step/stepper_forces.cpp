@@ -1,4 +1,4 @@
-// The forces of a step beside contact and inertia: weight and loads, cells, springs.
+// The forces of a step beside contact and inertia: weight and loads, cells, springs, surfaces.
 #include <fmt/format.h>
 
 #include "dynamics/bulk/timer.hpp"
@@ -13,11 +13,42 @@ void Stepper::gather_external(double t, Vector& force) const {
     force += load.path.value(t) * load.force;
 }
 
-/// F_int(u) of cells and springs; the energy is the cells' own.
+/// Adds the loads that follow the surface.
+void Stepper::add_following(Vector const& u, double t, std::vector<double> const& gas, Vector& force) const {
+  if (bulk_.surface_loads().pressed())
+    bulk_.surface_loads().add_pressures(u, t, gas, force);
+}
+
+/// Loads of the step's end where u_ is now.
+void Stepper::follow(double t) {
+  if (!bulk_.surface_loads().pressed())
+    return;
+  external_ = prescribed_;
+  gas_ = bulk_.surface_loads().gas_pressures(u_, t, gas_old_);
+  add_following(u_, t, gas_, external_);
+  if (leads_)
+    look_ahead(
+        [&](Vector const& u, Vector& f) {
+          f = prescribed_;
+          add_following(u, t, bulk_.surface_loads().gas_pressures(u, t, gas_old_), f);
+        },
+        external_);
+}
+
+/// Forces of springs and surface stresses, and the energy that both store.
+Vector Stepper::stored_forces(Vector const& u, double t, double& energy) const {
+  Vector force = Vector::Zero(u.size());
+  energy = bulk_.springs().add_force(u, t, force) + bulk_.surface_loads().add_stresses(u, force);
+  return force;
+}
+
+/// F_int(u) of cells, springs and surface stresses; the energy is the cells' own.
 solid::Pass Stepper::internal(Vector const& u, double t, Vector& force) const {
   auto const pass = bulk_.internal_force(u, force);
   if (!bulk_.springs().empty())
     bulk_.springs().add_force(u, t, force);
+  if (bulk_.surface_loads().stressed())
+    bulk_.surface_loads().add_stresses(u, force);
   return pass;
 }
 

@@ -49,15 +49,16 @@ template<class Archive> void visit(Archive& archive, SchemeLoss& loss) {
 }
 
 template<class Archive> void visit(Archive& archive, Ledger& ledger) {
-  auto& [kinetic, strain, bond, potential, spring, motion_work, load_work, damping_loss, dashpot_loss,
-         relaxation_loss, stabilisation_loss, friction_loss, bonding_loss, start, predicted] = ledger;
-  archive(kinetic, strain, bond, potential, spring, motion_work, load_work, damping_loss, dashpot_loss,
-          relaxation_loss, stabilisation_loss, friction_loss, bonding_loss, start, predicted);
+  auto& [kinetic, strain, bond, potential, spring, surface, motion_work, load_work, damping_loss,
+         dashpot_loss, relaxation_loss, stabilisation_loss, friction_loss, bonding_loss, start, predicted] =
+      ledger;
+  archive(kinetic, strain, bond, potential, spring, surface, motion_work, load_work, damping_loss,
+          dashpot_loss, relaxation_loss, stabilisation_loss, friction_loss, bonding_loss, start, predicted);
 }
 
 template<class Archive> void visit(Archive& archive, FactorSource& source) {
-  auto& [u, dt, t, carried, memory] = source;
-  archive(u, dt, t, carried, memory);
+  auto& [u, dt, t, gas, carried, memory] = source;
+  archive(u, dt, t, gas, carried, memory);
 }
 
 template<class Archive> void visit(Archive& archive, Screw& screw) {
@@ -76,10 +77,10 @@ template<class Archive> void visit(Archive& archive, Momenta& momenta) {
 }
 
 template<class Archive> void visit(Archive& archive, State& state) {
-  auto& [t, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid, turned,
+  auto& [t, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid, turned, gas,
          ledger, factors, critical_step, critical_age, momenta, memory] = state;
   archive(t, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid, turned,
-          ledger, factors, critical_step, critical_age, momenta, memory);
+          gas, ledger, factors, critical_step, critical_age, momenta, memory);
 }
 
 template<class Archive> void visit(Archive& archive, Cost& cost) {

@@ -50,6 +50,15 @@ void Builder::check_patch(Where const& where, ContactProbe const& part) {
                          part.set, part.pair, scene_.part.pairs.at(part.pair).secondary));
 }
 
+void Builder::check_gas(Where const& where, GasProbe const& part) {
+  std::vector<std::string> known;
+  for (auto const& load : scene_.part.loads)
+    if (auto const* gas = std::get_if<GasPart>(&load))
+      known.push_back(gas->set);
+  if (std::ranges::find(known, part.set) == known.end())
+    unknown_name(where, "load.gas in", part.set, known);
+}
+
 template<class Part> void Builder::check_probe(std::string const& name, Part const& part) {
   if constexpr (requires { part.pair; })
     if (!scene_.part.pairs.contains(part.pair))
@@ -67,7 +76,9 @@ template<class Part> void Builder::check_probe(std::string const& name, Part con
           fmt::format("\"{0}\" is an obstacle, not a set of a body; where it is and what acts on it "
                       "shows stiction.probe.rigid {{ obstacle = \"{0}\" }}",
                       part.set));
-  if constexpr (std::is_same_v<Part, ContactProbe>)
+  if constexpr (std::is_same_v<Part, GasProbe>)
+    check_gas({"probes", name, "set"}, part);
+  else if constexpr (std::is_same_v<Part, ContactProbe>)
     check_patch({"probes", name, "set"}, part);
   else if constexpr (requires { part.set; })
     static_cast<void>(resolve({"probes", name, "set"}, part.set));

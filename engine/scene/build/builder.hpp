@@ -49,6 +49,10 @@ private:
   void add_loads();
   void add_load(Where const& where, TractionPart const& part);
   void add_load(Where const& where, PointForcePart const& part);
+  void add_load(Where const& where, PressurePart const& part);
+  void add_load(Where const& where, GasPart const& part);
+  void add_load(Where const& where, SurfaceStressPart const& part);
+  void check_cavity(Where const& where, dynamics::Gas const& gas);
   void add_components(Where const& where, LoadPath const& load, Vector const& shares);
 
   // build_springs.cpp
@@ -85,6 +89,7 @@ private:
   void check_probes();
   void check_about(Where const& where, Numbers const& about);
   void check_momentum(Where const& where);
+  void check_gas(Where const& where, GasProbe const& part);
   void check_patch(Where const& where, ContactProbe const& part);
   template<class Part> void check_probe(std::string const& name, Part const& part);
 

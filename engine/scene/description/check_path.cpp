@@ -16,8 +16,9 @@ bool is_empty(core::Reader& reader, char const* key) {
 
 void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers const& values,
                 char const* key) {
-  if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")))
-    return; // times that could not be read have their own complaint
+  if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")) ||
+      (values.empty() && !is_empty(reader, key)))
+    return; // what could not be read has its own complaint
   if (values.size() != times.size() || times.empty())
     reader.complain_at(
         key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));

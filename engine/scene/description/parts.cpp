@@ -355,7 +355,12 @@ void ScenePart::read_nested(Reader& reader) {
     motions.push_back(motion.alternative<MotionPart>());
   for (auto& load : reader.children("loads", Need::optional)) {
     loads.push_back(load.alternative<LoadPart>());
-    std::visit([&](auto const& part) { check_paths(load, part); }, loads.back());
+    std::visit(
+        [&](auto const& part) {
+          if constexpr (requires { part.x; })
+            check_paths(load, part);
+        },
+        loads.back());
   }
   scheme = nested_choice<dynamics::Scheme>(reader, "scheme", Need::optional);
   solver = nested_choice<contact::SolverChoice>(reader, "solver", Need::optional);

@@ -123,7 +123,30 @@ struct PointForcePart : LoadPath {
   Numbers near; ///< m
   static core::Schema const& schema();
 };
-using LoadPart = std::variant<TractionPart, PointForcePart>;
+/// A pressure along the normal, of the deformed surface or of the first one.
+struct PressurePart {
+  std::string set;
+  Numbers times, pressure; ///< s, Pa
+  bool follows = true;
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+/// Gas in a cavity, by its amount or by its volume.
+struct GasPart {
+  std::string set;
+  Numbers times, pressure, volume;  ///< s, Pa, 1: over that of the start
+  double outside = 0, exponent = 1; ///< Pa, 1
+  Numbers centre;                   ///< m; empty: the origin
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+/// Energy per present area of a surface.
+struct SurfaceStressPart {
+  std::string set;
+  double gamma = 0; ///< N/m
+  static core::Schema const& schema();
+};
+using LoadPart = std::variant<TractionPart, PointForcePart, PressurePart, GasPart, SurfaceStressPart>;
 
 /// A spring and a dashpot between two ends.
 struct SpringPart {
@@ -200,12 +223,16 @@ struct SpringProbe {
   std::string spring;
   static core::Schema const& schema();
 };
+struct GasProbe {
+  std::string set;
+  static core::Schema const& schema();
+};
 struct MomentumProbe {
   Numbers about; ///< m; empty: the origin
   static core::Schema const& schema();
 };
 using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe,
-                               EnergyProbe, MomentumProbe, SpringProbe>;
+                               EnergyProbe, MomentumProbe, SpringProbe, GasProbe>;
 
 struct ScenePart {
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;

@@ -80,6 +80,14 @@ core::Schema const& SpringProbe::schema() {
   return made;
 }
 
+core::Schema const& GasProbe::schema() {
+  static auto const made =
+      Describe<GasProbe>{"gas", "pressure of a load.gas and volume of its cavity", ""}
+          .text("set", &GasProbe::set, Need::required, "the cavity's wall, as its load says")
+          .build();
+  return made;
+}
+
 core::Schema const& EnergyProbe::schema() {
   static auto const made =
       Describe<EnergyProbe>{"energy", "the energy ledger of the run", "physics.md 6"}

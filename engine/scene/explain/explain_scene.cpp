@@ -227,6 +227,7 @@ void describe_scene(Facts const& facts, Explanation& explanation) {
     add_motion(motion, part.dim(), motions);
   if (!motions.lines.empty())
     explanation.sections.push_back(std::move(motions));
+  describe_loads(facts, explanation);
   describe_springs(facts, explanation);
   add_run(facts, explanation);
 }

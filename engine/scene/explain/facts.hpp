@@ -83,6 +83,8 @@ struct Facts {
 
 /// explain_scene.cpp: what the scene models.
 void describe_scene(Facts const& facts, Explanation& explanation);
+/// explain_loads.cpp: loads, one by one.
+void describe_loads(Facts const& facts, Explanation& explanation);
 /// explain_springs.cpp: springs, one by one; those that cost much or swing faster than the steps.
 void describe_springs(Facts const& facts, Explanation& explanation);
 void warn_of_springs(Facts const& facts, std::vector<Warning>& warnings);

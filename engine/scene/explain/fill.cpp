@@ -59,6 +59,12 @@ Graph node_graph(dynamics::Model const& model, dynamics::BulkSystem const& bulk,
         if (Index const k = number[ix(model.first_node[b] + node)]; k >= 0)
           clique.push_back(k);
     });
+  for (auto const& gas : model.gases) {
+    auto& clique = graph.cliques.emplace_back();
+    for (Index const node : gas.nodes)
+      if (Index const k = number[ix(node)]; k >= 0)
+        clique.push_back(k);
+  }
   for (auto const& spring : model.springs) {
     auto& clique = graph.cliques.emplace_back();
     for (auto const* end : {&spring.from, &spring.to})

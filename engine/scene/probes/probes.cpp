@@ -331,8 +331,11 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
     context.column("spring", unit, "stored in springs");
     context.column("dashpot_loss", unit, "dissipated by the dashpots of springs");
   }
+  bool const surface = !context.scene.model->surface_stresses.empty();
+  if (surface)
+    context.column("surface", unit, "stored in surfaces by their stress");
   Sampler const more = probe.audit ? add_audit(context) : Sampler{};
-  return [more, relaxing, springs](State const& state, std::vector<double>& row) {
+  return [more, relaxing, springs, surface](State const& state, std::vector<double>& row) {
     auto const& l = state.ledger;
     row.insert(row.end(),
                {l.kinetic, l.strain, l.bond, l.potential, l.motion_work, l.load_work, l.damping_loss});
@@ -341,9 +344,15 @@ Sampler add(EnergyProbe const& probe, Context const& context) {
     row.insert(row.end(), {l.stabilisation_loss, l.friction_loss, l.bonding_loss, l.scheme_loss()});
     if (springs)
       row.insert(row.end(), {l.spring, l.dashpot_loss});
+    if (surface)
+      row.push_back(l.surface);
     if (more)
       more(state, row);
   };
+}
+
+Sampler add(GasProbe const& probe, Context const& context) {
+  return add_gas(probe, context.scene, context.series, context.name);
 }
 
 Sampler add(SpringProbe const& probe, Context const& context) {

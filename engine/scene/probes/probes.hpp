@@ -29,6 +29,10 @@ struct Columns {
 [[nodiscard]] Sampler add_momentum(MomentumProbe const& probe, Scene const& scene, Columns const& series,
                                    std::string const& name);
 
+/// The same of a gas probe.
+[[nodiscard]] Sampler add_gas(GasProbe const& probe, Scene const& scene, Columns const& series,
+                              std::string const& name);
+
 /// The same of a spring probe.
 [[nodiscard]] Sampler add_spring(SpringProbe const& probe, Scene const& scene, Columns const& series,
                                  std::string const& name);

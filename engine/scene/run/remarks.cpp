@@ -84,7 +84,8 @@ void Remarks::seek_beneath(dynamics::State const& state) {
 void Remarks::weigh(dynamics::Ledger const& ledger) {
   stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
-                           std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond)});
+                           std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
+                           ledger.spring, ledger.surface});
   if (!dynamics::weights(scene_->model->scheme).inertia)
     return;
   lost_ = ledger.scheme_loss();

@@ -37,6 +37,12 @@ local function scene_of(kinds, kinematics)
       material = stiction.material.linear_elastic { young = 1*Pa, poisson = 0 } } },
     obstacles = { obstacle = stiction.obstacle { shape = stiction.rigid.plane(plane and {} or { normal = { 0, 0, 1 } }) } },
     pairs = { pair = stiction.pair { secondary = "body.bottom", primary = "obstacle" } },
+    motions = { stiction.motion.fix { set = "body.top" } },
+    loads = { -- what is above the body up to a point is as good as a cavity
+      stiction.load.gas { set = "body.top", times = { 0*s, 1*s }, volume = { 1, 1 },
+        centre = plane and { 0*m, 2*m } or { 0*m, 0*m, 2*m } },
+      stiction.load.surface_stress { set = "body.top", gamma = 1*units.N/m },
+    },
     springs = { spring = stiction.spring { from = "body.top", stiffness = 1*units.N/m } },
     probes = probes,
     schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },

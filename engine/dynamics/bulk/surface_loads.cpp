@@ -1,0 +1,207 @@
+// Pressures and surface stresses, facet by facet.
+#include "dynamics/bulk/surface_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solid/facets.hpp"
+
+namespace stiction::dynamics {
+
+namespace {
+
+/// Adds a facet's [dim nodes] values at its nodes.
+void add_at(mesh::Facet const& facet, double factor, Vector const& own, Vector& sum) {
+  auto const dim = own.size() / static_cast<Eigen::Index>(facet.nodes.size());
+  for (std::size_t i = 0; i < facet.nodes.size(); ++i)
+    sum.segment(dim * facet.nodes[i], dim) += factor * own.segment(dim * static_cast<Eigen::Index>(i), dim);
+}
+
+constexpr double least_volume = 1e-9; ///< of a cavity that is pressed empty, of its first one
+
+Indices dofs_of(Indices const& nodes, int dim) {
+  Indices dofs;
+  dofs.reserve(nodes.size() * static_cast<std::size_t>(dim));
+  for (Index const node : nodes)
+    for (int c = 0; c < dim; ++c)
+      dofs.push_back(dim * node + c);
+  return dofs;
+}
+
+/// Entries of the lower triangle over these degrees of freedom, row by row.
+Indices entries_of(linear::Pattern const& pattern, Indices const& dofs, Indices const& unknown_of) {
+  Indices map;
+  map.reserve(dofs.size() * (dofs.size() + 1) / 2);
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      Index const row = unknown_of[ix(dofs[i])], column = unknown_of[ix(dofs[j])];
+      map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+    }
+  return map;
+}
+
+} // namespace
+
+/// Present places of a facet's nodes, m.
+Matrix SurfaceLoads::places(mesh::Facet const& facet, Vector const& u) const {
+  int const dim = model_->dim();
+  Matrix x(static_cast<Eigen::Index>(facet.nodes.size()), dim);
+  for (std::size_t i = 0; i < facet.nodes.size(); ++i)
+    x.row(static_cast<Eigen::Index>(i)) =
+        model_->reference.row(facet.nodes[i]) + u.segment(dim * facet.nodes[i], dim).transpose();
+  return x;
+}
+
+/// int N n da over a surface, m^2.
+Vector SurfaceLoads::normals(std::vector<mesh::Facet> const& facets, Vector const& u) const {
+  Vector sum = Vector::Zero(u.size());
+  for (auto const& facet : facets)
+    add_at(facet, 1,
+           solid::facet_terms(model_->kinematics, places(facet, u), Point::Zero(), solid::FacetOrder::values)
+               .normals,
+           sum);
+  return sum;
+}
+
+double SurfaceLoads::volume(Gas const& gas, Vector const& u) const {
+  double sum = 0;
+  for (auto const& facet : gas.facets)
+    sum -= solid::facet_terms(model_->kinematics, places(facet, u), gas.centre, solid::FacetOrder::values)
+               .volume;
+  return sum;
+}
+
+std::vector<double> SurfaceLoads::gas_pressures(Vector const& u, double t,
+                                                std::vector<double> const& known) const {
+  std::vector<double> all;
+  all.reserve(model_->gases.size());
+  for (auto const& gas : model_->gases) {
+    double const P = gas.path.value(t), V = volume(gas, u), V0 = gas.volume;
+    all.push_back(gas.by_volume
+                      ? known[all.size()] + gas.stiffness * (V0 * P - V)
+                      : (P + gas.outside) * std::pow(V0 / std::max(V, least_volume * V0), gas.exponent) -
+                            gas.outside);
+  }
+  return all;
+}
+
+std::vector<double> SurfaceLoads::steady(std::vector<double> const& now,
+                                         std::vector<double> const& known) const {
+  auto all = now;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (model_->gases[k].by_volume)
+      all[k] = known[k];
+  return all;
+}
+
+void SurfaceLoads::add_pressures(Vector const& u, double t, std::vector<double> const& gas,
+                                 Vector& force) const {
+  for (auto const& pressure : model_->pressures)
+    force -= pressure.path.value(t) * normals(pressure.facets, u);
+  for (std::size_t k = 0; k < model_->gases.size(); ++k)
+    force -= gas[k] * normals(model_->gases[k].facets, u);
+}
+
+/// -dp/dV, Pa/m^3.
+double SurfaceLoads::resistance(Gas const& gas, double pressure, double volume) const {
+  if (gas.by_volume)
+    return gas.stiffness;
+  return gas.exponent * (pressure + gas.outside) / std::max(volume, least_volume * gas.volume);
+}
+
+double SurfaceLoads::add_stresses(Vector const& u, Vector& force) const {
+  double energy = 0;
+  for (auto const& stress : model_->surface_stresses)
+    for (auto const& facet : stress.facets) {
+      auto const terms =
+          solid::facet_terms(model_->kinematics, places(facet, u), Point::Zero(), solid::FacetOrder::first);
+      energy += stress.gamma * terms.area;
+      add_at(facet, stress.gamma, terms.area_by_x, force);
+    }
+  return energy;
+}
+
+/// Calls visit(facet, its part of the stiffness [dim nodes, dim nodes]).
+template<class Visit>
+void SurfaceLoads::each_stiffness(Vector const& u, double t, std::vector<double> const& gas,
+                                  Visit const& visit) const {
+  auto const terms = [&](mesh::Facet const& facet) {
+    return solid::facet_terms(model_->kinematics, places(facet, u), Point::Zero(), solid::FacetOrder::second);
+  };
+  auto const press = [&](std::vector<mesh::Facet> const& facets, double p) {
+    for (auto const& facet : facets) {
+      Dense const whole = terms(facet).normals_by_x;
+      visit(facet, Dense((0.5 * p) * (whole + whole.transpose())));
+    }
+  };
+  for (auto const& pressure : model_->pressures)
+    press(pressure.facets, pressure.path.value(t));
+  for (std::size_t k = 0; k < model_->gases.size(); ++k)
+    press(model_->gases[k].facets, gas[k]);
+  for (auto const& stress : model_->surface_stresses)
+    for (auto const& facet : stress.facets)
+      visit(facet, Dense(stress.gamma * terms(facet).area_by_x2));
+}
+
+void SurfaceLoads::add_cliques(Indices const& unknown_of, std::vector<Indices>& cliques) const {
+  for (auto const& gas : model_->gases) {
+    auto& clique = cliques.emplace_back();
+    for (Index const dof : dofs_of(gas.nodes, model_->dim()))
+      clique.push_back(unknown_of[ix(dof)]);
+  }
+}
+
+void SurfaceLoads::map_entries(linear::Pattern const& pattern, Indices const& unknown_of) {
+  auto const add = [&](std::vector<mesh::Facet> const& facets) {
+    for (auto const& facet : facets)
+      maps_.push_back(entries_of(pattern, dofs_of(facet.nodes, model_->dim()), unknown_of));
+  };
+  for (auto const& pressure : model_->pressures)
+    add(pressure.facets);
+  for (auto const& gas : model_->gases) {
+    add(gas.facets);
+    walls_.push_back(entries_of(pattern, dofs_of(gas.nodes, model_->dim()), unknown_of));
+  }
+  for (auto const& stress : model_->surface_stresses)
+    add(stress.facets);
+}
+
+void SurfaceLoads::add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,
+                                 std::span<double> values) const {
+  auto map = maps_.begin();
+  each_stiffness(u, t, gas, [&](mesh::Facet const&, Dense const& K) {
+    auto at = map->begin();
+    for (Eigen::Index i = 0; i < K.rows(); ++i)
+      for (Eigen::Index j = 0; j <= i; ++j, ++at)
+        if (*at >= 0)
+          values[ix(*at)] += factor * K(i, j);
+    ++map;
+  });
+  for (std::size_t k = 0; k < model_->gases.size(); ++k) {
+    auto const& one = model_->gases[k];
+    Vector const g = normals(one.facets, u);
+    double const more = factor * resistance(one, gas[k], volume(one, u));
+    auto const dofs = dofs_of(one.nodes, model_->dim());
+    auto at = walls_[k].begin();
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j, ++at)
+        if (*at >= 0)
+          values[ix(*at)] += more * g[dofs[i]] * g[dofs[j]];
+  }
+}
+
+/// By the sums over the rows of M^-1 K.
+double SurfaceLoads::stiffest(Vector const& u, double t, Vector const& inverse_mass) const {
+  Vector rows = Vector::Zero(u.size());
+  auto const gas = gas_pressures(u, t, std::vector<double>(model_->gases.size(), 0.0));
+  each_stiffness(u, t, gas, [&](mesh::Facet const& facet, Dense const& K) {
+    add_at(facet, 1, K.cwiseAbs().rowwise().sum(), rows);
+  });
+  for (std::size_t k = 0; k < model_->gases.size(); ++k) {
+    Vector const g = normals(model_->gases[k].facets, u).cwiseAbs();
+    rows += resistance(model_->gases[k], gas[k], volume(model_->gases[k], u)) * g.sum() * g;
+  }
+  return rows.cwiseProduct(inverse_mass).maxCoeff();
+}
+
+} // namespace stiction::dynamics

@@ -1,0 +1,38 @@
+// Loads that follow the deformed surface: pressures, gas in cavities, surface stresses.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "dynamics/scheme/path.hpp"
+#include "mesh/topology/mesh.hpp"
+
+namespace stiction::dynamics {
+
+/// Pressure on a surface as it is deformed, against its outward normal.
+struct Pressure {
+  std::vector<mesh::Facet> facets; ///< of model nodes, outward
+  Path path;                       ///< Pa
+};
+
+/// Energy per present area of a surface.
+struct SurfaceStress {
+  std::vector<mesh::Facet> facets; ///< of model nodes, outward
+  double gamma = 0;                ///< J/m^2 = N/m
+};
+
+/// Gas in a cavity: p (V / V0)^n = P along a path of P, over the pressure outside; or whatever pressure gives
+/// the cavity the volumes of a path.
+struct Gas {
+  std::string set;                 ///< the cavity's wall
+  std::vector<mesh::Facet> facets; ///< of model nodes, outward from the body: into the cavity
+  Indices nodes;                   ///< of these
+  Point centre = Point::Zero();    ///< planes of symmetry that the wall ends at go through it, m
+  Path path;                       ///< P over the pressure outside, Pa; or V / V0
+  bool by_volume = false;
+  double outside = 0, exponent = 1; ///< Pa, n
+  double volume = 0;                ///< V0, m^3 (m^2 in plane strain)
+  /// Of given volumes: pressure beside that of the step's start per volume that lacks, Pa/m^3.
+  double stiffness = 0;
+};
+
+} // namespace stiction::dynamics

@@ -1,0 +1,106 @@
+// Schemas of the loads that follow a surface, and their reading.
+#include <fmt/format.h>
+
+#include "scene/description/check_path.hpp"
+#include "scene/description/parts.hpp"
+
+namespace stiction::scene {
+
+using core::Describe;
+using core::Need;
+using core::Reader;
+
+core::Schema const& PressurePart::schema() {
+  static auto const made =
+      Describe<PressurePart>{
+          "pressure",
+          "pressure on a surface as it is deformed, against its outward normal. Newton's matrix has the "
+          "symmetric part of what it does, which is all of it where the surface is closed or its edge is "
+          "held, on a plane of symmetry or on the axis; elsewhere steps take some iterations more. Thin or "
+          "hardly compressible bodies want small steps, as under any load",
+          "physics.md 4"}
+          .text("set", &PressurePart::set, Need::required, "the surface, \"body.set\"")
+          .numbers("times", &PressurePart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("pressure", &PressurePart::pressure, "Pa", Need::required,
+                   "pressure at those times; below 0 it pulls")
+          .flag("follows", &PressurePart::follows,
+                "default true; false: dead, by area and normal of the undeformed surface")
+          .build();
+  return made;
+}
+
+void PressurePart::read_nested(Reader& reader) {
+  check_path(reader, times, pressure, "pressure");
+}
+
+core::Schema const& GasPart::schema() {
+  static auto const made =
+      Describe<GasPart>{
+          "gas",
+          "gas in a cavity, of a given amount or of a given volume: past the largest pressure that a body "
+          "bears steps go by volume",
+          "physics.md 4"}
+          .text("set", &GasPart::set, Need::required,
+                "the cavity's whole wall, \"body.set\", closed or ending at planes of symmetry through "
+                "`centre` that "
+                "motions keep it in, at the axis, or where motions hold it: the rest is then a cone up to "
+                "`centre`")
+          .numbers("times", &GasPart::times, "s", Need::required, "times of the path, ascending")
+          .numbers("pressure", &GasPart::pressure, "Pa", Need::optional,
+                   "the amount: pressure over `outside` that it would have in the cavity of the start")
+          .number("outside", &GasPart::outside, "Pa", core::non_negative, Need::optional,
+                  "pressure on the other side, as (p + outside) V^exponent stays")
+          .number("exponent", &GasPart::exponent, "1", {0, 10, false, false}, Need::optional,
+                  "polytropic: 1 keeps its temperature, 1.4 its heat as air, 0 its pressure")
+          .numbers("volume", &GasPart::volume, "1", Need::optional,
+                   "instead: volume of the cavity over that of the start, met to a millionth; the pressure "
+                   "follows")
+          .numbers("centre", &GasPart::centre, "m", Need::optional,
+                   "point {x, y [, z]} of the planes of symmetry that the wall ends at, or tip of the cone "
+                   "over its rim; "
+                   "default the origin")
+          .build();
+  return made;
+}
+
+void GasPart::read_nested(Reader& reader) {
+  if (reader.has("pressure") == reader.has("volume"))
+    return reader.complain_at("", "wants one of `pressure`, its amount, and `volume`, that of the cavity");
+  check_path(reader, times, pressure, "pressure");
+  check_path(reader, times, volume, "volume");
+  for (char const* key : {"outside", "exponent"})
+    if (reader.has("volume") && reader.has(key))
+      reader.complain_at(key, "is of gas of a given amount, but `volume` is given; leave it out");
+  for (double const one : pressure)
+    if (one < -outside)
+      return reader.complain_at(
+          "pressure",
+          fmt::format("has {:g} Pa over an `outside` of {:g} Pa, which is less than nothing; give the "
+                      "pressure outside, of air 101325 Pa, or a load.pressure that pulls",
+                      one, outside));
+  for (double const one : volume)
+    if (!(one > 0))
+      return reader.complain_at("volume", fmt::format("has {:g}; a cavity's volume stays above 0", one));
+  if (!volume.empty() && volume.front() != 1)
+    reader.complain_at("volume", fmt::format("begins with {:g}; it is over that of the start: begin with 1",
+                                             volume.front()));
+}
+
+core::Schema const& SurfaceStressPart::schema() {
+  static auto const made =
+      Describe<SurfaceStressPart>{"surface_stress",
+                                  "surface stress of a soft solid or a liquid: energy per present area, "
+                                  "which rounds edges and presses by "
+                                  "twice the mean curvature",
+                                  "physics.md 4"}
+          .text("set", &SurfaceStressPart::set, Need::required, "the surface, \"body.set\"")
+          .number(
+              "gamma", &SurfaceStressPart::gamma, "N/m", core::positive, Need::required,
+              "energy per area, J/m^2; it stretches with the surface without change. It acts from the start, "
+              "at "
+              "once: what it rounds by much flows there in steps under scheme.quasi_static{stabilisation}")
+          .build();
+  return made;
+}
+
+} // namespace stiction::scene

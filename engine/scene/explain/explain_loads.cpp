@@ -1,0 +1,75 @@
+// What acts on surfaces, and how much that is beside the bodies.
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+#include "scene/explain/facts.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+std::string path_words(Numbers const& times, Numbers const& values, std::string const& unit) {
+  std::vector<std::string> words;
+  std::size_t const shown = std::min({times.size(), values.size(), std::size_t{6}});
+  words.reserve(shown);
+  for (std::size_t k = 0; k < shown; ++k)
+    words.push_back(fmt::format("{} at {}", human(values[k], unit), human(times[k], "s")));
+  return fmt::format("{}{}", fmt::join(words, ", "), times.size() > 6 ? ", ..." : "");
+}
+
+BodyFacts const& body_of(Facts const& all, std::string const& set) {
+  std::size_t b = 0;
+  while (all.bodies[b].body->name != set.substr(0, set.find('.')))
+    ++b;
+  return all.bodies[b];
+}
+
+void add(Section& section, std::string name, std::string words) {
+  section.lines.push_back(
+      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
+}
+
+void describe(Facts const&, TractionPart const& part, Section& section) {
+  add(section, part.set, "dead traction");
+}
+void describe(Facts const&, PointForcePart const& part, Section& section) {
+  add(section, part.set, "dead force at a node");
+}
+void describe(Facts const&, PressurePart const& part, Section& section) {
+  add(section, part.set,
+      fmt::format("{} pressure {}", part.follows ? "following" : "dead",
+                  path_words(part.times, part.pressure, "Pa")));
+}
+void describe(Facts const& all, GasPart const& part, Section& section) {
+  double volume = 0;
+  for (auto const& gas : all.scene->model->gases)
+    if (gas.set == part.set)
+      volume = gas.volume;
+  char const* unit = all.scene->part.kinematics == solid::Kinematics::plane_strain ? "m^2" : "m^3";
+  auto const what = part.volume.empty()
+                        ? "gas, pressure at the first volume " + path_words(part.times, part.pressure, "Pa")
+                        : "gas of volume " + path_words(part.times, part.volume, "1");
+  section.lines.push_back(
+      {part.set, fmt::format("{}; cavity of {:.4g} {}", what, volume, unit), volume, unit, ""});
+}
+void describe(Facts const& all, SurfaceStressPart const& part, Section& section) {
+  auto const& body = body_of(all, part.set);
+  double const length = part.gamma / body.moduli.young;
+  section.lines.push_back(
+      {part.set,
+       fmt::format("surface stress {}: rounds what is finer than gamma / E = {}, edges of {}",
+                   human(part.gamma, "N/m"), human(length, "m"), human(body.smallest_edge, "m")),
+       length, "m", "gamma / E"});
+}
+
+} // namespace
+
+void describe_loads(Facts const& all, Explanation& explanation) {
+  Section section{"Loads", {}};
+  for (auto const& load : all.scene->part.loads)
+    std::visit([&](auto const& part) { describe(all, part, section); }, load);
+  if (!section.lines.empty())
+    explanation.sections.push_back(std::move(section));
+}
+
+} // namespace stiction::scene
