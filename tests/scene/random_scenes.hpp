@@ -76,7 +76,8 @@ inline Input random_material(Dice& dice) {
 class RandomScenes {
 public:
   explicit RandomScenes(unsigned seed)
-      : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000) {}
+      : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
+        constraints_(seed + 4000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -100,6 +101,11 @@ public:
       add_spring(scene);
     if (pressed_.one_in(4))
       press_side(scene);
+    bool const jean = sample_.name == "theta_xi" || sample_.name == "moreau_jean";
+    bool const tipped = scene.words.find("tipped") != std::string::npos;
+    if (kinematics_ != "axisymmetric" && !tipped && !sample_.cells && (sample_.order == 0 || jean) &&
+        constraints_.one_in(3))
+      add_constraint(scene);
     return scene;
   }
 
@@ -203,6 +209,12 @@ private:
     at(scene.table, "springs.tie") = make("spring", std::move(parts));
     scene.words += along ? ", on a line" : ", on a spring";
   }
+  /// The upper body is one cell of many.
+  void add_constraint(RandomScene& scene) {
+    at(scene.table, "constraints") =
+        list({make("constraint.periodic", {{"set", text("upper.left")}, {"to", text("upper.right")}})});
+    scene.words += ", alike";
+  }
   /// The top tips besides, by up to a fiftieth.
   void turn_top(RandomScene& scene) {
     auto& motion = at(scene.table, "motions[1]");
@@ -230,7 +242,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_,
+      constraints_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

@@ -50,6 +50,8 @@ std::string unfit_for_multigrid(Model const& model) {
     return "some body is held by its bonds alone";
   if (std::any_of(model.rigids.begin(), model.rigids.end(), [](auto const& one) { return one.free(); }))
     return "a rigid body is free";
+  if (!model.links.empty())
+    return "it has constraints";
   if (!std::ranges::all_of(model.springs, &Spring::spread))
     return "a spring acts on the mean of a set";
   if (!model.gases.empty())

@@ -1,4 +1,5 @@
-// Unknowns by their nodes, as multigrid has them, the rigid-body motions of these, and words for cells.
+// Nodes of the bodies: of contact surfaces, of unknowns as multigrid has them, what grips them, words for
+// cells.
 #include <fmt/format.h>
 
 #include "dynamics/bulk/bulk_system.hpp"
@@ -54,6 +55,54 @@ std::string BulkSystem::cell_words(Index cell) const {
     middle += model_->bodies[body]->mesh.nodes.row(node).transpose() / static_cast<double>(nodes.size());
   return fmt::format("cell {} of body {}, at ({:.4g}) m", cell + 1, model_->bodies[body]->name,
                      fmt::join(middle, ", "));
+}
+
+std::vector<bool> contact_nodes(Model const& model) {
+  std::vector<bool> touched(ix(model.node_count()), false);
+  for (auto const& pair : model.pairs) {
+    for (Index const node : pair.nodes())
+      touched[ix(node)] = true;
+    if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
+      for (auto const& segment : curve->segments())
+        for (int k = 0; k < segment.count; ++k)
+          touched[ix(segment.nodes[ix(k)])] = true;
+    if (auto const* surface = std::get_if<contact::Surface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
+    if (auto const* surface = std::get_if<contact::CellSurface>(&pair.primary))
+      for (Index const node : surface->nodes())
+        touched[ix(node)] = true;
+  }
+  for (auto const& rigid : model.rigids)
+    if (rigid.free())
+      touched[ix(rigid.node)] = touched[ix(rigid.node + 1)] = true;
+  return touched;
+}
+
+namespace {
+/// One share a node, to each of its components.
+void add_at(std::span<Index const> nodes, Vector const& shares, int dim, Eigen::Ref<Vector> to) {
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    to.segment(dim * nodes[a], dim).array() += shares[static_cast<Eigen::Index>(a)];
+}
+} // namespace
+
+/// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
+void BulkSystem::gather_grip(Model const& model) {
+  grip_.setZero(model.dofs());
+  for (std::size_t b = 0; b < model.cells.size(); ++b) {
+    auto const& body = *model.bodies[b];
+    double const diagonal =
+        (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
+    double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
+    Index const first = dim_ * model.first_node[b];
+    model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
+      add_at(nodes, per_mass * m.sum() / m.trace() * m.diagonal(), dim_, grip_.tail(grip_.size() - first));
+    });
+  }
+  for (Index dof = 0; dof < model.dofs(); ++dof)
+    if (unknown_of(dof) < 0)
+      grip_[dof] = 0;
 }
 
 } // namespace stiction::dynamics

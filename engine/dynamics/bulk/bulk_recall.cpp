@@ -90,8 +90,11 @@ std::vector<FactorSource> BulkSystem::lasting() const {
 std::optional<FactorSource> BulkSystem::held(FactorSource const& wanted) const {
   auto const is_it = [&](Kept const& one) { return one.made && one.comes_from(wanted); };
   for (auto const* among : {&kept_, &parked_})
-    if (auto const found = std::ranges::find_if(*among, is_it); found != among->end())
-      return FactorSource{wanted.u, wanted.dt, wanted.t, wanted.gas, found->factor->carried()};
+    if (auto const found = std::ranges::find_if(*among, is_it); found != among->end()) {
+      auto source = wanted;
+      source.carried = found->factor->carried();
+      return source;
+    }
   return {};
 }
 

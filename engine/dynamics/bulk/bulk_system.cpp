@@ -20,29 +20,6 @@ namespace {
 constexpr double steady = 1e-8;
 constexpr Index few_cells = 256; // that one thread does best
 
-/// Model nodes of every contact surface, secondary and primary, and of free rigid bodies.
-std::vector<bool> contact_nodes(Model const& model) {
-  std::vector<bool> touched(ix(model.node_count()), false);
-  for (auto const& pair : model.pairs) {
-    for (Index const node : pair.nodes())
-      touched[ix(node)] = true;
-    if (auto const* curve = std::get_if<contact::Curve>(&pair.primary))
-      for (auto const& segment : curve->segments())
-        for (int k = 0; k < segment.count; ++k)
-          touched[ix(segment.nodes[ix(k)])] = true;
-    if (auto const* surface = std::get_if<contact::Surface>(&pair.primary))
-      for (Index const node : surface->nodes())
-        touched[ix(node)] = true;
-    if (auto const* surface = std::get_if<contact::CellSurface>(&pair.primary))
-      for (Index const node : surface->nodes())
-        touched[ix(node)] = true;
-  }
-  for (auto const& rigid : model.rigids)
-    if (rigid.free())
-      touched[ix(rigid.node)] = touched[ix(rigid.node + 1)] = true;
-  return touched;
-}
-
 /// Lumps the mass of all nodes as that of contact nodes.
 std::vector<bool> everywhere(Model const& model) {
   return std::vector<bool>(ix(model.node_count()), true);
@@ -88,7 +65,7 @@ double largest_cell(Model const& model) {
 
 BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
     : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model),
-      surface_loads_(model) {
+      surface_loads_(model), links_(model) {
   on_surface_ = contact_nodes(model);
   for (auto const& cells : model.cells) {
     damped_ = damped_ || (weights.inertia && cells.damped());
@@ -135,7 +112,14 @@ void BulkSystem::number_unknowns(Model const& model) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driven[ix(dim_ * node + motion.component)] = true;
-  auto const& touched = on_surface_;
+  std::vector<bool> touched(ix(dofs));
+  for (Index dof = 0; dof < dofs; ++dof)
+    touched[ix(dof)] = on_surface_[ix(dof / dim_)];
+  for (auto const& link : model.links) {
+    driven[ix(link.dof)] = true;
+    for (auto const& [master, weight] : link.masters)
+      touched[ix(master)] = touched[ix(master)] || touched[ix(link.dof)];
+  }
   Indices free;
   std::vector<bool> last;
   unknown_of_.assign(ix(dofs), -1);
@@ -144,9 +128,10 @@ void BulkSystem::number_unknowns(Model const& model) {
       continue;
     unknown_of_[ix(dof)] = static_cast<Index>(free.size());
     free.push_back(dof);
-    last.push_back(touched[ix(dof / dim_)]);
-    trailing_ += touched[ix(dof / dim_)] ? 1 : 0;
+    last.push_back(touched[ix(dof)]);
+    trailing_ += touched[ix(dof)] ? 1 : 0;
   }
+  links_.number(unknown_of_);
   auto cliques = [&] {
     std::vector<Indices> all;
     if (diagonal_)
@@ -158,6 +143,8 @@ void BulkSystem::number_unknowns(Model const& model) {
     });
     springs_.add_cliques(unknown_of_, all);
     surface_loads_.add_cliques(unknown_of_, all);
+    for (auto& clique : all)
+      links_.expand(unknown_of_, clique);
     return all;
   };
   auto const count = static_cast<Index>(free.size());
@@ -187,21 +174,20 @@ struct CellPlace {
   std::size_t first, count, entry;
 };
 
-/// Where the entries of a cell's lower triangle are, row by row; -1 of an unknown that there is not.
-template<class Place>
-void add_places(linear::Pattern const& pattern, std::span<Index const> unknowns, Place* at) {
+/// Where the entries of a cell's lower triangle are, row by row.
+template<class Place> void add_places(Places const& places, std::span<Index const> unknowns, Place* at) {
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j)
-      *at++ = unknowns[i] >= 0 && unknowns[j] >= 0 ? pattern.find(unknowns[i], unknowns[j]) : -1;
+      *at++ = places(unknowns[i], unknowns[j]);
 }
 
 /// Fills the map of one body, its cells shared among the threads.
-void fill_map(linear::Pattern const& pattern, std::vector<CellPlace> const& cells, Indices const& unknowns,
+void fill_map(Places const& places, std::vector<CellPlace> const& cells, Indices const& unknowns,
               solid::ScatterMap& map) {
   core::each_piece(static_cast<Index>(cells.size()), few_cells, [&](Index from, Index to) {
     for (Index c = from; c < to; ++c) {
       auto const [first, count, entry] = cells[ix(c)];
-      add_places(pattern, {&unknowns[first], count}, &map[entry]);
+      add_places(places, {&unknowns[first], count}, &map[entry]);
     }
   });
 }
@@ -216,40 +202,30 @@ void BulkSystem::build_maps(Model const& model) {
     entries[body] += cell.size() * (cell.size() + 1) / 2;
     for (Index const dof : cell)
       unknowns[body].push_back(unknown_of(dof));
+    links_.add_slots(std::span(unknowns[body]).last(cell.size()));
   });
+  auto const add_slots = [&](Indices const& dofs) {
+    Indices numbers;
+    numbers.reserve(dofs.size());
+    for (Index const dof : dofs)
+      numbers.push_back(unknown_of(dof));
+    links_.add_slots(numbers);
+  };
+  springs_.each_block(add_slots);
+  if (!links_.empty())
+    std::ranges::for_each(surface_loads_.blocks(), add_slots);
+  auto const& pattern = kept_.front().factor->pattern();
+  links_.settle(pattern, unknown_of_);
+  values_.resize(pattern.rows.size() + links_.slots());
+  Places const places{pattern, links_};
   maps_.resize(model.cells.size());
   for (std::size_t body = 0; body < maps_.size(); ++body) {
     maps_[body].resize(entries[body]);
-    fill_map(kept_.front().factor->pattern(), cells[body], unknowns[body], maps_[body]);
+    fill_map(places, cells[body], unknowns[body], maps_[body]);
   }
-  springs_.map_entries(kept_.front().factor->pattern(), unknown_of_);
-  surface_loads_.map_entries(kept_.front().factor->pattern(), unknown_of_);
-}
-
-namespace {
-/// One share a node, to each of its components.
-void add_at(std::span<Index const> nodes, Vector const& shares, int dim, Eigen::Ref<Vector> to) {
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    to.segment(dim * nodes[a], dim).array() += shares[static_cast<Eigen::Index>(a)];
-}
-} // namespace
-
-/// Lumped in proportion to the diagonal of each cell, so that no node's share is negative.
-void BulkSystem::gather_grip(Model const& model) {
-  grip_.setZero(model.dofs());
-  for (std::size_t b = 0; b < model.cells.size(); ++b) {
-    auto const& body = *model.bodies[b];
-    double const diagonal =
-        (body.mesh.nodes.colwise().maxCoeff() - body.mesh.nodes.colwise().minCoeff()).squaredNorm();
-    double const per_mass = material::moduli(body.material).young / (diagonal * body.density);
-    Index const first = dim_ * model.first_node[b];
-    model.cells[b].each_mass([&](std::span<Index const> nodes, Dense const& m) {
-      add_at(nodes, per_mass * m.sum() / m.trace() * m.diagonal(), dim_, grip_.tail(grip_.size() - first));
-    });
-  }
-  for (Index dof = 0; dof < model.dofs(); ++dof)
-    if (unknown_of(dof) < 0)
-      grip_[dof] = 0;
+  springs_.map_entries(
+      [&](Index first, Index second) { return places(unknown_of(first), unknown_of(second)); });
+  surface_loads_.map_entries(places, unknown_of_);
 }
 
 /// Sets M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
@@ -263,10 +239,16 @@ void BulkSystem::set_mass(StepWeights const& weights) {
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
       for (int c = 0; c < dim_; ++c) {
         Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
-        if (row < 0 || column < 0 || (row != column && diagonal_))
+        if (row == -1 || column == -1 || (row != column && diagonal_))
           continue;
+        if (row < 0 || column < 0) {
+          links_.each_entry(pattern, unknown_of_, {row, column}, [&](Index at, double part) {
+            mass_in_matrix_[ix(at)] += part * share * mass_.values[ix(k)];
+          });
+          continue;
+        }
         if (Index const at = pattern.find(row, column); at >= 0) // of others' nodes it need not be here
-          mass_in_matrix_[ix(at)] = share * mass_.values[ix(k)];
+          mass_in_matrix_[ix(at)] += share * mass_.values[ix(k)];
       }
   }
 }
@@ -405,6 +387,7 @@ void BulkSystem::add_stiffness(FactorSource const& at, StepWeights const& weight
   add_damping(at, viscous, viscous_);
   for (std::size_t k = 0; k < values_.size(); ++k)
     values_[k] += viscous_[k];
+  links_.fold(viscous_);
 }
 
 void BulkSystem::add_damping(FactorSource const& at, double factor, std::vector<double>& values) const {
@@ -453,12 +436,14 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
   {
     Timer const timer(cost.assembly);
     if (weights.inertia)
-      for (std::size_t k = 0; k < values_.size(); ++k)
+      for (std::size_t k = 0; k < mass_in_matrix_.size(); ++k)
         values_[k] = now.mass * mass_in_matrix_[k];
     else
       std::fill(values_.begin(), values_.end(), 0.0);
+    std::fill(values_.end() - static_cast<std::ptrdiff_t>(links_.slots()), values_.end(), 0.0);
     if (!diagonal_)
       add_stiffness(source, weights, cost);
+    links_.fold(values_);
     for (Index j = 0; j < (grip_.size() > 0 ? unknowns() : 0); ++j)
       values_[ix(factor().pattern().columns[ix(j)])] +=
           (grip_in_matrix_ + weights.stabilisation / source.dt) * grip_[dof_of(j)];
@@ -478,7 +463,7 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
     now.bodies = model_->share->ranks->largest(now.bodies);
   }
   auto apart = own_rates_ ? own_columns(weights.rate - 1) : std::vector<linear::ColumnEntry>{};
-  now.made = now.factor->factorize(values_, std::move(apart),
+  now.made = now.factor->factorize(std::span(values_).first(columns.back()), std::move(apart),
                                    model_->held_by_bonds ? linear::Hold::always : linear::Hold::if_needed);
   now.factor->carry_on(source.carried.get());
   bool const held = now.factor->hold() > 0;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "dynamics/bulk/links.hpp"
 #include "dynamics/bulk/skin.hpp"
 #include "dynamics/bulk/springs.hpp"
 #include "dynamics/bulk/surface_loads.hpp"
@@ -46,13 +47,23 @@ struct LoadsAt {
   std::vector<double> gas = {}; ///< pressures, Pa; empty: without gas
 };
 
+/// Model nodes of every contact surface, secondary and primary, and of free rigid bodies, [nodes].
+[[nodiscard]] std::vector<bool> contact_nodes(Model const& model);
+
 class BulkSystem {
 public:
   BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose = Purpose::steps);
 
   [[nodiscard]] Index unknowns() const { return static_cast<Index>(dof_of_.size()); }
-  /// Number of the free unknown behind a degree of freedom, -1 if driven; contact unknowns come last.
+  /// Number of the free unknown behind a degree of freedom; contact unknowns come last. Negative if it is
+  /// driven or follows others.
   [[nodiscard]] Index unknown_of(Index dof) const { return unknown_of_[ix(dof)]; }
+  /// That, or of a degree of freedom that moves as another one the unknown behind that; -1: there is none.
+  [[nodiscard]] Index moved_with(Index dof) const {
+    Index const own = unknown_of(dof);
+    return own >= -1 ? own : links_.carrier(own, unknown_of_);
+  }
+  [[nodiscard]] Links const& links() const { return links_; }
   [[nodiscard]] Index dof_of(Index unknown) const { return dof_of_[ix(unknown)]; }
   [[nodiscard]] Index first_contact_unknown() const { return unknowns() - trailing_; }
   /// True for nodes of contact surfaces and of free rigid bodies.
@@ -177,6 +188,7 @@ private:
   Mass mass_;
   Springs springs_;
   SurfaceLoads surface_loads_;
+  Links links_;
   Vector grip_;
   double grip_in_matrix_ = 0;
   std::vector<double> mass_in_matrix_;  ///< M in the pattern of the effective stiffness

@@ -167,15 +167,6 @@ void Springs::add_cliques(Indices const& unknown_of, std::vector<Indices>& cliqu
   }
 }
 
-void Springs::map_entries(linear::Pattern const& pattern, Indices const& unknown_of) {
-  for (auto& block : blocks_)
-    for (std::size_t i = 0; i < block.dofs.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        Index const row = unknown_of[ix(block.dofs[i])], column = unknown_of[ix(block.dofs[j])];
-        block.map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
-      }
-}
-
 /// tangent(member): of the whole spring, [3, 3].
 template<class Tangent> void Springs::add_entries(Tangent const& tangent, std::span<double> values) const {
   for (auto const& block : blocks_) {

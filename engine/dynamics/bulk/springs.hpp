@@ -39,7 +39,18 @@ public:
 
   /// The unknowns that springs couple, group by group.
   void add_cliques(Indices const& unknown_of, std::vector<Indices>& cliques) const;
-  void map_entries(linear::Pattern const& pattern, Indices const& unknown_of);
+  /// place(dof, dof): where an entry is among the values.
+  template<class Place> void map_entries(Place const& place) {
+    for (auto& block : blocks_)
+      for (std::size_t i = 0; i < block.dofs.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+          block.map.push_back(place(block.dofs[i], block.dofs[j]));
+  }
+  /// visit(degrees of freedom) that one spring couples.
+  template<class Visit> void each_block(Visit const& visit) const {
+    for (auto const& block : blocks_)
+      visit(block.dofs);
+  }
   void add_stiffness(Vector const& u, double t, double factor, std::span<double> values) const;
   /// Of the dashpots; the change of their directions with u is left out.
   void add_damping_stiffness(Vector const& u, double t, double factor, std::span<double> values) const;

@@ -29,13 +29,13 @@ Indices dofs_of(Indices const& nodes, int dim) {
 }
 
 /// Entries of the lower triangle over these degrees of freedom, row by row.
-Indices entries_of(linear::Pattern const& pattern, Indices const& dofs, Indices const& unknown_of) {
+Indices entries_of(Places const& places, Indices const& dofs, Indices const& unknown_of) {
   Indices map;
   map.reserve(dofs.size() * (dofs.size() + 1) / 2);
   for (std::size_t i = 0; i < dofs.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       Index const row = unknown_of[ix(dofs[i])], column = unknown_of[ix(dofs[j])];
-      map.push_back(row >= 0 && column >= 0 ? pattern.find(row, column) : -1);
+      map.push_back(places(row, column));
     }
   return map;
 }
@@ -151,16 +151,33 @@ void SurfaceLoads::add_cliques(Indices const& unknown_of, std::vector<Indices>& 
   }
 }
 
-void SurfaceLoads::map_entries(linear::Pattern const& pattern, Indices const& unknown_of) {
+std::vector<Indices> SurfaceLoads::blocks() const {
+  std::vector<Indices> all;
   auto const add = [&](std::vector<mesh::Facet> const& facets) {
     for (auto const& facet : facets)
-      maps_.push_back(entries_of(pattern, dofs_of(facet.nodes, model_->dim()), unknown_of));
+      all.push_back(dofs_of(facet.nodes, model_->dim()));
   };
   for (auto const& pressure : model_->pressures)
     add(pressure.facets);
   for (auto const& gas : model_->gases) {
     add(gas.facets);
-    walls_.push_back(entries_of(pattern, dofs_of(gas.nodes, model_->dim()), unknown_of));
+    all.push_back(dofs_of(gas.nodes, model_->dim()));
+  }
+  for (auto const& stress : model_->surface_stresses)
+    add(stress.facets);
+  return all;
+}
+
+void SurfaceLoads::map_entries(Places const& places, Indices const& unknown_of) {
+  auto const add = [&](std::vector<mesh::Facet> const& facets) {
+    for (auto const& facet : facets)
+      maps_.push_back(entries_of(places, dofs_of(facet.nodes, model_->dim()), unknown_of));
+  };
+  for (auto const& pressure : model_->pressures)
+    add(pressure.facets);
+  for (auto const& gas : model_->gases) {
+    add(gas.facets);
+    walls_.push_back(entries_of(places, dofs_of(gas.nodes, model_->dim()), unknown_of));
   }
   for (auto const& stress : model_->surface_stresses)
     add(stress.facets);

@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
+#include "dynamics/bulk/links.hpp"
 #include "dynamics/model/model.hpp"
-#include "linear/pattern.hpp"
 
 namespace stiction::dynamics {
 
@@ -32,8 +32,11 @@ public:
 
   /// The unknowns that gases couple, wall by wall.
   void add_cliques(Indices const& unknown_of, std::vector<Indices>& cliques) const;
-  /// Finds the entries of its facets and walls; unknown_of[dofs] is -1 where driven.
-  void map_entries(linear::Pattern const& pattern, Indices const& unknown_of);
+  /// Finds the entries of its facets and walls; unknown_of[dofs] is negative where driven or
+  /// following.
+  void map_entries(Places const& places, Indices const& unknown_of);
+  /// The degrees of freedom that a facet or a wall couples, each in turn.
+  [[nodiscard]] std::vector<Indices> blocks() const;
   /// values += factor times what stresses add, the symmetric part of what pressures take, and what gases
   /// resist; gas: as above.
   void add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,

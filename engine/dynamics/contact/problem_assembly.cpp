@@ -107,7 +107,7 @@ void ProblemAssembly<D, C>::add_stiffness(Indices const& nodes, Eigen::Ref<Dense
 template<int D, int C> Indices const& ProblemAssembly<D, C>::unknowns_of(Indices const& nodes) {
   unknowns_.assign(D * nodes.size(), -1);
   for (std::size_t a = 0; a < unknowns_.size(); ++a)
-    if (Index const u = bulk_->unknown_of(D * nodes[a / D] + static_cast<Index>(a % D)); u >= 0)
+    if (Index const u = bulk_->moved_with(D * nodes[a / D] + static_cast<Index>(a % D)); u >= 0)
       unknowns_[a] = u - bulk_->first_contact_unknown();
   return unknowns_;
 }

@@ -8,6 +8,7 @@
 
 #include "contact/mortar/mortar.hpp"
 #include "contact/solvers/solver.hpp"
+#include "dynamics/model/link.hpp"
 #include "dynamics/model/motion.hpp"
 #include "dynamics/model/share.hpp"
 #include "dynamics/model/spring.hpp"
@@ -107,6 +108,7 @@ struct Model {
   std::vector<Pressure> pressures;
   std::vector<Gas> gases;
   std::vector<SurfaceStress> surface_stresses;
+  std::vector<Link> links;
   std::vector<Pair> pairs;
   Scheme scheme;
   contact::SolverChoice solver;

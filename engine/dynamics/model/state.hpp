@@ -105,7 +105,7 @@ struct State {
   [[nodiscard]] Vector const& reaction_of(std::size_t pair) const {
     return own_reactions.empty() ? reaction : own_reactions[pair];
   }
-  Vector drive; ///< force of the motions over the last step, at driven unknowns, N
+  Vector drive; ///< force of the motions and constraints over the last step, N
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D

@@ -136,6 +136,8 @@ void Stepper::predict(State const& old, double dt, Start start) {
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       lead_[dof] = motion->value(t1) - old.u[dof] - d_[dof];
+  bulk_.links().follow(d_);
+  bulk_.links().follow(lead_);
   leads_ = !bulk_.linear_bodies() && !weights_.explicit_forces &&
            lead_.lpNorm<Eigen::Infinity>() > leap * bulk_.cell_size();
   if (!leads_)
@@ -160,6 +162,7 @@ void Stepper::arrive(State const& old, double t1) {
   for (Index dof = 0; dof < d_.size(); ++dof)
     if (auto const* motion = driver_[ix(dof)])
       d_[dof] = motion->value(t1) - old.u[dof];
+  bulk_.links().follow(d_);
   leads_ = false;
 }
 
@@ -183,6 +186,8 @@ void Stepper::accelerate(State const& old, double dt) {
       gained_[dof] += weights_.mass_a * dt * old.a[dof];
     }
   }
+  bulk_.links().follow(rate_change_);
+  bulk_.links().follow(gained_);
   bulk_.mass().times(gained_, inertia_);
   inertia_ /= dt;
 }
@@ -228,9 +233,14 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     excess_ -= skin_old_;
     unbalanced_ += excess_;
   }
+  bulk_.links().gather(unbalanced_);
   Timer const timer(cost_.contact);
   contact_->locate(leads_ ? Vector(u_ + lead_) : u_, outcome.iterations >= settle_after);
   contact_->reaction(reaction_);
+  if (!bulk_.links().empty()) {
+    gathered_ = reaction_;
+    bulk_.links().gather(gathered_);
+  }
   return true;
 }
 
@@ -242,9 +252,10 @@ bool Stepper::apart(Index dof) const {
 /// Largest force on a free unknown that nothing balances, N.
 double Stepper::imbalance() const {
   double largest = 0;
+  auto const& borne = bulk_.links().empty() ? reaction_ : gathered_;
   for (Index k = 0; k < bulk_.unknowns(); ++k) {
     Index const dof = bulk_.dof_of(k);
-    largest = std::max(largest, std::abs(unbalanced_[dof] - weights_.contact * reaction_[dof]));
+    largest = std::max(largest, std::abs(unbalanced_[dof] - weights_.contact * borne[dof]));
   }
   return largest;
 }
@@ -313,6 +324,7 @@ bool Stepper::apply_factor() {
   }
   for (Index k = 0; k < bulk_.unknowns(); ++k)
     d_[bulk_.dof_of(k)] += correction_[k];
+  bulk_.links().follow(d_);
   return correction_.allFinite();
 }
 
@@ -374,6 +386,7 @@ bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
     part *= 0.5;
     for (Index k = 0; k < bulk_.unknowns(); ++k)
       d_[bulk_.dof_of(k)] -= part * correction_[k];
+    bulk_.links().follow(d_);
     if (balance(old, dt, outcome)) {
       outcome.verdict = StepVerdict::not_converged;
       outcome.reason.clear();

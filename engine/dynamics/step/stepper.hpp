@@ -118,8 +118,8 @@ private:
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   // workspace of one step
-  Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, correction_, surface_,
-      surface_load_;
+  Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, gathered_, correction_,
+      surface_, surface_load_;
   Vector mass_rate_, damping_;
   Vector lead_;                    ///< what driven unknowns lack to where they are driven, m
   bool leads_ = false;             ///< the next correction moves them by it

@@ -62,7 +62,7 @@ void Stepper::account(State const& old, State& next) const {
     mean_force -= excess_;
   next.drive.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
-    if (driver_[ix(dof)] != nullptr) {
+    if (driver_[ix(dof)] != nullptr || bulk_.links().holds(dof)) {
       next.drive[dof] = inertia_[dof] - mean_force[dof];
       ledger.motion_work += next.drive[dof] * d_[dof];
     }

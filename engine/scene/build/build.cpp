@@ -59,7 +59,9 @@ Scene Builder::run() {
   add_loads();
   add_springs();
   hold_axis();
+  add_constraints();
   add_pairs();
+  check_constraints();
   check_probes();
   check_bulk();
   settle();

@@ -45,6 +45,14 @@ private:
   template<class Part> [[nodiscard]] Indices moved(Where const& where, Part const& part);
   void check_driven_twice();
 
+  // build_constraints.cpp
+  void add_constraints();
+  void add_constraint(Where const& where, RollerPart const& part);
+  void add_constraint(Where const& where, PeriodicPart const& part);
+  using Terms = std::vector<std::pair<Index, double>>; ///< degrees of freedom and coefficients
+  void constrain(Where const& where, Terms const& terms);
+  void check_constraints();
+
   // build_loads.cpp
   void add_loads();
   void add_load(Where const& where, TractionPart const& part);
@@ -94,6 +102,8 @@ private:
   template<class Part> void check_probe(std::string const& name, Part const& part);
 
   core::Input const* input_;
+  std::vector<dynamics::Motion const*> driven_; ///< [degrees of freedom]; empty without constraints
+  std::vector<std::size_t> linked_by_;          ///< of the model's links: number of the script's constraint
   linear::Ranks const* ranks_;
   core::Complaints complaints_;
   Scene scene_;

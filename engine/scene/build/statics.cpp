@@ -32,13 +32,15 @@ Statics::Statics(dynamics::Model const& model) : model_(&model), bulk_(model, st
 }
 
 Vector Statics::solve(Vector const& force) {
-  Vector rhs(bulk_.unknowns());
+  Vector rhs(bulk_.unknowns()), gathered = force;
+  bulk_.links().gather(gathered);
   for (Index k = 0; k < bulk_.unknowns(); ++k)
-    rhs[k] = force[bulk_.dof_of(k)];
+    rhs[k] = gathered[bulk_.dof_of(k)];
   bulk_.factor().solve(rhs);
   Vector u = Vector::Zero(force.size());
   for (Index k = 0; k < bulk_.unknowns(); ++k)
     u[bulk_.dof_of(k)] = rhs[k];
+  bulk_.links().follow(u);
   return u;
 }
 

@@ -100,6 +100,23 @@ public:
           hold({node}, Eigen::RowVectorXd::Unit(model_->dim(), motion.component));
   }
 
+  /// What a follower does beside its masters.
+  void hold_links() {
+    int const dim = model_->dim();
+    for (auto const& link : model_->links) {
+      Indices nodes{link.dof / dim};
+      std::vector<std::pair<int, double>> shares{{link.dof % dim, 1.0}};
+      for (auto const& [master, weight] : link.masters) {
+        nodes.push_back(master / dim);
+        shares.emplace_back(master % dim, -weight);
+      }
+      Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(dim * static_cast<Eigen::Index>(nodes.size()));
+      for (std::size_t k = 0; k < shares.size(); ++k)
+        weights[dim * static_cast<Eigen::Index>(k) + shares[k].first] = shares[k].second;
+      hold(nodes, weights);
+    }
+  }
+
   /// The ways of springs from end to end. What is too soft beside its body holds nothing: its points, moved
   /// by any friction, would meet their gaps loosely.
   void hold_springs() {
@@ -202,6 +219,7 @@ void Builder::check_supports(dynamics::ContactSystem const& contact, dynamics::S
     return;
   RigidMotions motions(model);
   motions.hold_motions();
+  motions.hold_links();
   motions.hold_springs();
   auto loose = motions.loose();
   auto const any = [&] { return std::ranges::any_of(loose, [](auto const& own) { return !own.empty(); }); };

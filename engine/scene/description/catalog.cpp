@@ -35,6 +35,7 @@ std::vector<Category> const& catalog() {
       {"friction", "friction laws", schemas<interface::FrictionLaw>()},
       {"adhesion", "adhesion laws", schemas<interface::AdhesionLaw>()},
       {"motion", "prescribed displacements", schemas<MotionPart>()},
+      {"constraint", "displacements that follow others", schemas<ConstraintPart>()},
       {"load", "prescribed forces", schemas<LoadPart>()},
       {"spring", "springs and dashpots", {SpringPart::schema()}},
       {"schedule", "stages of the run", {SchedulePart::schema()}},

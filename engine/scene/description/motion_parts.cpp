@@ -1,4 +1,4 @@
-// Schemas of prescribed displacements, and their reading.
+// Schemas of prescribed displacements and of constraints, and their reading.
 #include <algorithm>
 #include <array>
 
@@ -53,6 +53,29 @@ void FixPart::read_nested(Reader& reader) {
       std::ranges::any_of(flags, [&](auto const& flag) { return reader.has(flag.first) && *flag.second; });
   for (auto const& [name, held] : flags)
     *held = *held && (!picked || reader.has(name));
+}
+
+core::Schema const& RollerPart::schema() {
+  static auto const made =
+      Describe<RollerPart>{"roller", "a set on rollers along an oblique plane, with what the plane bears", ""}
+          .text("set", &RollerPart::set, Need::required, "the nodes, \"body.set\"")
+          .numbers("normal", &RollerPart::normal, "1", Need::required,
+                   "across the plane {x, y [, z]}: no node of the set moves along it")
+          .build();
+  return made;
+}
+
+core::Schema const& PeriodicPart::schema() {
+  static auto const made =
+      Describe<PeriodicPart>{"periodic",
+                             "one cell of many alike: opposite sides move alike, and what leaves one side "
+                             "enters at the other",
+                             ""}
+          .text("set", &PeriodicPart::set, Need::required, "the nodes of one side, \"body.set\"")
+          .text("to", &PeriodicPart::to, Need::required,
+                "those of the other, \"body.set\": the same nodes, shifted")
+          .build();
+  return made;
 }
 
 core::Schema const& TurnPart::schema() {

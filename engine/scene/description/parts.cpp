@@ -327,6 +327,7 @@ core::Schema const& ScenePart::schema() {
           .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
           .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
           .nested("motions", "motion", Need::optional, "list of motions")
+          .nested("constraints", "constraint", Need::optional, "list of rollers and periodic sides")
           .nested("loads", "load", Need::optional, "list of prescribed forces")
           .nested("springs", "spring", Need::optional, "table of springs and dashpots by name")
           .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")
@@ -353,6 +354,8 @@ void ScenePart::read_nested(Reader& reader) {
       named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
   for (auto& motion : reader.children("motions", Need::optional))
     motions.push_back(motion.alternative<MotionPart>());
+  for (auto& constraint : reader.children("constraints", Need::optional))
+    constraints.push_back(constraint.alternative<ConstraintPart>());
   for (auto& load : reader.children("loads", Need::optional)) {
     loads.push_back(load.alternative<LoadPart>());
     std::visit(

@@ -108,6 +108,19 @@ struct TurnPart {
 using MotionPart = std::variant<DrivePart, FixPart, TurnPart>;
 [[nodiscard]] std::string const& set_of(MotionPart const& motion);
 
+/// A set that stays in the plane across `normal` that each of its nodes is in.
+struct RollerPart {
+  std::string set;
+  Numbers normal; ///< 1, of any length
+  static core::Schema const& schema();
+};
+/// A set whose nodes move as those of another set, where that has been shifted.
+struct PeriodicPart {
+  std::string set, to;
+  static core::Schema const& schema();
+};
+using ConstraintPart = std::variant<RollerPart, PeriodicPart>;
+
 /// Values of dead forces along times; a component without values is 0.
 struct LoadPath {
   Numbers times, x, y, z;
@@ -241,6 +254,7 @@ struct ScenePart {
   std::map<std::string, ObstaclePart> obstacles;
   std::map<std::string, PairPart> pairs;
   std::vector<MotionPart> motions;
+  std::vector<ConstraintPart> constraints;
   std::vector<LoadPart> loads;
   std::map<std::string, SpringPart> springs;
   std::map<std::string, ProbePart> probes;

@@ -212,6 +212,18 @@ void add_run(Facts const& facts, Explanation& explanation) {
   explanation.sections.push_back(std::move(section));
 }
 
+Section constraints_of(Scene const& scene) {
+  Section section{"Constraints", {}};
+  for (auto const& constraint : scene.part.constraints)
+    if (auto const* roller = std::get_if<RollerPart>(&constraint))
+      add(section, roller->set, fmt::format("on rollers across ({:g})", fmt::join(roller->normal, ", ")));
+    else if (auto const* periodic = std::get_if<PeriodicPart>(&constraint))
+      add(section, periodic->set, "moves as " + periodic->to);
+  add(section, "followers", fmt::format("{} components", scene.model->links.size()),
+      static_cast<double>(scene.model->links.size()));
+  return section;
+}
+
 } // namespace
 
 void describe_scene(Facts const& facts, Explanation& explanation) {
@@ -228,6 +240,8 @@ void describe_scene(Facts const& facts, Explanation& explanation) {
   if (!motions.lines.empty())
     explanation.sections.push_back(std::move(motions));
   describe_loads(facts, explanation);
+  if (!part.constraints.empty())
+    explanation.sections.push_back(constraints_of(*facts.scene));
   describe_springs(facts, explanation);
   add_run(facts, explanation);
 }

@@ -117,7 +117,7 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
                               scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
                               mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt,
-                              material::PronyTerm, scene::RemeshPart, dynamics::Accuracy>;
+                              material::PronyTerm, scene::RemeshPart, scene::SpringPart, dynamics::Accuracy>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();
@@ -127,6 +127,7 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   check_choice<interface::FrictionLaw>();
   check_choice<interface::AdhesionLaw>();
   check_choice<scene::MotionPart>();
+  check_choice<scene::ConstraintPart>();
   check_choice<scene::LoadPart>();
   check_choice<scene::ProbePart>();
   for (auto const& category : scene::catalog())

@@ -1,0 +1,206 @@
+// Constraints of a scene: sums of displacement components that stay 0, solved for one component each.
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+#include "dynamics/bulk/bulk_system.hpp"
+#include "scene/build/builder.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+constexpr double rounded = 1e-12;      ///< of the largest coefficient, and of the largest displacement
+constexpr double alike = 1e-6;         ///< of a side's size: how far a partner may lie from its place
+constexpr double on_the_way = 0.38197; ///< part of the way between two knots: turns are looked at there too
+
+Vec3 middle_of(dynamics::Model const& model, Indices const& nodes) {
+  Vec3 sum = Vec3::Zero();
+  for (Index const node : nodes)
+    sum.head(model.dim()) += model.reference.row(node).transpose();
+  return sum / static_cast<double>(nodes.size());
+}
+
+Vec3 place_of(dynamics::Model const& model, Index node) {
+  Vec3 X = Vec3::Zero();
+  X.head(model.dim()) = model.reference.row(node).transpose();
+  return X;
+}
+
+std::string words(Vec3 const& X, int dim) {
+  return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + dim, ", "));
+}
+
+/// Do these motions keep the sum at 0?
+bool kept(std::vector<std::pair<dynamics::Motion const*, double>> const& terms) {
+  std::set<double> times{0};
+  double largest = 0;
+  for (auto const& [motion, factor] : terms) {
+    times.insert(motion->path.times.begin(), motion->path.times.end());
+    if (motion->turn)
+      times.insert(motion->turn->angle->times.begin(), motion->turn->angle->times.end());
+    largest = std::max(largest, std::abs(factor) * motion->farthest());
+  }
+  std::set<double> all = times;
+  for (auto at = times.begin(); std::next(at) != times.end(); ++at)
+    all.insert(*at + on_the_way * (*std::next(at) - *at));
+  return std::ranges::all_of(all, [&](double t) {
+    double sum = 0;
+    for (auto const& [motion, factor] : terms)
+      sum += factor * motion->value(t);
+    return std::abs(sum) <= rounded * largest;
+  });
+}
+
+} // namespace
+
+void Builder::add_constraints() {
+  auto const& constraints = scene_.part.constraints;
+  auto const& model = *scene_.model;
+  driven_.assign(constraints.empty() ? 0 : ix(model.dofs()), nullptr);
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      if (!driven_.empty())
+        driven_[ix(model.dim() * node + motion.component)] = &motion;
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    Where const where{fmt::format("constraints[{}]", k + 1)};
+    std::visit([&](auto const& part) { add_constraint(where, part); }, constraints[k]);
+    linked_by_.resize(model.links.size(), k + 1);
+  }
+}
+
+void Builder::add_constraint(Where const& where, RollerPart const& part) {
+  auto const nodes = resolve({where[0], "set"}, part.set);
+  auto const dim = static_cast<std::size_t>(scene_.part.dim());
+  if (part.normal.size() != dim || vec(part.normal).isZero(0)) {
+    complain({where[0], "normal"}, fmt::format("is no direction; give {} numbers that are not all 0", dim));
+    return;
+  }
+  Vec3 const normal = vec(part.normal).normalized();
+  for (Index const node : nodes.value_or(Indices{})) {
+    Terms terms;
+    for (int c = 0; c < scene_.part.dim(); ++c)
+      terms.emplace_back(scene_.part.dim() * node + c, normal[c]);
+    constrain(where, std::move(terms));
+  }
+}
+
+void Builder::add_constraint(Where const& where, PeriodicPart const& part) {
+  auto const own = resolve({where[0], "set"}, part.set), other = resolve({where[0], "to"}, part.to);
+  if (!own || !other)
+    return;
+  auto const& model = *scene_.model;
+  int const dim = model.dim();
+  if (own->size() != other->size()) {
+    complain({where[0], "to"}, fmt::format("has {} nodes, and {} has {}; give both sides the same division",
+                                           other->size(), part.set, own->size()));
+    return;
+  }
+  Vec3 const shift = middle_of(model, *other) - middle_of(model, *own);
+  if (model.kinematics == solid::Kinematics::axisymmetric && std::abs(shift[0]) > alike * shift.norm()) {
+    complain({where[0], "to"}, "is shifted along the radius; only sides along the axis can be alike");
+    return;
+  }
+  for (Index const node : *own) {
+    Vec3 const wanted = place_of(model, node) + shift;
+    auto const off = [&](Index one) { return (place_of(model, one) - wanted).norm(); };
+    Index const partner = *std::ranges::min_element(*other, {}, off);
+    if (partner == node || off(partner) > alike * shift.norm()) {
+      complain(
+          {where[0], "to"},
+          fmt::format("has no node at {}, where the one of {} at {} is after the shift by {}; the nearest "
+                      "is {:.3g} m off; give both sides the same division",
+                      words(wanted, dim), part.set, words(place_of(model, node), dim), words(shift, dim),
+                      off(partner)));
+      return;
+    }
+    for (int c = 0; c < dim; ++c)
+      constrain(where, {{dim * node + c, 1.0}, {dim * partner + c, -1.0}});
+  }
+}
+
+/// Followers are replaced by their masters first. The component with the largest coefficient that no motion
+/// drives follows from now on, in what there is already too.
+void Builder::constrain(Where const& where, Terms const& terms) {
+  auto& links = scene_.model->links;
+  std::map<Index, double> sum;
+  for (auto const& [dof, factor] : terms) {
+    auto const link = std::ranges::find(links, dof, &dynamics::Link::dof);
+    if (link == links.end())
+      sum[dof] += factor;
+    else
+      for (auto const& [master, weight] : link->masters)
+        sum[master] += factor * weight;
+  }
+  std::erase_if(sum, [](auto const& term) { return std::abs(term.second) < rounded; });
+  auto const free_size = [&](auto const& term) {
+    return driven_[ix(term.first)] == nullptr ? std::abs(term.second) : 0.0;
+  };
+  auto const follower = std::ranges::max_element(sum, {}, free_size);
+  if (follower == sum.end())
+    return;
+  if (free_size(*follower) == 0) {
+    std::vector<std::pair<dynamics::Motion const*, double>> held;
+    held.reserve(sum.size());
+    for (auto const& [dof, factor] : sum)
+      held.emplace_back(driven_[ix(dof)], factor);
+    if (!kept(held))
+      complain(where, fmt::format("holds the node at {} as motions do not let it be: {} moves it otherwise; "
+                                  "take it out of one of the two",
+                                  words(place_of(*scene_.model, sum.begin()->first / scene_.part.dim()),
+                                        scene_.part.dim()),
+                                  held.front().first->set));
+    return;
+  }
+  dynamics::Link made{follower->first, {}};
+  for (auto const& [dof, factor] : sum)
+    if (dof != made.dof)
+      made.masters.emplace_back(dof, -factor / follower->second);
+  for (auto& link : links) {
+    auto const found = std::ranges::find(link.masters, made.dof, &std::pair<Index, double>::first);
+    if (found == link.masters.end())
+      continue;
+    double const weight = found->second;
+    link.masters.erase(found);
+    for (auto const& [dof, factor] : made.masters) {
+      auto const there = std::ranges::find(link.masters, dof, &std::pair<Index, double>::first);
+      if (there == link.masters.end())
+        link.masters.emplace_back(dof, weight * factor);
+      else
+        there->second += weight * factor;
+    }
+  }
+  links.push_back(std::move(made));
+}
+
+/// Accelerations at rest and the skin of cells know nothing of followers, nor does a contact point that moves
+/// obliquely; and what follows a contact node has to be one too, as these may have a balance of their own.
+void Builder::check_constraints() {
+  auto const& model = *scene_.model;
+  auto const weights = dynamics::weights(model.scheme);
+  if (model.links.empty())
+    return;
+  if (weights.explicit_forces || weights.accelerations() || weights.skin)
+    complain({"constraints[1]"},
+             "holds nodes together, which schemes that keep accelerations, are explicit or "
+             "have contact_inertia = \"cells\" cannot; use scheme.quasi_static, "
+             "scheme.theta_xi or scheme.moreau_jean");
+  auto const touching = dynamics::contact_nodes(model);
+  for (std::size_t k = 0; k < model.links.size(); ++k) {
+    auto const& [dof, masters] = model.links[k];
+    auto const touches = [&](Index one) { return touching[ix(one / model.dim())]; };
+    bool const as_one = masters.size() == 1 && masters[0].second == 1;
+    bool const any =
+        touches(dof) || std::ranges::any_of(masters, [&](auto const& m) { return touches(m.first); });
+    if (!any || masters.empty() || (as_one && touches(dof) == touches(masters[0].first)))
+      continue;
+    complain({fmt::format("constraints[{}]", linked_by_[k])},
+             fmt::format("guides the node at {} obliquely or by nodes off the surface, and contact is at it; "
+                         "take it out of one of the two",
+                         words(place_of(model, dof / model.dim()), model.dim())));
+    return;
+  }
+}
+
+} // namespace stiction::scene
