@@ -82,7 +82,7 @@ void Builder::add_constraint(Where const& where, RollerPart const& part) {
     Terms terms;
     for (int c = 0; c < scene_.part.dim(); ++c)
       terms.emplace_back(scene_.part.dim() * node + c, normal[c]);
-    constrain(where, std::move(terms));
+    constrain(where, terms);
   }
 }
 
