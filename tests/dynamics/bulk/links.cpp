@@ -62,6 +62,14 @@ End run(test::Input const& table, int steps = 1, double duration = 1) {
   return end;
 }
 
+/// N s
+Eigen::Vector2d momentum(scene::Scene const& scene, test::State const& state) {
+  dynamics::BulkSystem const bulk(*scene.model, dynamics::weights(scene.model->scheme));
+  Vector p;
+  bulk.mass().times(state.v, p);
+  return p.reshaped(2, p.size() / 2).rowwise().sum();
+}
+
 Index node_at(scene::Scene const& scene, double x, double y) {
   auto const& nodes = scene.model->reference;
   for (Index k = 0; k < nodes.rows(); ++k)
@@ -236,17 +244,7 @@ TEST_CASE("with inertia constrained bodies keep momentum and energy") {
     CHECK(before.kinetic > 0);
     CHECK(after.strain > 0.01 * before.kinetic);
     CHECK(after.kinetic + after.strain == doctest::Approx(before.kinetic).epsilon(1e-9));
-    dynamics::BulkSystem const bulk(*end.scene.model, dynamics::weights(end.scene.model->scheme));
-    Vector p0, p1;
-    bulk.mass().times(end.start.v, p0);
-    bulk.mass().times(end.state.v, p1);
-    for (int c = 0; c < 2; ++c) {
-      double first = 0, last = 0;
-      for (Index k = c; k < p0.size(); k += 2) {
-        first += p0[k];
-        last += p1[k];
-      }
-      CHECK(last == doctest::Approx(first).epsilon(1e-9));
-    }
+    Eigen::Vector2d const first = momentum(end.scene, end.start), last = momentum(end.scene, end.state);
+    CHECK((last - first).norm() < 1e-9 * first.norm());
   }
 }
