@@ -68,8 +68,8 @@ core::Schema const& RollerPart::schema() {
 core::Schema const& PeriodicPart::schema() {
   static auto const made =
       Describe<PeriodicPart>{"periodic",
-                             "one cell of many alike: opposite sides move alike, and what leaves one side "
-                             "enters at the other",
+                             "one cell of many alike: opposite sides move alike, and what one side bears the "
+                             "other gives",
                              ""}
           .text("set", &PeriodicPart::set, Need::required, "the nodes of one side, \"body.set\"")
           .text("to", &PeriodicPart::to, Need::required,
