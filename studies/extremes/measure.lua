@@ -4,7 +4,7 @@ local measure = {}
 --- Scales of a cell in SI: length, stress, force and energy of its numbers.
 function measure.scales(q)
   local length, stress = q.size * q.L, q.E * q.M / q.L / q.T ^ 2
-  local area = q.solid and length ^ 2 or length
+  local area = (q.solid or q.revolved) and length ^ 2 or length
   return { length = length, stress = stress, force = stress * area, energy = stress * area * length }
 end
 

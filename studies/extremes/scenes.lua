@@ -238,7 +238,8 @@ scenes.tie = {
 
 --- A ring of a long tube about the axis, radii size and size + wall, filled through its inner side and rounded by its stress.
 scenes.tube = {
-  values = { size = 0.01, wall = 0.01, cells = { 4, 1 }, press = 0, fill = 0.05, by = "amount", steps = 10, material = "neo_hookean" },
+  values = { size = 0.01, wall = 0.01, revolved = true, cells = { 4, 1 }, press = 0, fill = 0.05, by = "amount", steps = 10,
+    material = "neo_hookean" },
   make = function(q, u)
     local gas = q.by ~= "pressure"
     local blown = { set = "ring.left", times = list({ 0, 1 * q.pace }, u.s) }
