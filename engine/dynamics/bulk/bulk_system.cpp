@@ -228,28 +228,29 @@ void BulkSystem::build_maps(Model const& model) {
   surface_loads_.map_entries(places, unknown_of_);
 }
 
+/// An entry of M between two unknowns or followers.
+void BulkSystem::add_mass(Index row, Index column, double value) {
+  auto const& pattern = kept_.front().factor->pattern();
+  if (row == -1 || column == -1 || (row != column && diagonal_))
+    return;
+  if (row < 0 || column < 0)
+    links_.each_entry(pattern, unknown_of_, {row, column},
+                      [&](Index at, double part) { mass_in_matrix_[ix(at)] += part * value; });
+  else if (Index const at = pattern.find(row, column); at >= 0) // of others' nodes it need not be here
+    mass_in_matrix_[ix(at)] += value;
+}
+
 /// Sets M in the pattern of the effective stiffness, in the proportion to 1 / (mass dt^2) that the balance
 /// and the own balance of contact nodes ask for.
 void BulkSystem::set_mass(StepWeights const& weights) {
-  auto const& pattern = kept_.front().factor->pattern();
-  mass_in_matrix_.assign(pattern.rows.size(), 0.0);
+  mass_in_matrix_.assign(kept_.front().factor->pattern().rows.size(), 0.0);
   for (Index j = 0; j < mass_.pattern.size(); ++j) {
     double const share =
         weights.surface_apart() && on_surface(j) ? weights.apart_factor() * weights.mass : 1.0;
     for (Index k = mass_.pattern.columns[ix(j)]; k < mass_.pattern.columns[ix(j) + 1]; ++k)
-      for (int c = 0; c < dim_; ++c) {
-        Index const row = unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), column = unknown_of(dim_ * j + c);
-        if (row == -1 || column == -1 || (row != column && diagonal_))
-          continue;
-        if (row < 0 || column < 0) {
-          links_.each_entry(pattern, unknown_of_, {row, column}, [&](Index at, double part) {
-            mass_in_matrix_[ix(at)] += part * share * mass_.values[ix(k)];
-          });
-          continue;
-        }
-        if (Index const at = pattern.find(row, column); at >= 0) // of others' nodes it need not be here
-          mass_in_matrix_[ix(at)] += share * mass_.values[ix(k)];
-      }
+      for (int c = 0; c < dim_; ++c)
+        add_mass(unknown_of(dim_ * mass_.pattern.rows[ix(k)] + c), unknown_of(dim_ * j + c),
+                 share * mass_.values[ix(k)]);
   }
 }
 

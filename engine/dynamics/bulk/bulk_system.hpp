@@ -162,6 +162,7 @@ private:
   void make_matrix(Model const& model, StepWeights const& weights);
   void number_unknowns(Model const& model);
   void set_mass(StepWeights const& weights);
+  void add_mass(Index row, Index column, double value);
   [[nodiscard]] bool moves(Index node) const;
   [[nodiscard]] linear::NodesOfUnknowns nodes_of_unknowns(Model const& model) const;
   [[nodiscard]] linear::UnknownsOfRanks unknowns_of_ranks(Model const& model) const;
