@@ -45,6 +45,12 @@ inline Input rcc(double w, double C, double b) {
                                {"C_t", value(C, "N/m^3")},
                                {"b", value(b, "N s/m")}});
 }
+inline Input roller(std::string set, std::vector<double> const& normal) {
+  return make("constraint.roller", {{"set", text(std::move(set))}, {"normal", values(normal)}});
+}
+inline Input periodic(std::string set, std::string to) {
+  return make("constraint.periodic", {{"set", text(std::move(set))}, {"to", text(std::move(to))}});
+}
 /// With both, all components of the set, in space too.
 inline Input fix(std::string set, bool x = true, bool y = true) {
   if (x && y)

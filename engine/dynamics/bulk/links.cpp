@@ -15,12 +15,9 @@ constexpr Index first_number = -2; ///< of followers; -1 is a driven degree of f
 Links::Links(Model const& model) : links_(&model.links) {
   if (empty())
     return;
-  held_.assign(ix(model.dofs()), false);
-  for (auto const& link : *links_) {
-    held_[ix(link.dof)] = true;
-    for (auto const& [master, weight] : link.masters)
-      held_[ix(master)] = true;
-  }
+  follows_.assign(ix(model.dofs()), false);
+  for (auto const& link : *links_)
+    follows_[ix(link.dof)] = true;
 }
 
 void Links::follow(Vector& u) const {

@@ -19,8 +19,16 @@ public:
   void follow(Vector& u) const;
   /// Forces on followers go to their masters, N.
   void gather(Vector& force) const;
-  /// Does a link hold this degree of freedom, as follower or as master?
-  [[nodiscard]] bool holds(Index dof) const { return !empty() && held_[ix(dof)]; }
+  /// Does this degree of freedom follow others?
+  [[nodiscard]] bool follows(Index dof) const { return !empty() && follows_[ix(dof)]; }
+  /// Forces of the links, N: from those on followers those on masters for which taken(master) does not hold,
+  /// so that no link does work.
+  template<class Taken> void react(Vector& force, Taken const& taken) const {
+    for (auto const& link : *links_)
+      for (auto const& [master, weight] : link.masters)
+        if (!taken(master))
+          force[master] -= weight * force[link.dof];
+  }
 
   /// Numbers followers: -2, -3, ... in place of the unknowns that they have not.
   void number(Indices& unknown_of) const;
@@ -60,7 +68,7 @@ private:
     double part;
   };
   std::vector<Link> const* links_;
-  std::vector<bool> held_;                         ///< [degrees of freedom]; empty without links
+  std::vector<bool> follows_;                      ///< [degrees of freedom]; empty without links
   std::map<std::pair<Index, Index>, Index> slots_; ///< of numbers, the larger first
   std::vector<Fold> folds_;
 };

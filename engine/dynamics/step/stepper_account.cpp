@@ -62,10 +62,11 @@ void Stepper::account(State const& old, State& next) const {
     mean_force -= excess_;
   next.drive.setZero(d_.size());
   for (Index dof = 0; dof < d_.size(); ++dof)
-    if (driver_[ix(dof)] != nullptr || bulk_.links().holds(dof)) {
+    if (driver_[ix(dof)] != nullptr || bulk_.links().follows(dof))
       next.drive[dof] = inertia_[dof] - mean_force[dof];
-      ledger.motion_work += next.drive[dof] * d_[dof];
-    }
+  bulk_.links().react(next.drive, [&](Index dof) { return driver_[ix(dof)] != nullptr; });
+  for (Index dof = 0; dof < d_.size(); ++dof)
+    ledger.motion_work += next.drive[dof] * d_[dof];
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
       auto const& before = old.contacts[p][i];

@@ -78,14 +78,16 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
     unmet = (weights_.work - weights_.xi) * (newly - more_force - more_reaction);
   }
   for (Index dof = 0; dof < dofs; ++dof) {
-    if (driver_[ix(dof)] != nullptr)
-      unmet[dof] = 0;
-    else if (apart(dof))
+    if (apart(dof))
       unmet[dof] = (weights_.apart_end() - weights_.work) * more_force[dof] +
                    (1 - weights_.contact_work) * more_reaction[dof];
     else if (weights_.explicit_forces && inverse_mass_[dof] > 0)
       unmet[dof] = 0.5 * next.reaction[dof] - old.kick[dof] / (inverse_mass_[dof] * dt);
   }
+  bulk_.links().gather(unmet);
+  for (Index dof = 0; dof < dofs; ++dof)
+    if (driver_[ix(dof)] != nullptr)
+      unmet[dof] = 0;
   return unmet;
 }
 

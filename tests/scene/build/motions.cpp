@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "dynamics/space.hpp"
+#include "scene/complaints.hpp"
 #include "scene/probes/probes.hpp"
 
 using namespace stiction;
@@ -64,18 +65,6 @@ test::Input bar(double cells) {
       test::list({test::fix_in("bar.bottom", "xyz"), turn("bar.top", {0, 0, 2}, {0, 0.8})});
   test::at(table, "probes.drive") = test::make("probe.force", {{"set", test::text("bar.top")}});
   return table;
-}
-
-std::vector<std::string> complaints(test::Input const& table) {
-  try {
-    static_cast<void>(scene::build(table));
-  } catch (core::InputError const& error) {
-    std::vector<std::string> all;
-    for (auto const& complaint : error.complaints())
-      all.push_back(complaint.message());
-    return all;
-  }
-  return {};
 }
 
 } // namespace
@@ -152,27 +141,27 @@ TEST_CASE("turns that a scene cannot have") {
   auto const wrong = [&](char const* key, test::Input value, std::string const& words) {
     auto const kept = motion;
     test::at(motion, key) = std::move(value);
-    auto const all = complaints(table);
+    auto const all = test::complaints(table);
     REQUIRE(all.size() == 1);
     INFO(all[0]);
     CHECK(all[0].find(words) != std::string::npos);
     CHECK(all[0].find("motions[2]") != std::string::npos);
     motion = kept;
   };
-  CHECK(complaints(table).empty());
+  CHECK(test::complaints(table).empty());
   wrong("axis", test::values({0, 0, 0}), "three numbers, not all 0");
   wrong("centre", test::values({0, 0}, "m"), "three are wanted");
   wrong("angle", test::values({0}, "rad"), "1 values for 2 times");
   wrong("set", test::text("bar.left"), "moves bar.left in x other than motions[1]");
   auto plane = test::foot_on_floor();
   test::at(plane, "motions") = test::list({turn("foot.top", {0, 1}, {0, 1})});
-  CHECK(complaints(plane).empty());
+  CHECK(test::complaints(plane).empty());
   test::at(plane, "motions[1].axis") = test::values({1, 0, 0});
-  CHECK(complaints(plane).front().find("leaves the plane") != std::string::npos);
+  CHECK(test::complaints(plane).front().find("leaves the plane") != std::string::npos);
   test::at(plane, "motions[1].axis") = test::values({0, 0, -1});
-  CHECK(complaints(plane).empty());
+  CHECK(test::complaints(plane).empty());
   test::at(plane, "kinematics") = test::text("axisymmetric");
-  CHECK(complaints(plane).front().find("leave the symmetry") != std::string::npos);
+  CHECK(test::complaints(plane).front().find("leave the symmetry") != std::string::npos);
 }
 
 TEST_CASE("a turn agrees with a path that says the same, and with a fixed node on its axis") {
@@ -181,15 +170,15 @@ TEST_CASE("a turn agrees with a path that says the same, and with a fixed node o
     auto held = test::fix("foot.top");
     test::at(held, "near") = test::values({0, 1}, "m");
     test::at(table, "motions") = test::list({held, turn("foot.left", {0, 1}, {0, angle})});
-    return complaints(table);
+    return test::complaints(table);
   };
   CHECK(fixed(1).empty());
   for (int const turns : {1, 2, 4, 6}) { // back where it was at the end, in the middle, at thirds of the way
     CAPTURE(turns);
     auto const whole = turn("foot.left", {0.5, 0.5}, {0, 2 * std::numbers::pi * turns});
     test::at(table, "motions") = test::list({test::fix("foot.top"), whole});
-    REQUIRE(complaints(table).size() == 1);
-    CHECK(complaints(table)[0].find("moves foot.left in x other than") != std::string::npos);
+    REQUIRE(test::complaints(table).size() == 1);
+    CHECK(test::complaints(table)[0].find("moves foot.left in x other than") != std::string::npos);
   }
 }
 

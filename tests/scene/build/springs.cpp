@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "dynamics/marching.hpp"
+#include "scene/complaints.hpp"
 #include "scene/explain/explain.hpp"
 #include "scene/probes/probes.hpp"
 
@@ -19,17 +20,6 @@ test::Input held_foot(test::Input one) {
   auto table = test::foot_on_floor();
   test::at(table, "springs.tie") = std::move(one);
   return table;
-}
-
-std::vector<std::string> complaints(test::Input const& table) {
-  std::vector<std::string> all;
-  try {
-    static_cast<void>(scene::build(table));
-  } catch (core::InputError const& error) {
-    for (auto const& complaint : error.complaints())
-      all.push_back(complaint.message());
-  }
-  return all;
 }
 
 } // namespace
@@ -57,15 +47,15 @@ TEST_CASE("about an axis a mean acts along the axis, a bedding along both") {
   test::at(table, "motions") = test::list({test::fix("foot.bottom")});
   CHECK(scene::build(table).model->springs[0].axes.isApprox(Eigen::Vector3d(0, 1, 0)));
   test::at(table, "springs.tie.axes") = test::values({1, 0});
-  REQUIRE(complaints(table).size() == 1);
-  CHECK(complaints(table)[0].find("mean of a ring does not move") != std::string::npos);
+  REQUIRE(test::complaints(table).size() == 1);
+  CHECK(test::complaints(table)[0].find("mean of a ring does not move") != std::string::npos);
   test::at(table, "springs.tie.spread") = test::flag(true);
-  CHECK(complaints(table).empty());
+  CHECK(test::complaints(table).empty());
 }
 
 TEST_CASE("what springs cannot be is told once, with the remedy") {
   auto const wrong = [](core::Table entries, std::string const& words, std::string from = "foot.left") {
-    auto const all = complaints(held_foot(spring(from, std::move(entries))));
+    auto const all = test::complaints(held_foot(spring(from, std::move(entries))));
     CAPTURE(words);
     REQUIRE(all.size() == 1);
     INFO(all[0]);
@@ -73,7 +63,7 @@ TEST_CASE("what springs cannot be is told once, with the remedy") {
     CHECK(all[0].find("springs.tie") != std::string::npos);
   };
   using test::text, test::value, test::values, test::flag;
-  CHECK(complaints(held_foot(spring("foot.left"))).empty());
+  CHECK(test::complaints(held_foot(spring("foot.left"))).empty());
   wrong({{"stiffness", value(0, "N/m")}}, "neither pulls nor damps");
   wrong({{"stiffness", value(-1, "N/m")}}, "it must be >= 0 N/m");
   wrong({{"damping", value(1, "N s/m")}}, "quasi-static run has no rates");
@@ -96,26 +86,26 @@ TEST_CASE("what springs cannot be is told once, with the remedy") {
   wrong({{"spread", flag(true)}, {"to", text("foot.right")}}, "nodes of a set and a place");
   auto table = held_foot(spring("foot.left"));
   test::at(table, "probes.pull") = test::make("probe.spring", {{"spring", text("tye")}});
-  REQUIRE(complaints(table).size() == 1);
-  CHECK(complaints(table)[0].find("did you mean \"tie\"") != std::string::npos);
+  REQUIRE(test::complaints(table).size() == 1);
+  CHECK(test::complaints(table)[0].find("did you mean \"tie\"") != std::string::npos);
   table = held_foot(spring("foot.left", {{"damping", value(1, "N s/m")}}));
   test::at(table, "scheme") = test::make("scheme.central_difference");
-  CHECK(complaints(table)[0].find("lag by a step") != std::string::npos);
+  CHECK(test::complaints(table)[0].find("lag by a step") != std::string::npos);
 }
 
 TEST_CASE("a body is held at rest by springs alone, where they resist every rigid motion") {
   auto table = held_foot(spring("foot.left", {{"spread", test::flag(true)}}));
   test::at(table, "motions") = test::list({});
-  CHECK(complaints(table).empty());
+  CHECK(test::complaints(table).empty());
   test::at(table, "springs.tie.spread") = test::flag(false);
-  REQUIRE(complaints(table).size() == 1);
-  CHECK(complaints(table)[0].find("can turn: no motion holds it, nor a spring") != std::string::npos);
+  REQUIRE(test::complaints(table).size() == 1);
+  CHECK(test::complaints(table)[0].find("can turn: no motion holds it, nor a spring") != std::string::npos);
   test::at(table, "springs.other") = spring("foot.right", {{"direction", test::values({0, 1})}});
-  CHECK(complaints(table).empty());
+  CHECK(test::complaints(table).empty());
   test::at(table, "springs.other.stiffness") = test::value(0.9e-4, "N/m"); // E = 1000 Pa: as good as none
-  REQUIRE(complaints(table).size() == 1);
+  REQUIRE(test::complaints(table).size() == 1);
   test::at(table, "springs.other.stiffness") = test::value(1.1e-4, "N/m");
-  CHECK(complaints(table).empty());
+  CHECK(test::complaints(table).empty());
 }
 
 TEST_CASE("a probe shows force, elongation and energy of a spring, and explain what it is") {

@@ -4,6 +4,7 @@
 
 #include "dynamics/marching.hpp"
 #include "dynamics/space.hpp"
+#include "scene/complaints.hpp"
 #include "scene/explain/explain.hpp"
 #include "scene/probes/probes.hpp"
 
@@ -44,19 +45,8 @@ test::Input foot(test::Input one) {
   return table;
 }
 
-std::vector<std::string> complaints(test::Input const& table) {
-  std::vector<std::string> all;
-  try {
-    static_cast<void>(scene::build(table));
-  } catch (core::InputError const& error) {
-    for (auto const& complaint : error.complaints())
-      all.push_back(complaint.message());
-  }
-  return all;
-}
-
 void wrong(test::Input const& table, std::string const& words) {
-  auto const all = complaints(table);
+  auto const all = test::complaints(table);
   CAPTURE(words);
   REQUIRE(all.size() == 1);
   INFO(all[0]);
@@ -78,8 +68,8 @@ std::string said(scene::Scene const& scene, std::string const& title) {
 TEST_SUITE_BEGIN("scene");
 
 TEST_CASE("what a pressure or a surface stress cannot be is told once, with the remedy") {
-  CHECK(complaints(foot(pressure())).empty());
-  CHECK(complaints(foot(load("surface_stress", "foot.right", {{"gamma", value(1, "N/m")}}))).empty());
+  CHECK(test::complaints(foot(pressure())).empty());
+  CHECK(test::complaints(foot(load("surface_stress", "foot.right", {{"gamma", value(1, "N/m")}}))).empty());
   wrong(foot(pressure("foot.rigt")), "did you mean \"foot.right\"");
   wrong(foot(pressure("floor")), "floor");
   wrong(foot(pressure("foot.right", {{"times", values({0, 1}, "s")}})), "before the run does");
@@ -92,14 +82,14 @@ TEST_CASE("what a pressure or a surface stress cannot be is told once, with the 
 TEST_CASE("what gas cannot be is told once, with the remedy") {
   auto const volume = values({1, 2});
   auto const amount = values({0, 10}, "Pa");
-  CHECK(complaints(tube({{"volume", volume}})).empty());
-  CHECK(complaints(tube({{"pressure", amount}})).empty());
+  CHECK(test::complaints(tube({{"volume", volume}})).empty());
+  CHECK(test::complaints(tube({{"pressure", amount}})).empty());
   wrong(tube({}), "wants one of `pressure`, its amount, and `volume`");
   wrong(tube({{"volume", volume}, {"pressure", amount}}), "wants one of");
   wrong(tube({{"volume", volume}, {"outside", value(1, "Pa")}}), "leave it out");
   wrong(tube({{"volume", values({1, 0})}}), "stays above 0");
   wrong(tube({{"pressure", values({0, -10}, "Pa")}, {"outside", value(5, "Pa")}}), "less than nothing");
-  CHECK(complaints(tube({{"pressure", values({0, -5}, "Pa")}, {"outside", value(5, "Pa")}})).empty());
+  CHECK(test::complaints(tube({{"pressure", values({0, -5}, "Pa")}, {"outside", value(5, "Pa")}})).empty());
   wrong(tube({{"volume", values({2, 1})}}), "begin with 1");
   wrong(tube({{"pressure", amount}, {"exponent", value(11)}}), "exponent");
   wrong(tube({{"pressure", amount}, {"centre", values({0}, "m")}}), "two are wanted");
@@ -115,7 +105,7 @@ TEST_CASE("what gas cannot be is told once, with the remedy") {
   wrong(table, "which central differences cannot follow");
   table = tube({{"volume", volume}});
   test::at(table, "probes.gas") = test::make("probe.gas", {{"set", text("tube.lift")}});
-  auto const all = complaints(table);
+  auto const all = test::complaints(table);
   REQUIRE(all.size() == 1);
   CHECK(all[0].find("did you mean \"tube.left\"") != std::string::npos);
 }
@@ -130,7 +120,7 @@ TEST_CASE("in space too a cavity's wall is closed, or ends where it is held") {
       test::at(table, "motions") = test::list({test::make("motion.fix", {{"set", text("foot.bottom")}})});
     else
       test::at(table, "motions") = test::list({test::make("motion.fix", {{"set", text("foot.all")}})});
-    return complaints(table);
+    return test::complaints(table);
   };
   REQUIRE(room(false).size() == 1);
   CHECK(room(false)[0].find("is open at") != std::string::npos);

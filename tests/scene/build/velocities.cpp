@@ -2,22 +2,10 @@
 #include <doctest/doctest.h>
 
 #include "dynamics/space.hpp"
+#include "scene/complaints.hpp"
 
 using namespace stiction;
 using test::Vec3;
-
-namespace {
-
-std::string complaint(test::Input const& table) {
-  try {
-    static_cast<void>(scene::build(table));
-  } catch (core::InputError const& error) {
-    return error.complaints().front().message();
-  }
-  return "";
-}
-
-} // namespace
 
 TEST_SUITE_BEGIN("scene");
 
@@ -68,15 +56,16 @@ TEST_CASE("spins and gradients that a scene cannot have") {
   auto table = test::foot_on_floor();
   test::at(table, "scheme") = test::make("scheme.theta_xi");
   test::at(table, "bodies.foot.spin") = test::values({1, 2, 3}, "rad/s");
-  CHECK(complaint(table).find("bodies.foot.spin: wants one number in the plane") != std::string::npos);
+  CHECK(test::complaints(table).at(0).find("bodies.foot.spin: wants one number in the plane") !=
+        std::string::npos);
   test::at(table, "bodies.foot.spin") = test::values({1}, "rad/s");
-  CHECK(complaint(table).empty());
+  CHECK(test::complaints(table).empty());
   test::at(table, "bodies.foot.velocity_gradient") = test::values({1, 2}, "1/s");
-  CHECK(complaint(table).find("has 2 numbers; 4 are wanted") != std::string::npos);
+  CHECK(test::complaints(table).at(0).find("has 2 numbers; 4 are wanted") != std::string::npos);
   test::at(table, "bodies.foot.velocity_gradient") = test::values({1, 2, 3, 4}, "1/s");
-  CHECK(complaint(table).empty());
+  CHECK(test::complaints(table).empty());
   test::at(table, "kinematics") = test::text("axisymmetric");
-  CHECK(complaint(table).find("leave the symmetry") != std::string::npos);
+  CHECK(test::complaints(table).at(0).find("leave the symmetry") != std::string::npos);
 }
 
 TEST_SUITE_END();
