@@ -211,9 +211,11 @@ void BulkSystem::build_maps(Model const& model) {
       numbers.push_back(unknown_of(dof));
     links_.add_slots(numbers);
   };
-  springs_.each_block(add_slots);
-  if (!links_.empty())
-    std::ranges::for_each(surface_loads_.blocks(), add_slots);
+  if (!links_.empty()) {
+    springs_.each_block(add_slots);
+    std::ranges::for_each(surface_loads_.facets(), add_slots);
+    std::ranges::for_each(surface_loads_.walls(), add_slots);
+  }
   auto const& pattern = kept_.front().factor->pattern();
   links_.settle(pattern, unknown_of_);
   values_.resize(pattern.rows.size() + links_.slots());

@@ -143,15 +143,7 @@ void SurfaceLoads::each_stiffness(Vector const& u, double t, std::vector<double>
       visit(facet, Dense(stress.gamma * terms(facet).area_by_x2));
 }
 
-void SurfaceLoads::add_cliques(Indices const& unknown_of, std::vector<Indices>& cliques) const {
-  for (auto const& gas : model_->gases) {
-    auto& clique = cliques.emplace_back();
-    for (Index const dof : dofs_of(gas.nodes, model_->dim()))
-      clique.push_back(unknown_of[ix(dof)]);
-  }
-}
-
-std::vector<Indices> SurfaceLoads::blocks() const {
+std::vector<Indices> SurfaceLoads::facets() const {
   std::vector<Indices> all;
   auto const add = [&](std::vector<mesh::Facet> const& facets) {
     for (auto const& facet : facets)
@@ -159,28 +151,34 @@ std::vector<Indices> SurfaceLoads::blocks() const {
   };
   for (auto const& pressure : model_->pressures)
     add(pressure.facets);
-  for (auto const& gas : model_->gases) {
+  for (auto const& gas : model_->gases)
     add(gas.facets);
-    all.push_back(dofs_of(gas.nodes, model_->dim()));
-  }
   for (auto const& stress : model_->surface_stresses)
     add(stress.facets);
   return all;
 }
 
-void SurfaceLoads::map_entries(Places const& places, Indices const& unknown_of) {
-  auto const add = [&](std::vector<mesh::Facet> const& facets) {
-    for (auto const& facet : facets)
-      maps_.push_back(entries_of(places, dofs_of(facet.nodes, model_->dim()), unknown_of));
-  };
-  for (auto const& pressure : model_->pressures)
-    add(pressure.facets);
-  for (auto const& gas : model_->gases) {
-    add(gas.facets);
-    walls_.push_back(entries_of(places, dofs_of(gas.nodes, model_->dim()), unknown_of));
+std::vector<Indices> SurfaceLoads::walls() const {
+  std::vector<Indices> all;
+  all.reserve(model_->gases.size());
+  for (auto const& gas : model_->gases)
+    all.push_back(dofs_of(gas.nodes, model_->dim()));
+  return all;
+}
+
+void SurfaceLoads::add_cliques(Indices const& unknown_of, std::vector<Indices>& cliques) const {
+  for (auto& wall : walls()) {
+    for (Index& dof : wall)
+      dof = unknown_of[ix(dof)];
+    cliques.push_back(std::move(wall));
   }
-  for (auto const& stress : model_->surface_stresses)
-    add(stress.facets);
+}
+
+void SurfaceLoads::map_entries(Places const& places, Indices const& unknown_of) {
+  for (auto const& facet : facets())
+    maps_.push_back(entries_of(places, facet, unknown_of));
+  for (auto const& wall : walls())
+    walls_.push_back(entries_of(places, wall, unknown_of));
 }
 
 void SurfaceLoads::add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,

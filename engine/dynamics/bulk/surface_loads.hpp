@@ -35,8 +35,10 @@ public:
   /// Finds the entries of its facets and walls; unknown_of[dofs] is negative where driven or
   /// following.
   void map_entries(Places const& places, Indices const& unknown_of);
-  /// The degrees of freedom that a facet or a wall couples, each in turn.
-  [[nodiscard]] std::vector<Indices> blocks() const;
+  /// The degrees of freedom that each facet couples.
+  [[nodiscard]] std::vector<Indices> facets() const;
+  /// Those that each gas does.
+  [[nodiscard]] std::vector<Indices> walls() const;
   /// values += factor times what stresses add, the symmetric part of what pressures take, and what gases
   /// resist; gas: as above.
   void add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,

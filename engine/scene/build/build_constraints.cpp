@@ -53,16 +53,34 @@ bool kept(std::vector<std::pair<dynamics::Motion const*, double>> const& terms) 
   });
 }
 
+/// A master of the link that follows others now gives way to these.
+void replace(dynamics::Link& link, dynamics::Link const& follower) {
+  using Term = std::pair<Index, double>;
+  auto const found = std::ranges::find(link.masters, follower.dof, &Term::first);
+  if (found == link.masters.end())
+    return;
+  double const weight = found->second;
+  link.masters.erase(found);
+  for (auto const& [dof, factor] : follower.masters)
+    if (auto const there = std::ranges::find(link.masters, dof, &Term::first); there != link.masters.end())
+      there->second += weight * factor;
+    else
+      link.masters.emplace_back(dof, weight * factor);
+}
+
 } // namespace
 
 void Builder::add_constraints() {
   auto const& constraints = scene_.part.constraints;
   auto const& model = *scene_.model;
-  driven_.assign(constraints.empty() ? 0 : ix(model.dofs()), nullptr);
+  if (constraints.empty())
+    return;
+  driven_.assign(ix(model.dofs()), nullptr);
+  link_of_.assign(driven_.size(), -1);
+  leads_.assign(driven_.size(), false);
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
-      if (!driven_.empty())
-        driven_[ix(model.dim() * node + motion.component)] = &motion;
+      driven_[ix(model.dim() * node + motion.component)] = &motion;
   for (std::size_t k = 0; k < constraints.size(); ++k) {
     Where const where{fmt::format("constraints[{}]", k + 1)};
     std::visit([&](auto const& part) { add_constraint(where, part); }, constraints[k]);
@@ -125,14 +143,12 @@ void Builder::add_constraint(Where const& where, PeriodicPart const& part) {
 void Builder::constrain(Where const& where, Terms const& terms) {
   auto& links = scene_.model->links;
   std::map<Index, double> sum;
-  for (auto const& [dof, factor] : terms) {
-    auto const link = std::ranges::find(links, dof, &dynamics::Link::dof);
-    if (link == links.end())
+  for (auto const& [dof, factor] : terms)
+    if (Index const link = link_of_[ix(dof)]; link < 0)
       sum[dof] += factor;
     else
-      for (auto const& [master, weight] : link->masters)
+      for (auto const& [master, weight] : links[ix(link)].masters)
         sum[master] += factor * weight;
-  }
   std::erase_if(sum, [](auto const& term) { return std::abs(term.second) < rounded; });
   auto const free_size = [&](auto const& term) {
     return driven_[ix(term.first)] == nullptr ? std::abs(term.second) : 0.0;
@@ -157,20 +173,11 @@ void Builder::constrain(Where const& where, Terms const& terms) {
   for (auto const& [dof, factor] : sum)
     if (dof != made.dof)
       made.masters.emplace_back(dof, -factor / follower->second);
-  for (auto& link : links) {
-    auto const found = std::ranges::find(link.masters, made.dof, &std::pair<Index, double>::first);
-    if (found == link.masters.end())
-      continue;
-    double const weight = found->second;
-    link.masters.erase(found);
-    for (auto const& [dof, factor] : made.masters) {
-      auto const there = std::ranges::find(link.masters, dof, &std::pair<Index, double>::first);
-      if (there == link.masters.end())
-        link.masters.emplace_back(dof, weight * factor);
-      else
-        there->second += weight * factor;
-    }
-  }
+  for (std::size_t k = 0; leads_[ix(made.dof)] && k < links.size(); ++k)
+    replace(links[k], made);
+  link_of_[ix(made.dof)] = static_cast<Index>(links.size());
+  for (auto const& [dof, factor] : made.masters)
+    leads_[ix(dof)] = true;
   links.push_back(std::move(made));
 }
 

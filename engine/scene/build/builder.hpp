@@ -103,6 +103,8 @@ private:
 
   core::Input const* input_;
   std::vector<dynamics::Motion const*> driven_; ///< [degrees of freedom]; empty without constraints
+  Indices link_of_;                             ///< [degrees of freedom] that follows there; -1: none
+  std::vector<bool> leads_;                     ///< [degrees of freedom]: is it a master?
   std::vector<std::size_t> linked_by_;          ///< of the model's links: number of the script's constraint
   linear::Ranks const* ranks_;
   core::Complaints complaints_;
