@@ -147,6 +147,49 @@ function numeric.without_trend(xs, ys, degree)
   return ys
 end
 
+--- x of A x = b, A symmetric and positive definite, a list of rows, by Cholesky's factor.
+function numeric.solve(A, b)
+  need_lists("solve", A, b)
+  local n, L, x = #b, {}, {}
+  for i = 1, n do
+    L[i] = {}
+    for j = 1, i do
+      local sum = A[i][j]
+      for k = 1, j - 1 do
+        sum = sum - L[i][k] * L[j][k]
+      end
+      L[i][j] = i == j and math.sqrt(math.max(sum, 1e-300)) or sum / L[j][j]
+    end
+  end
+  for i = 1, n do
+    x[i] = b[i]
+    for k = 1, i - 1 do
+      x[i] = x[i] - L[i][k] * x[k]
+    end
+    x[i] = x[i] / L[i][i]
+  end
+  for i = n, 1, -1 do
+    for k = i + 1, n do
+      x[i] = x[i] - L[k][i] * x[k]
+    end
+    x[i] = x[i] / L[i][i]
+  end
+  return x
+end
+
+--- Coefficients of the least squares of `values` by `functions`, a list of lists of their length.
+function numeric.least_squares(functions, values)
+  need_lists("least_squares", functions, values)
+  local square, right = {}, {}
+  for i, one in ipairs(functions) do
+    square[i], right[i] = {}, dot(one, values)
+    for j, other in ipairs(functions) do
+      square[i][j] = dot(one, other)
+    end
+  end
+  return numeric.solve(square, right)
+end
+
 --- Half of largest less smallest.
 function numeric.amplitude(values)
   return (numeric.max(values) - numeric.min(values)) / 2

@@ -1,5 +1,6 @@
 -- Terms of body.relaxing from measured moduli: a Prony series by least squares whose moduli are not negative.
 local fault = require "stiction.fault"
+local numeric = require "stiction.numeric"
 local units = require "stiction.units"
 
 local relaxation = {}
@@ -34,35 +35,6 @@ local function numbers_of(t, key, unit)
   return numbers
 end
 
---- Solves A x = b, A symmetric and positive, by Cholesky's factor.
-local function solve(A, b)
-  local n, L, x = #b, {}, {}
-  for i = 1, n do
-    L[i] = {}
-    for j = 1, i do
-      local sum = A[i][j]
-      for k = 1, j - 1 do
-        sum = sum - L[i][k] * L[j][k]
-      end
-      L[i][j] = i == j and math.sqrt(math.max(sum, 1e-300)) or sum / L[j][j]
-    end
-  end
-  for i = 1, n do
-    x[i] = b[i]
-    for k = 1, i - 1 do
-      x[i] = x[i] - L[i][k] * x[k]
-    end
-    x[i] = x[i] / L[i][i]
-  end
-  for i = n, 1, -1 do
-    for k = i + 1, n do
-      x[i] = x[i] - L[k][i] * x[k]
-    end
-    x[i] = x[i] / L[i][i]
-  end
-  return x
-end
-
 --- The least squares of the columns that are free alone.
 local function of_free(square, right, free)
   local A, b = {}, {}
@@ -72,7 +44,7 @@ local function of_free(square, right, free)
       A[i][j] = square[p][q]
     end
   end
-  return solve(A, b)
+  return numeric.solve(A, b)
 end
 
 local function listed(is_free)

@@ -25,12 +25,25 @@ test("a trend of its degree is taken off whole, what is orthogonal to it stays",
   fails("without_trend needs two lists of one length", numeric.without_trend, { 1, 2 }, { 1 }, 0)
 end)
 
+test("least squares find what values were made of, and the mean of what does not fit", function()
+  local one, x, square, values = {}, {}, {}, {}
+  for i = 1, 9 do
+    one[i], x[i], square[i] = 1, i - 5, (i - 5) ^ 2
+    values[i] = 3 - 2 * x[i] + 0.5 * square[i]
+  end
+  local found = numeric.least_squares({ one, x, square }, values)
+  for i, wanted in ipairs { 3, -2, 0.5 } do
+    equal(math.abs(found[i] - wanted) < 1e-12, true)
+  end
+  equal(math.abs(numeric.least_squares({ { 1, 1, 1 } }, { 1, 2, 6 })[1] - 3) < 1e-12, true)
+end)
+
 test("what is no list is told with the line of the script", function()
   for _, name in ipairs { "max", "min", "extreme", "argmax", "argmin", "mean", "amplitude", "map", "first_where", "integral",
-    "interpolate", "without_trend" } do
+    "interpolate", "without_trend", "solve", "least_squares" } do
     fails("needs a list of numbers, not nil", numeric[name])
     fails("needs a list of numbers, not 5", numeric[name], 5)
   end
-  fails("numeric.lua:34: numeric.mean needs a list of numbers, not nil", function() numeric.mean(nil) end)
+  fails("numeric.lua:47: numeric.mean needs a list of numbers, not nil", function() numeric.mean(nil) end)
   fails("integral needs two lists of one length, not 2 and 1", numeric.integral, { 1, 2 }, { 1 })
 end)

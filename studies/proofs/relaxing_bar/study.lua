@@ -5,7 +5,7 @@
 --
 --     ./stiction run studies/proofs/relaxing_bar
 local stiction = require "stiction"
-local units = stiction.units
+local units, numeric = stiction.units, stiction.numeric
 local m, s, kg, Pa = units.m, units.s, units.kg, units.Pa
 
 local cycles = 3
@@ -95,42 +95,6 @@ local function last(list)
   return list[#list]
 end
 
---- Sum of the products of two lists.
-local function dot(xs, ys)
-  local sum = 0
-  for i, x in ipairs(xs) do
-    sum = sum + x * ys[i]
-  end
-  return sum
-end
-
---- Coefficients of least squares of `values` by functions of which each is a list.
-local function shares(values, functions)
-  local square, right, n = {}, {}, #functions
-  for i = 1, n do
-    square[i], right[i] = {}, dot(functions[i], values)
-    for j = 1, n do
-      square[i][j] = dot(functions[i], functions[j])
-    end
-  end
-  for i = 1, n do
-    for k = i + 1, n do
-      local factor = square[k][i] / square[i][i]
-      for j = i, n do
-        square[k][j] = square[k][j] - factor * square[i][j]
-      end
-      right[k] = right[k] - factor * right[i]
-    end
-  end
-  for i = n, 1, -1 do
-    for j = i + 1, n do
-      right[i] = right[i] - square[i][j] * right[j]
-    end
-    right[i] = right[i] / square[i][i]
-  end
-  return right
-end
-
 --- Storage and loss modulus from the last cycle's stress: least squares by sine, cosine and what is left of the start.
 local function measured(run, p)
   local force, sine, cosine, fading, stress_of = run:series("pull", "force_x"), {}, {}, {}, {}
@@ -140,7 +104,7 @@ local function measured(run, p)
     sine[i], cosine[i] = math.sin(omega(p) * t), math.cos(omega(p) * t)
     fading[i], stress_of[i] = math.exp((time[#force - p.steps + 1] - t) / e.relaxing), force[k] / p.width.si ^ 2 / p.strain
   end
-  local found = shares(stress_of, omega(p) * e.relaxing > 0.3 and { sine, cosine, fading } or { sine, cosine })
+  local found = numeric.least_squares(omega(p) * e.relaxing > 0.3 and { sine, cosine, fading } or { sine, cosine }, stress_of)
   return found[1], found[2]
 end
 
