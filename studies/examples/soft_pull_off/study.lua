@@ -18,8 +18,7 @@ return stiction.study {
   chosen = { size = { 5*mm, "20 contact radii" }, held = { 1e4*s, "until all has relaxed" } },
   sweep = { { share = 0, pace = 1 }, { share = 9, pace = 1e-4 }, { share = 9, pace = 1e-3 }, { share = 9, pace = 1e-2 },
     { share = 9, pace = 0.1 }, { share = 9, pace = 1 }, { share = 9, pace = 100 } },
-  quick = { sweep = { { share = 0, pace = 1 }, { share = 9, pace = 1e-4 }, { share = 9, pace = 1e-2 },
-    { share = 9, pace = 100 } } },
+  quick = { sweep = { { share = 0, pace = 1 }, { share = 9, pace = 1e-4 }, { share = 9, pace = 1e-2 }, { share = 9, pace = 100 } } },
   case_id = function(p) return p.share > 0 and ("pace_%g"):format(p.pace) or "elastic" end,
   scene = function(p)
     local h, C, off = p.zone / 10, p.young / (1 - p.poisson ^ 2) / p.zone, p.held + 76*um / (p.pace * p.zone / p.time)
@@ -29,8 +28,7 @@ return stiction.study {
           fine = { 0.4*mm, 6 * h }, fine_size = h, coarse_size = p.size / 12 },
         material = stiction.material.linear_elastic { young = p.young, poisson = p.poisson },
         relaxing = p.share > 0 and { { share = p.share, time = p.time } } or nil } },
-      obstacles = { sphere = stiction.obstacle { times = { 0*s, p.held / 2, p.held, off },
-        y = { 0*um, -16*um, -16*um, 60*um },
+      obstacles = { sphere = stiction.obstacle { times = { 0*s, p.held / 2, p.held, off }, y = { 0*um, -16*um, -16*um, 60*um },
         shape = stiction.rigid.sphere { centre = { 0*mm, p.radius }, radius = p.radius } } },
       motions = { stiction.motion.fix { set = "block.bottom" }, stiction.motion.fix { set = "block.left", y = false } },
       pairs = { contact = stiction.pair { secondary = "block.top", primary = "sphere",
@@ -52,9 +50,11 @@ return stiction.study {
     check.ledger(all[#all])
   end,
   figures = function(cases)
-    local c, paces = cases:where { share = 9 }, {}
-    for k, case in ipairs(c) do paces[k] = case.p.pace end
-    return { stiction.figure.lines { name = "pull_off", curves = { { x = paces, y = c:values "pull_off" } },
-      x = { label = "speed, zones in the time", log = true }, y = { label = "pull-off", unit = "mN" } } }
+    local c, at_rest = cases:where { share = 9 }, cases:find { share = 0 }.results.pull_off
+    local paces = stiction.numeric.map(c, function(case) return case.p.pace end)
+    return { stiction.figure.lines { name = "pull_off", curves = {
+      { label = "relaxing", x = paces, y = c:values "pull_off", style = "points" },
+      { label = "elastic, at rest", x = { paces[1], paces[#paces] }, y = { at_rest, at_rest } } },
+      x = { label = "speed * relaxation time / zone of the bonds", log = true }, y = { label = "pull-off", unit = "mN" } } }
   end,
 }

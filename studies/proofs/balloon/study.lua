@@ -110,9 +110,12 @@ return stiction.study {
   end,
   figures = function(cases)
     local of = cases:where { by = "volume" }
-    return {
-      stiction.figure.lines { name = "pressure", title = "filled to eight times its cavity", x = { label = "time", unit = "s" },
-        y = { label = "pressure", unit = "kPa" }, curves = { { label = of[#of].id, case = of[#of], y = "gas/pressure" } } },
-    }
+    local last = of[#of]
+    local stretches = numeric.map(last:series("wall", "u_x"), function(u) return 1 + u / last.p.inner.si end)
+    return { stiction.figure.lines { name = "pressure", title = "A hollow ball of rubber, blown up by volume",
+      x = { label = "stretch of the inner side", unit = "1" }, y = { label = "pressure", unit = "kPa" }, curves = {
+        { label = "incompressible, exact", x = stretches, y = numeric.map(stretches, function(x) return pressure(last.p, x) end) },
+        { label = ("cells of %g mm"):format(last.p.h.si * 1e3), x = stretches, y = last:series("gas", "pressure"),
+          style = "points" } } } }
   end,
 }

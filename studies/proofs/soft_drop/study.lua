@@ -93,6 +93,7 @@ return stiction.study {
   figures = function(cases)
     local of = cases:where { shape = "stadium" }
     return { stiction.figure.field { name = "stadium", case = of[#of], time = "last", array = "von_mises", label = "von Mises stress",
-      unit = "Pa", deformed = true, title = "a stadium 2 mm by 1 mm, gamma/E = 10 mm" } }
+      unit = "Pa", deformed = true, scale_bar = 0.5*mm,
+      title = "A quarter of a stadium, rounded: gamma/(E R) = 10" } }
   end,
 }
