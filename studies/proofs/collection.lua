@@ -8,6 +8,7 @@ return {
   "greco_block",
   "balloon",
   "soft_drop",
+  "soft_wetting",
   "hertz_2d",
   "hertz_3d",
   "cattaneo_mindlin",
