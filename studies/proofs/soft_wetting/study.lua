@@ -11,84 +11,32 @@
 --
 --     ./stiction run studies/proofs/soft_wetting
 local stiction = require "stiction"
-local jkr = stiction.reference.jkr
+local bead = require "bead"
 local units, numeric = stiction.units, stiction.numeric
-local um, m, s, kg, N, mN = units.um, units.m, units.s, units.kg, units.N, 1e-3 * units.N
+local um, m, N, Pa = units.um, units.m, units.N, units.Pa
+local mN = 1e-3 * N
 
-local function young(p) return p.gamma.si / (p.R.si * p.softness) end -- Pa
-local function modulus(p) return jkr.modulus(young(p), p.poisson) end
-local function liquid(p) return p.w.si * p.R.si / p.gamma.si end -- m
-local function solid(p) -- JKR without a load: radius and depth, m
-  local a = (9 * math.pi * p.w.si * p.R.si ^ 2 / (2 * modulus(p))) ^ (1 / 3)
-  return a, a ^ 2 / (3 * p.R.si)
-end
-local function least(p) -- of the two
-  local _, d = solid(p)
-  return math.min(d, liquid(p))
-end
-
-local function pressed(p) -- so that it touches farther than it will: into an elastic body, or a membrane held at its rim
-  local _, d = solid(p)
-  local R, a = p.R.si, p.far * math.sqrt(2 * p.R.si * liquid(p))
-  return math.min(p.deep * d, a ^ 2 / R * (0.5 + math.log(p.size * R / a)))
-end
-
-local function scene(p)
-  local d, R, zero = least(p), p.R.si, 0*um
-  local a = math.min(math.sqrt(2 * R * d) * 1.25, (solid(p))) * p.wide -- fine as far as it ever touches
-  local h = p.cell * a
-  local size = p.size * math.max(R, a)
-  local C = math.max(p.stiff * p.w.si / (h * h), modulus(p) / (p.zone * h)) -- so far apart and so near the edge bonds act
-  return stiction.scene {
-    kinematics = "axisymmetric",
-    bodies = { gel = stiction.body { density = 1000*kg/m^3, interpolation = "mean_dilatation",
-      mesh = stiction.mesh.graded_block { origin = { zero, -size*m }, size = { size*m, size*m }, growth = 1.2,
-        fine = { 1.4 * a*m, 6 * h*m }, fine_size = h*m, coarse_size = size / 12 * m },
-      material = stiction.material.neo_hookean { young = young(p)*N/m^2, poisson = p.poisson } } },
-    obstacles = { bead = stiction.obstacle { shape = stiction.rigid.sphere { centre = { zero, p.R }, radius = p.R },
-      times = { 0*s, 1*s, 2*s }, y = { zero, -pressed(p)*m, zero } } },
-    pairs = { touch = stiction.pair { secondary = "gel.top", primary = "bead",
-      adhesion = stiction.adhesion.rcc { w = p.w, C_n = C*N/m^3, C_t = C*N/m^3, b = p.slack * p.w } } },
-    loads = { stiction.load.surface_stress { set = "gel.top", gamma = p.gamma } },
-    motions = { stiction.motion.fix { set = "gel.bottom" }, stiction.motion.fix { set = "gel.left", y = false },
-      stiction.motion.fix { set = "gel.right", y = false } },
-    scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 2 },
-    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 40 }, stiction.stage { to = 2*s, steps = p.steps } } },
-    probes = { touch = stiction.probe.contact { pair = "touch" }, bead = stiction.probe.rigid { obstacle = "bead" },
-      energy = stiction.probe.energy { audit = true } },
-  }
-end
-
---- Depth at which the bead bears nothing on its way back, m.
-local function rest(run)
-  local force, y = run:series("touch", "force_y"), run:series("bead", "u_y")
-  for i = 2, #force do
-    if run.time[i] > 1 and force[i] >= 0 and force[i - 1] < 0 then
-      local part = force[i] / (force[i] - force[i - 1])
-      return -(y[i] + part * (y[i - 1] - y[i]))
-    end
-  end
-  return 0
+--- The parameters of the bead's scene: as soft as gamma / (E R) says.
+local function with_modulus(p)
+  return setmetatable({ young = p.gamma.si / (p.R.si * p.softness) * Pa }, { __index = p })
 end
 
 return stiction.study {
   title = "From JKR to wetting",
   question = "How deep does a bead sink into a gel whose surface stress takes over?",
   given = { R = { 15*um, "bead" }, gamma = { 30*mN/m, "surface stress" }, w = { 1.5*mN/m, "a twentieth of it" }, poisson = { 0.495, "" } },
-  chosen = { size = { 12, "of the block, in the larger of bead and contact" }, wide = { 1.2, "finest cells, of that" },
-    stiff = { 4, "C h^2 / w, or" }, zone = { 5, "cells to E*/C, the stiffer" }, deep = { 4, "pressed first, in depths of JKR, or until" }, far = { 1.3, "contact radii of wetting, the lesser" },
-    slack = { 1e-3*s, "b / w: bonds that snap do it within a step" }, steps = { 80, "on the way back" } },
+  chosen = bead.chosen,
   sweep = { { softness = 1e-3, cell = 0.03 }, { softness = 1e-2, cell = 0.03 }, { softness = 0.1, cell = 0.03 },
     { softness = 1, cell = 0.03 }, { softness = 1, cell = 0.015 }, { softness = 10, cell = 0.03 }, { softness = 30, cell = 0.03 } },
   quick = { sweep = { { softness = 1e-3, cell = 0.03 }, { softness = 1, cell = 0.03 }, { softness = 10, cell = 0.03 } } },
   case_id = function(p) return ("softness_%g_%g"):format(p.softness, p.cell) end,
-  scene = scene,
+  scene = function(p) return bead.scene(with_modulus(p)) end,
   results = {
-    { name = "depth", unit = "m", meaning = "at rest", rest },
-    { name = "of_liquid", unit = "1", meaning = "depth over w R / gamma", function(run, p) return rest(run) / liquid(p) end },
+    { name = "depth", unit = "m", meaning = "at rest", bead.rest },
+    { name = "of_liquid", unit = "1", meaning = "depth over w R / gamma", function(run, p) return bead.rest(run) / bead.liquid(p) end },
     { name = "of_solid", unit = "1", meaning = "depth over JKR's", function(run, p)
-      local _, d = solid(p)
-      return rest(run) / d
+      local _, d = bead.solid(with_modulus(p))
+      return bead.rest(run) / d
     end },
   },
   check = function(cases, check)
@@ -104,8 +52,8 @@ return stiction.study {
     local p = all[1].p
     for k = 0, 30 do
       x[k + 1] = 1e-3 * 10 ^ (k / 30 * 2.5)
-      local _, d = solid { R = p.R, w = p.w, gamma = p.gamma, poisson = p.poisson, softness = x[k + 1] }
-      exact[k + 1] = d / liquid(p)
+      local _, d = bead.solid(with_modulus(setmetatable({ softness = x[k + 1] }, { __index = p })))
+      exact[k + 1] = d / bead.liquid(p)
     end
     local softness = numeric.map(all, function(c) return c.p.softness end)
     return { stiction.figure.lines { name = "depth", title = "A bead that rests on a gel", legend = "below", curves = {
@@ -113,7 +61,7 @@ return stiction.study {
         { label = "a liquid", x = { softness[1], softness[#softness] }, y = { 1, 1 }, style = "dot" },
         { label = "computed", x = softness, y = all:values "of_liquid", style = "points" } },
       x = { label = "gamma / (E R)", log = true }, y = { label = "depth / (w R / gamma)" } },
-      stiction.figure.field { name = "gel", case = all[#all - 1], array = "von_mises", label = "von Mises stress", unit = "Pa", deformed = true,
-        window = { 0*um, 18*um, -9*um, 9*um }, mesh = true, title = "gamma/(E R) = 10, drawn off" } }
+      stiction.figure.field { name = "gel", case = all[#all - 1], array = "von_mises", label = "von Mises stress", unit = "Pa",
+        deformed = true, window = { 0*um, 18*um, -9*um, 9*um }, mesh = true, title = "gamma/(E R) = 10, drawn off" } }
   end,
 }
