@@ -23,6 +23,7 @@ return {
   "peeled_film",
   "capstan",
   "relaxing_bar",
+  "bulk_and_bond",
   "time_schemes",
   "bar_impact",
   "bouncing_bar",

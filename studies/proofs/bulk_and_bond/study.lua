@@ -146,13 +146,20 @@ return stiction.study {
   given = { young = { 5*MPa, "at rest" }, poisson = { 0.48, "at rest" }, w = { 1*J/m^2, "of the bond" }, time = { 1*s, "it relaxes in" },
     share = { 3, "of the shear modulus more at once" } },
   chosen = { lag = { 1.7, "b / (w time): at one speed the bond alone tells what the bulk alone does" },
-    height = { 5*mm, "of the strip" }, reach = { 10*mm, "of its bonds" }, length = { 34, "reaches" }, open = { 3, "reaches, at first" },
+    height = { 5*mm, "of the strip" }, reach = { 10*mm, "of its bonds" }, length = { 34, "reaches" },
+    open = { 3, "reaches, at first" },
     turned = { 17, "reaches that the front goes at rest; twice as many where viscous bonds hold it back" },
-    cell = { 0.25, "of the reach" }, from = { 3, "reaches grown" }, to = { 5.5, "reaches grown" }, steps = { 140, "front moves less than a cell a step" },
-    radius = { 5*mm, "of the sphere" }, zone = { 20*um, "of its bonds" }, fine = { 0.3, "of the zone" }, touched = { 0.6*mm, "finest cells" },
+    cell = { 0.25, "of the reach" }, from = { 3, "reaches grown" }, to = { 5.5, "reaches grown" },
+    steps = { 140, "front moves less than a cell a step" },
+    radius = { 5*mm, "of the sphere" }, zone = { 20*um, "of its bonds" }, fine = { 0.3, "of the zone" },
+    touched = { 0.6*mm, "finest cells" },
     depth = { 40*um, "pressed" }, above = { 40*um, "beyond the largest force" }, held = { 1e4*s, "until all has relaxed" } },
   sweep = sweep { 1e-3, 1e-2, 0.1, 1, 10, 100, 1000 },
-  quick = { sweep = sweep { 1e-3, 0.1, 1000 } },
+  quick = { set = { turned = 11, length = 25, steps = 90 }, sweep = { { shape = "strip", kind = "neither", pace = 1 },
+    { shape = "strip", kind = "bulk", pace = 0.1 }, { shape = "strip", kind = "bulk", pace = 1000 },
+    { shape = "strip", kind = "bond", pace = 1e-3 }, { shape = "sphere", kind = "neither", pace = 1 },
+    { shape = "sphere", kind = "bulk", pace = 1e-3 }, { shape = "sphere", kind = "bulk", pace = 1000 },
+    { shape = "sphere", kind = "bond", pace = 1e-3 } } },
   case_id = function(p) return ("%s_%s_%g"):format(p.shape, p.kind, p.pace) end,
   scene = function(p) return p.shape == "strip" and strip(p) or sphere(p) end,
   results = {
@@ -162,9 +169,62 @@ return stiction.study {
     { name = "bond", unit = "1", meaning = "lost in the viscous bond per area of the front over w", lost "bonding_loss" },
   },
   check = function(cases, check)
+    local at_once = modulus(cases[1].p, true) / modulus(cases[1].p)
     for _, shape in ipairs { "strip", "sphere" } do
-      local bulk = cases:where { shape = shape, kind = "bulk" }
-      check.non_decreasing(shape .. ": the quicker the tougher", bulk:values "energy", 0.02)
+      local elastic = cases:find { shape = shape, kind = "neither" }.results.energy
+      local bulk = cases:where { shape = shape, kind = "bulk" }:values "energy"
+      local slow = cases:find { shape = shape, kind = "bulk", pace = 1e-3 }
+      if slow then check.close(shape .. ": slowly the bulk does nothing", slow.results.energy / elastic, 1, 0.03) end
+      check.non_decreasing(shape .. ": the quicker the tougher", bulk, 0.02) -- steps meet the largest force within 0.5 %
+      check.within(shape .. ": at most by E0/E", bulk[#bulk] / elastic / at_once, 0.85, 1.02)
+      check.close(shape .. ": slowly the bond's viscosity does nothing either",
+        cases:find { shape = shape, kind = "bond", pace = 1e-3 }.results.energy / elastic, 1, 0.03)
     end
+    check.proof { case = "Bulk and bond", quantity = "fracture energy of the strip, loaded at once, over w", unit = "1", kind = "exact",
+      source = "front at once, far from it at rest: w E0/E", reference = at_once,
+      values = { { 1, cases:find { shape = "strip", kind = "bulk", pace = 1000 }.results.energy } }, resolution = "mesh", tolerance = 0.03,
+      run = cases:find { shape = "strip", kind = "bulk", pace = 1000 } }
+    for _, c in ipairs(cases:where { shape = "strip" }) do
+      if c.p.pace <= 0.1 then -- quicker, the strip behind the front has not relaxed yet
+        check.close("what it takes is w and what is lost, " .. c.id, c.results.energy, 1 + c.results.bulk + c.results.bond, 0.04)
+      end
+    end
+    local function strip_at(kind) return cases:find { shape = "strip", kind = kind, pace = 1 } end
+    if strip_at "bond" then
+      local bulk, bond, both = strip_at("bulk").results.energy, strip_at("bond").results.energy, strip_at("both").results.energy
+      check.close("the bond alone can tell what the bulk does, at one speed", bond, bulk, 0.1)
+      check.holds("who takes both counts twice", both > 1.5 * bulk)
+    end
+  end,
+  figures = function(cases)
+    local kinds, ratio = { "bulk", "bond", "both" }, modulus(cases[1].p, true) / modulus(cases[1].p)
+    local speed = { label = "speed * time / reach", log = true }
+    --- A line with points at the cases of a kind.
+    local function add(list, shape, kind, result, how)
+      local of = cases:where { shape = shape, kind = kind }
+      local x, y = of:values "speed", of:values(result)
+      list[#list + 1] = { label = how.label or kind, x = x, y = y, colour = how.colour, style = how.style }
+      list[#list + 1] = { x = x, y = y, colour = how.colour, style = "points" }
+    end
+    local function energies(shape)
+      local list = {}
+      for i, kind in ipairs(kinds) do add(list, shape, kind, "energy", { colour = i }) end
+      local elastic = cases:find { shape = shape, kind = "neither" }.results.energy
+      list[#list + 1] = { label = "E0 / E", x = { 1e-3, 1e3 }, y = { ratio * elastic, ratio * elastic }, style = "dash", colour = 0 }
+      return list
+    end
+    local losses, lines = {}, stiction.figure.lines
+    add(losses, "strip", "bulk", "bulk", { label = "bulk alone", colour = 1 })
+    add(losses, "strip", "bond", "bond", { label = "bond alone", colour = 2 })
+    add(losses, "strip", "both", "bulk", { label = "both: the bulk", colour = 3, style = "dash" })
+    add(losses, "strip", "both", "bond", { label = "both: the bond", colour = 3, style = "dot" })
+    return { stiction.figure.panel { name = "rates", width = "double", columns = 3, figures = {
+      lines { name = "strip", title = "strip", x = speed, y = { label = "fracture energy / w" }, curves = energies "strip",
+        legend = "below" },
+      lines { name = "losses", title = "strip: lost where", x = speed, y = { label = "loss per area / w" }, curves = losses,
+        legend = "below" },
+      lines { name = "sphere", title = "sphere", x = speed, y = { label = "pull-off / JKR's" }, curves = energies "sphere",
+        legend = "below" },
+    } } }
   end,
 }
