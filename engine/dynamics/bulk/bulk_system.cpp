@@ -425,7 +425,7 @@ std::vector<linear::ColumnEntry> BulkSystem::own_columns(double share) const {
 
 bool BulkSystem::factorize(Vector const& u, StepWeights const& weights, double dt, Cost& cost,
                            LoadsAt const& at) {
-  auto gas = at.gas.empty() ? std::vector<double>(model_->gases.size(), 0.0) : at.gas;
+  auto gas = at.gas.empty() ? Gases(model_->gases.size()) : at.gas;
   choose_factor(
       {std::make_shared<Vector const>(u), dt, at.t, std::move(gas), nullptr, linear_ ? nullptr : memory_},
       weights);

@@ -43,8 +43,8 @@ enum class Forces { all, laws };
 
 /// Where loads that follow paths and volumes are.
 struct LoadsAt {
-  double t = 0;                 ///< s
-  std::vector<double> gas = {}; ///< pressures, Pa; empty: without gas
+  double t = 0;   ///< s
+  Gases gas = {}; ///< empty: without gas
 };
 
 /// Model nodes of every contact surface, secondary and primary, and of free rigid bodies, [nodes].

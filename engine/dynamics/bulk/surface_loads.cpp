@@ -71,22 +71,39 @@ double SurfaceLoads::volume(Gas const& gas, Vector const& u) const {
   return sum;
 }
 
-std::vector<double> SurfaceLoads::gas_pressures(Vector const& u, double t,
-                                                std::vector<double> const& known) const {
-  std::vector<double> all;
-  all.reserve(model_->gases.size());
-  for (auto const& gas : model_->gases) {
+Gases SurfaceLoads::gas_pressures(Vector const& u, double t, Gases const& known) const {
+  Gases all = known;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    auto const& gas = model_->gases[k];
     double const P = gas.path.value(t), V = volume(gas, u), V0 = gas.volume;
-    all.push_back(gas.by_volume
-                      ? known[all.size()] + gas.stiffness * (V0 * P - V)
-                      : (P + gas.outside) * std::pow(V0 / std::max(V, least_volume * V0), gas.exponent) -
-                            gas.outside);
+    if (all[k].leaking)
+      all[k].pressure = 0;
+    else if (gas.by_volume)
+      all[k].pressure += gas.stiffness * (V0 * P - V);
+    else
+      all[k].pressure =
+          (P + gas.outside) * std::pow(V0 / std::max(V, least_volume * V0), gas.exponent) - gas.outside;
   }
   return all;
 }
 
-std::vector<double> SurfaceLoads::steady(std::vector<double> const& now,
-                                         std::vector<double> const& known) const {
+Gases SurfaceLoads::leaked(Vector const& u, Gases gas) const {
+  int const dim = model_->dim();
+  for (std::size_t k = 0; k < gas.size(); ++k) {
+    auto const& seal = model_->gases[k].seal;
+    if (!seal)
+      continue;
+    auto const off = [&](Index node) {
+      Vector const x = model_->reference.row(node).transpose() + u.segment(dim * node, dim);
+      return std::abs((x - model_->gases[k].centre.head(dim)).dot(seal->normal.head(dim)));
+    };
+    gas[k].leaking = gas[k].leaking ||
+                     std::ranges::any_of(seal->rim, [&](Index node) { return off(node) > seal->leaks_at; });
+  }
+  return gas;
+}
+
+Gases SurfaceLoads::steady(Gases const& now, Gases const& known) const {
   auto all = now;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (model_->gases[k].by_volume)
@@ -94,19 +111,20 @@ std::vector<double> SurfaceLoads::steady(std::vector<double> const& now,
   return all;
 }
 
-void SurfaceLoads::add_pressures(Vector const& u, double t, std::vector<double> const& gas,
-                                 Vector& force) const {
+void SurfaceLoads::add_pressures(Vector const& u, double t, Gases const& gas, Vector& force) const {
   for (auto const& pressure : model_->pressures)
     force -= pressure.path.value(t) * normals(pressure.facets, u);
   for (std::size_t k = 0; k < model_->gases.size(); ++k)
-    force -= gas[k] * normals(model_->gases[k].facets, u);
+    force -= gas[k].pressure * normals(model_->gases[k].facets, u);
 }
 
 /// -dp/dV, Pa/m^3.
-double SurfaceLoads::resistance(Gas const& gas, double pressure, double volume) const {
+double SurfaceLoads::resistance(Gas const& gas, GasState const& now, double volume) const {
+  if (now.leaking)
+    return 0;
   if (gas.by_volume)
     return gas.stiffness;
-  return gas.exponent * (pressure + gas.outside) / std::max(volume, least_volume * gas.volume);
+  return gas.exponent * (now.pressure + gas.outside) / std::max(volume, least_volume * gas.volume);
 }
 
 double SurfaceLoads::add_stresses(Vector const& u, Vector& force) const {
@@ -123,8 +141,7 @@ double SurfaceLoads::add_stresses(Vector const& u, Vector& force) const {
 
 /// Calls visit(facet, its part of the stiffness [dim nodes, dim nodes]).
 template<class Visit>
-void SurfaceLoads::each_stiffness(Vector const& u, double t, std::vector<double> const& gas,
-                                  Visit const& visit) const {
+void SurfaceLoads::each_stiffness(Vector const& u, double t, Gases const& gas, Visit const& visit) const {
   auto const terms = [&](mesh::Facet const& facet) {
     return solid::facet_terms(model_->kinematics, places(facet, u), Point::Zero(), solid::FacetOrder::second);
   };
@@ -137,7 +154,7 @@ void SurfaceLoads::each_stiffness(Vector const& u, double t, std::vector<double>
   for (auto const& pressure : model_->pressures)
     press(pressure.facets, pressure.path.value(t));
   for (std::size_t k = 0; k < model_->gases.size(); ++k)
-    press(model_->gases[k].facets, gas[k]);
+    press(model_->gases[k].facets, gas[k].pressure);
   for (auto const& stress : model_->surface_stresses)
     for (auto const& facet : stress.facets)
       visit(facet, Dense(stress.gamma * terms(facet).area_by_x2));
@@ -181,7 +198,7 @@ void SurfaceLoads::map_entries(Places const& places, Indices const& unknown_of) 
     walls_.push_back(entries_of(places, wall, unknown_of));
 }
 
-void SurfaceLoads::add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,
+void SurfaceLoads::add_stiffness(Vector const& u, double t, Gases const& gas, double factor,
                                  std::span<double> values) const {
   auto map = maps_.begin();
   each_stiffness(u, t, gas, [&](mesh::Facet const&, Dense const& K) {
@@ -208,7 +225,7 @@ void SurfaceLoads::add_stiffness(Vector const& u, double t, std::vector<double> 
 /// By the sums over the rows of M^-1 K.
 double SurfaceLoads::stiffest(Vector const& u, double t, Vector const& inverse_mass) const {
   Vector rows = Vector::Zero(u.size());
-  auto const gas = gas_pressures(u, t, std::vector<double>(model_->gases.size(), 0.0));
+  auto const gas = gas_pressures(u, t, Gases(model_->gases.size()));
   each_stiffness(u, t, gas, [&](mesh::Facet const& facet, Dense const& K) {
     add_at(facet, 1, K.cwiseAbs().rowwise().sum(), rows);
   });

@@ -18,15 +18,15 @@ public:
 
   /// Of a cavity, m^3 (m^2 in plane strain).
   [[nodiscard]] double volume(Gas const& gas, Vector const& u) const;
-  /// Of every gas, over the pressure outside, Pa; known: at the step's start.
-  [[nodiscard]] std::vector<double> gas_pressures(Vector const& u, double t,
-                                                  std::vector<double> const& known) const;
+  /// Of every gas; known: at the step's start.
+  [[nodiscard]] Gases gas_pressures(Vector const& u, double t, Gases const& known) const;
+  /// At a step's end: those leak too whose wall has left its seal.
+  [[nodiscard]] Gases leaked(Vector const& u, Gases gas) const;
   /// Those that the matrix turns with the surface: of given volumes the ones known, as those on the way to
   /// the volume have no bound.
-  [[nodiscard]] std::vector<double> steady(std::vector<double> const& now,
-                                           std::vector<double> const& known) const;
-  /// Adds -p int N n da of every pressure and gas, N; gas: their pressures, Pa.
-  void add_pressures(Vector const& u, double t, std::vector<double> const& gas, Vector& force) const;
+  [[nodiscard]] Gases steady(Gases const& now, Gases const& known) const;
+  /// Adds -p int N n da of every pressure and gas, N.
+  void add_pressures(Vector const& u, double t, Gases const& gas, Vector& force) const;
   /// Adds the gradient of the energy of the surface stresses, N; returns that energy, J.
   double add_stresses(Vector const& u, Vector& force) const;
 
@@ -41,7 +41,7 @@ public:
   [[nodiscard]] std::vector<Indices> walls() const;
   /// values += factor times what stresses add, the symmetric part of what pressures take, and what gases
   /// resist; gas: as above.
-  void add_stiffness(Vector const& u, double t, std::vector<double> const& gas, double factor,
+  void add_stiffness(Vector const& u, double t, Gases const& gas, double factor,
                      std::span<double> values) const;
   /// Largest eigenvalue that these loads add to that of M^-1 K, at most, 1/s^2; inverse_mass: [dim nodes].
   [[nodiscard]] double stiffest(Vector const& u, double t, Vector const& inverse_mass) const;
@@ -49,9 +49,9 @@ public:
 private:
   [[nodiscard]] Matrix places(mesh::Facet const& facet, Vector const& u) const;
   [[nodiscard]] Vector normals(std::vector<mesh::Facet> const& facets, Vector const& u) const;
-  [[nodiscard]] double resistance(Gas const& gas, double pressure, double volume) const;
+  [[nodiscard]] double resistance(Gas const& gas, GasState const& now, double volume) const;
   template<class Visit>
-  void each_stiffness(Vector const& u, double t, std::vector<double> const& gas, Visit const& visit) const;
+  void each_stiffness(Vector const& u, double t, Gases const& gas, Visit const& visit) const;
 
   Model const* model_;
   std::vector<Indices> maps_;  ///< per facet, pressures first: entries of the lower triangle, row by row

@@ -85,7 +85,7 @@ struct FactorSource {
   std::shared_ptr<Vector const> u;                ///< m
   double dt = 0;                                  ///< s
   double t = 0;                                   ///< that springs and loads on paths are at, s
-  std::vector<double> gas;                        ///< [gases] pressure over that outside, Pa
+  Gases gas;                                      ///< at the start of its step
   std::shared_ptr<linear::Carried const> carried; ///< beside it; null: nothing
   std::shared_ptr<Memory const> memory{};         ///< at the start of its step; null: of rest
 };
@@ -109,7 +109,7 @@ struct State {
   std::vector<std::vector<ContactState>> contacts; ///< [pairs][points]
   std::vector<RigidLoad> on_rigid;                 ///< [rigids] at the end of the step
   std::vector<Eigen::Matrix3d> turned; ///< [rigids] rotation of free rigid bodies in 3D; empty in 2D
-  std::vector<double> gas;             ///< [gases] pressure over that outside, Pa
+  Gases gas;
   Ledger ledger;
   /// The factors that the step which led here left for the next, the last used first; none where they do not
   /// depend on u and carry nothing.

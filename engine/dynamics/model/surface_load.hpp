@@ -1,5 +1,6 @@
 // Loads that follow the deformed surface: pressures, gas in cavities, surface stresses.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct SurfaceStress {
   double gamma = 0;                ///< J/m^2 = N/m
 };
 
+/// A plane through a cavity's centre that its wall stands on without being held there.
+struct Seal {
+  Indices rim;                  ///< nodes of the wall's end
+  Point normal = Point::Zero(); ///< of unit length
+  double leaks_at = 0;          ///< m off the plane, from which on gas leaks for good
+};
+
 /// Gas in a cavity: p (V / V0)^n = P along a path of P, over the pressure outside; or whatever pressure gives
 /// the cavity the volumes of a path.
 struct Gas {
@@ -33,6 +41,14 @@ struct Gas {
   double volume = 0;                ///< V0, m^3 (m^2 in plane strain)
   /// Of given volumes: pressure beside that of the step's start per volume that lacks, Pa/m^3.
   double stiffness = 0;
+  std::optional<Seal> seal;
 };
+
+/// What a cavity's gas has come to.
+struct GasState {
+  double pressure = 0;  ///< over that outside, Pa
+  bool leaking = false; ///< and so it stays: its pressure is that outside
+};
+using Gases = std::vector<GasState>; ///< [gases]
 
 } // namespace stiction::dynamics

@@ -65,7 +65,7 @@ State Stepper::initial() {
   state.own_reactions.assign(model_->pairs.size() > 1 ? model_->pairs.size() : 0, Vector::Zero(dofs));
   state.drive.setZero(dofs);
   static_cast<void>(internal(state.u, 0, state.internal));
-  state.gas = bulk_.surface_loads().gas_pressures(state.u, 0, std::vector<double>(model_->gases.size(), 0.0));
+  state.gas = bulk_.surface_loads().gas_pressures(state.u, 0, Gases(model_->gases.size()));
   if (bulk_.damped()) {
     damping({state.u, state.v, 0}, state.damping);
     state.internal += state.damping;
@@ -445,7 +445,7 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.t = old.t + dt;
   next.u = u_;
   next.internal = internal_;
-  next.gas = gas_;
+  next.gas = bulk_.surface_loads().leaked(next.u, gas_);
   next.damping = damping_;
   if (bulk_.relaxing()) {
     Timer const timer(cost_.assembly);

@@ -65,7 +65,7 @@ private:
   enum class Start { onward, rest, unturned };
   [[nodiscard]] Outcome attempt(State const& old, double dt, Start start);
   void gather_external(double t, Vector& force) const;
-  void add_following(Vector const& u, double t, std::vector<double> const& gas, Vector& force) const;
+  void add_following(Vector const& u, double t, Gases const& gas, Vector& force) const;
   void follow(double t);
   [[nodiscard]] Vector stored_forces(Vector const& u, double t, double& energy) const;
   void predict(State const& old, double dt, Start start);
@@ -126,9 +126,9 @@ private:
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N
-  Vector prescribed_; ///< of external_ what does not follow surfaces, N; empty where nothing does
-  std::vector<double> gas_old_, gas_; ///< pressures at the step's ends, Pa
-  Vector inverse_mass_;               ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
+  Vector prescribed_;   ///< of external_ what does not follow surfaces, N; empty where nothing does
+  Gases gas_old_, gas_; ///< at the step's ends
+  Vector inverse_mass_; ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
   int critical_age_ = 0;                    ///< as State::critical_age, after the step
   material::NetworkEnergy<double> relaxed_; ///< of the step that ends, J

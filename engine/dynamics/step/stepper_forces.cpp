@@ -14,7 +14,7 @@ void Stepper::gather_external(double t, Vector& force) const {
 }
 
 /// Adds the loads that follow the surface.
-void Stepper::add_following(Vector const& u, double t, std::vector<double> const& gas, Vector& force) const {
+void Stepper::add_following(Vector const& u, double t, Gases const& gas, Vector& force) const {
   if (bulk_.surface_loads().pressed())
     bulk_.surface_loads().add_pressures(u, t, gas, force);
 }

@@ -56,6 +56,11 @@ template<class Archive> void visit(Archive& archive, Ledger& ledger) {
           dashpot_loss, relaxation_loss, stabilisation_loss, friction_loss, bonding_loss, start, predicted);
 }
 
+template<class Archive> void visit(Archive& archive, GasState& gas) {
+  auto& [pressure, leaking] = gas;
+  archive(pressure, leaking);
+}
+
 template<class Archive> void visit(Archive& archive, FactorSource& source) {
   auto& [u, dt, t, gas, carried, memory] = source;
   archive(u, dt, t, gas, carried, memory);

@@ -72,6 +72,11 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
     for (Index const node : motion.nodes)
       held.insert({node, motion.component});
   double const size = model.reference.colwise().norm().maxCoeff();
+  auto const sealed = [&](Index node) {
+    Point X = Point::Zero();
+    X.head(model.dim()) = model.reference.row(node).transpose();
+    return gas.seal && std::abs((X - gas.centre).dot(gas.seal->normal)) < 1e-9 * size;
+  };
   auto const kept = [&](Index node) {
     int components = 0;
     bool in_plane = revolved && model.reference(node, 0) == 0;
@@ -81,7 +86,7 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
       components += driven ? 1 : 0;
       in_plane = in_plane || (there && driven);
     }
-    return in_plane || components == model.dim();
+    return in_plane || components == model.dim() || sealed(node);
   };
   for (Index const node : rim_of(gas.facets, model.dim()))
     if (!kept(node)) {
@@ -91,10 +96,22 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
         at.push_back(model.reference(node, c));
       return complain(
           where, fmt::format("\"{}\" is no cavity: it is open at ({:.4g}) m; name all of its wall, or let "
-                             "that end at planes of symmetry "
-                             "through `centre` that motions keep it in, or where motions hold it altogether",
+                             "that end at planes of symmetry through `centre` that motions keep it in, where "
+                             "motions hold it altogether, or on its `seal`",
                              gas.set, fmt::join(at, ", ")));
     }
+}
+
+/// The wall's end, but for what of it is on the axis.
+void Builder::add_seal(Where const& where, GasPart const& part, dynamics::Gas& gas) {
+  auto const& model = *scene_.model;
+  check_size({where[0], "seal"}, part.seal);
+  if (vec(part.seal).isZero(0))
+    return complain({where[0], "seal"}, "is no direction; give numbers that are not all 0");
+  gas.seal = dynamics::Seal{{}, vec(part.seal).normalized(), part.leaks_at};
+  for (Index const node : rim_of(gas.facets, model.dim()))
+    if (model.kinematics != solid::Kinematics::axisymmetric || model.reference(node, 0) > 0)
+      gas.seal->rim.push_back(node);
 }
 
 void Builder::add_load(Where const& where, GasPart const& part) {
@@ -113,6 +130,8 @@ void Builder::add_load(Where const& where, GasPart const& part) {
   gas.path = path(part.times, gas.by_volume ? part.volume : part.pressure);
   gas.outside = part.outside;
   gas.exponent = part.exponent;
+  if (!part.seal.empty())
+    add_seal(where, part, gas);
   gas.volume = dynamics::SurfaceLoads(model).volume(gas, Vector::Zero(model.dofs()));
   if (!(gas.volume > 0))
     return complain({where[0], "set"},

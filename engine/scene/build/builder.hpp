@@ -60,6 +60,7 @@ private:
   void add_load(Where const& where, PressurePart const& part);
   void add_load(Where const& where, GasPart const& part);
   void add_load(Where const& where, SurfaceStressPart const& part);
+  void add_seal(Where const& where, GasPart const& part, dynamics::Gas& gas);
   void check_cavity(Where const& where, dynamics::Gas const& gas);
   void add_components(Where const& where, LoadPath const& load, Vector const& shares);
 

@@ -59,6 +59,14 @@ core::Schema const& GasPart::schema() {
                    "point {x, y [, z]} of the planes of symmetry that the wall ends at, or tip of the cone "
                    "over its rim; "
                    "default the origin")
+          .numbers(
+              "seal", &GasPart::seal, "1", Need::optional,
+              "normal {x, y [, z]} of a plane through `centre` that the wall's end stands on and may leave, "
+              "as a suction cup does; an obstacle or bonds keep it there")
+          .number("leaks_at", &GasPart::leaks_at, "m", core::non_negative, Need::optional,
+                  "how far off the seal any of that end may be; farther off the gas leaks, for good, to the "
+                  "pressure "
+                  "outside")
           .build();
   return made;
 }
@@ -68,6 +76,8 @@ void GasPart::read_nested(Reader& reader) {
     return reader.complain_at("", "wants one of `pressure`, its amount, and `volume`, that of the cavity");
   check_path(reader, times, pressure, "pressure");
   check_path(reader, times, volume, "volume");
+  if (reader.has("seal") != reader.has("leaks_at") || (reader.has("seal") && reader.has("volume")))
+    return reader.complain_at("seal", "wants `leaks_at`, and gas of a given amount, by `pressure`");
   for (char const* key : {"outside", "exponent"})
     if (reader.has("volume") && reader.has(key))
       reader.complain_at(key, "is of gas of a given amount, but `volume` is given; leave it out");

@@ -150,6 +150,8 @@ struct GasPart {
   Numbers times, pressure, volume;  ///< s, Pa, 1: over that of the start
   double outside = 0, exponent = 1; ///< Pa, 1
   Numbers centre;                   ///< m; empty: the origin
+  Numbers seal;                     ///< normal of the plane that the wall stands on; empty: none
+  double leaks_at = 0;              ///< m off it
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };
