@@ -302,7 +302,7 @@ Vector MultigridFactor::nearest(Vector const& b) const {
 
 /// Of all for a load on the surface alone; the last one is kept, and is where the next begins.
 Vector const& MultigridFactor::motion_of(Vector const& load) {
-  if (load_.size() == load.size() && load_ == load)
+  if (motion_.size() > 0 && load_.size() == load.size() && load_ == load)
     return motion_;
   motion_ = solved(on_surface(load), std::move(motion_));
   load_ = load;

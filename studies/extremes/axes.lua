@@ -15,7 +15,8 @@ local function of(key, values)
   return levels
 end
 
-local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "drop", "crowd", "fold", "tie", "tube" }
+local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "stack_tied", "drop", "crowd", "fold", "tie",
+  "tube" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
@@ -34,7 +35,7 @@ axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
   { "0.4999_mean", { nu = 0.4999, interpolation = "mean_dilatation" } }, { "0.499999", { nu = 0.499999 } },
   { "0.5", { nu = 0.5 }, want = "refused" },
 })
-axis("contrast", "upper E over lower E", { "slide", "slide_mortar", "stack", "stack_mortar" },
+axis("contrast", "upper E over lower E", { "slide", "slide_mortar", "stack", "stack_mortar", "stack_tied" },
   of("contrast", { 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9 }))
 axis("density", "mass density [kg/m^3]", { "bar", "drop", "crowd" }, {
   { "0", { rho = 0 }, want = "refused" }, { "1e-3", { rho = 1e-3 } }, { "1e5", { rho = 1e5 } },
@@ -79,7 +80,7 @@ axis("shape", "cells and aspect", { "slide", "slide_mortar" }, {
   { "many_on_one", { cells = { 40, 2 }, below = { 1, 1 } } },
   { "flat_1e4", { size = 1, upper = 0.6, height = 1e-4, at = 0.13, press = 2e-6, slip = 6e-3 } },
 })
-axis("shape", "cells and aspect", { "stack", "stack_mortar" }, {
+axis("shape", "cells and aspect", { "stack", "stack_mortar", "stack_tied" }, {
   { "one_cell", { cells = { 1, 1, 1 }, below = { 1, 1, 1 } } },
   { "flat_1e4", { heights = { 1e-6, 1e-6 }, press = 2e-8 } },
   { "slender_1e4", { heights = { 100, 100 }, press = 1 } },
@@ -97,6 +98,14 @@ axis("place", "where nodes meet the other side", { "stack", "stack_mortar" }, {
   { "node_on_edge", { cells = { 2, 2, 1 }, below = { 1, 1, 1 } } },
   { "node_on_face", { cells = { 3, 3, 1 }, below = { 2, 2, 1 }, unmatched = true } },
   { "edge_on_edge", { shift = 0.01 } }, { "edge_beyond", { shift = 0.01 + 1e-9 } }, { "half_over", { shift = 0.005 } },
+})
+
+axis("seam", "how tied surfaces lie on one another", { "stack_tied" }, {
+  { "many_on_one", { cells = { 12, 12, 1 }, below = { 1, 1, 1 } } }, { "one_on_many", { cells = { 1, 1, 1 }, below = { 12, 12, 1 } } },
+  { "3_on_2", { cells = { 3, 2, 1 }, below = { 2, 3, 1 } } }, { "nearly", { cells = { 3, 3, 1 }, shift = 1e-12 } },
+  { "apart_0.05", { apart = 2.5e-4 } }, { "apart_0.2", { apart = 1e-3 }, want = "refused" },
+  { "inside_0.05", { apart = -2.5e-4 } }, { "hangs_over_0.01", { shift = 5e-5 } },
+  { "hangs_over_0.1", { shift = 5e-4 }, want = "refused" }, { "beyond", { shift = 0.01 }, want = "refused" },
 })
 
 local units = {}

@@ -274,7 +274,7 @@ local function channel(case, q, say)
     return
   end
   local modulus = uniaxial(q)
-  local spring = 1 / (q.heights[1] / modulus + q.heights[2] / (q.contrast * modulus))
+  local spring = 1 / (q.heights[1] / modulus + (q.heights[2] + q.apart) / (q.contrast * modulus)) -- tied nodes move down
   local force = case:series("contact", "force_z")
   local wanted = spring * q.press * q.size ^ 2 * q.M * q.L / q.T ^ 2
   -- node to segment on meshes that do not match fails the patch test: 6e-3
@@ -425,6 +425,7 @@ local of_scene = {
   crowd = { lines_of_crowd, centre, carried_by_crowd, account, energy_kept },
 }
 of_scene.slide_mortar, of_scene.stack_mortar = of_scene.slide, of_scene.stack
+of_scene.stack_tied = { balance, channel, account, closed_ledger }
 
 --- Runs the checks of one cell; say(what, value, tolerance) records each.
 function checks.run(case, q, cell, base, say)

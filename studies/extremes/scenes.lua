@@ -165,10 +165,10 @@ scenes.bar = {
   end,
 }
 
---- Two boxes in a rigid channel, the upper driven down: uniaxial strain in space.
+--- Two boxes in a rigid channel, the upper driven down: uniaxial strain in space. Or tied (stack_tied), `apart` by so much.
 scenes.stack = {
   values = { size = 0.01, heights = { 0.01, 0.005 }, cells = { 2, 2, 2 }, below = { 2, 2, 2 }, press = 2e-4, steps = 4,
-    contrast = 1, shift = 0, solid = true },
+    contrast = 1, shift = 0, apart = 0, solid = true },
   make = function(q, u)
     local lower, upper = q.heights[1], q.heights[2]
     local function box(z, height, cells, x)
@@ -183,11 +183,12 @@ scenes.stack = {
     return {
       kinematics = "three_dimensional",
       bodies = { lower = body_of(q, u, box(-lower, lower, q.below, 0)),
-        upper = body_of(q, u, box(0, upper, q.cells, q.shift), { factor = q.contrast }) },
-      pairs = { touch = pair_of(q, u, "upper.bottom", "lower.top") }, motions = motions,
+        upper = body_of(q, u, box(q.apart, upper, q.cells, q.shift), { factor = q.contrast }) },
+      pairs = not q.tied and { touch = pair_of(q, u, "upper.bottom", "lower.top") } or nil, motions = motions,
+      constraints = q.tied and { stiction.constraint.tied { set = "upper.bottom", to = "lower.top" } } or nil,
       scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1 }),
-      probes = { contact = stiction.probe.contact { pair = "touch" },
-        line = stiction.probe.contact_line { pair = "touch" },
+      probes = { contact = q.tied and stiction.probe.force { set = "lower.bottom" } or stiction.probe.contact { pair = "touch" },
+        line = not q.tied and stiction.probe.contact_line { pair = "touch" } or nil,
         drive = stiction.probe.force { set = "upper.top" }, driven = node(u, "upper.top", { q.shift, 0, upper }),
         energy = stiction.probe.energy { audit = true } },
     }
@@ -365,7 +366,7 @@ scenes.fold = {
   end,
 }
 
-local variants = { slide_mortar = "slide", stack_mortar = "stack" }
+local variants = { slide_mortar = "slide", stack_mortar = "stack", stack_tied = "stack" }
 
 --- Values of a scene with the changes of a cell: ordinary ones where it has none.
 function scenes.values_of(name, changes)
@@ -376,7 +377,8 @@ function scenes.values_of(name, changes)
     end
   end
   if variants[name] then
-    q.discretisation = "mortar"
+    q.tied = name == "stack_tied"
+    q.discretisation = not q.tied and "mortar" or nil
   end
   for _, key in ipairs(q.without or {}) do
     q[key] = nil

@@ -77,7 +77,7 @@ class RandomScenes {
 public:
   explicit RandomScenes(unsigned seed)
       : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
-        constraints_(seed + 4000) {}
+        constraints_(seed + 4000), ties_(seed + 5000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -106,6 +106,8 @@ public:
     if (kinematics_ != "axisymmetric" && !tipped && !sample_.cells && (sample_.order == 0 || jean) &&
         constraints_.one_in(3))
       add_constraint(scene);
+    if (!sample_.cells && (sample_.order == 0 || jean) && ties_.one_in(3))
+      tie_cap(scene);
     return scene;
   }
 
@@ -215,6 +217,22 @@ private:
         list({make("constraint.periodic", {{"set", text("upper.left")}, {"to", text("upper.right")}})});
     scene.words += ", alike";
   }
+  /// Another block on the upper body, tied to it, is driven in its place.
+  void tie_cap(RandomScene& scene) {
+    auto cap = at(scene.table, "bodies.upper");
+    auto& origin = std::get<core::List>(at(cap, "mesh.origin").value);
+    origin.back() = value(std::get<core::Quantity>(origin.back().value).value + 1, "m");
+    auto& cells = std::get<core::List>(at(cap, "mesh.cells").value);
+    for (auto& count : cells)
+      count = value(2 + ties_.below(dim_ == 2 ? 4 : 2));
+    at(scene.table, "bodies.cap") = std::move(cap);
+    at(scene.table, "motions[1].set") = text("cap.top");
+    auto& constraints = at(scene.table, "constraints");
+    if (constraints.list() == nullptr)
+      constraints = list({});
+    std::get<core::List>(constraints.value).push_back(tied("cap.bottom", "upper.top"));
+    scene.words += ", tied";
+  }
   /// The top tips besides, by up to a fiftieth.
   void turn_top(RandomScene& scene) {
     auto& motion = at(scene.table, "motions[1]");
@@ -242,8 +260,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_,
-      constraints_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_, constraints_,
+      ties_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

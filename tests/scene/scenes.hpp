@@ -51,6 +51,9 @@ inline Input roller(std::string set, std::vector<double> const& normal) {
 inline Input periodic(std::string set, std::string to) {
   return make("constraint.periodic", {{"set", text(std::move(set))}, {"to", text(std::move(to))}});
 }
+inline Input tied(std::string set, std::string to) {
+  return make("constraint.tied", {{"set", text(std::move(set))}, {"to", text(std::move(to))}});
+}
 /// With both, all components of the set, in space too.
 inline Input fix(std::string set, bool x = true, bool y = true) {
   if (x && y)

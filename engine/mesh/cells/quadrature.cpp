@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::mesh {
 
@@ -74,6 +75,14 @@ Rule cube_rule(int dim, int n) {
     }
   }
   return rule;
+}
+
+Rule line_rule(int n) {
+  Dense recurrence = Dense::Zero(n, n);
+  for (int k = 1; k < n; ++k)
+    recurrence(k, k - 1) = k / std::sqrt(4.0 * k * k - 1);
+  Eigen::SelfAdjointEigenSolver<Dense> const solver(recurrence);
+  return {solver.eigenvalues(), 2 * solver.eigenvectors().row(0).transpose().array().square()};
 }
 
 Rule triangle_1() {

@@ -13,6 +13,10 @@ struct Rule {
 /// direction.
 [[nodiscard]] Rule cube_rule(int dim, int n);
 
+/// Gauss rule with any number of points on [-1, 1], from the eigenvectors of Legendre's recurrence (Golub and
+/// Welsch 1969).
+[[nodiscard]] Rule line_rule(int n);
+
 /// Exact to degrees 1, 2 and 4 (Dunavant, Int. J. Numer. Meth. Engng 21, 1985).
 [[nodiscard]] Rule triangle_1();
 [[nodiscard]] Rule triangle_3();

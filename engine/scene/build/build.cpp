@@ -56,10 +56,10 @@ Scene Builder::run() {
   settle();
   add_obstacles();
   add_motions();
-  add_loads();
-  add_springs();
   hold_axis();
   add_constraints();
+  add_loads();
+  add_springs();
   add_pairs();
   check_constraints();
   check_probes();

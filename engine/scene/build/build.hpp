@@ -10,6 +10,7 @@ struct Scene {
   ScenePart part;
   std::vector<std::string> bodies; ///< names, in the order of model.bodies
   std::vector<std::string> pairs;  ///< names, in the order of model.pairs
+  std::vector<double> moved;       ///< [constraints] how far a tie has moved a node that follows, m
   std::unique_ptr<dynamics::Model> model;
 
   /// A set "body.set" with model node numbers; nothing if there is none.

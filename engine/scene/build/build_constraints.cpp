@@ -13,23 +13,13 @@ namespace {
 
 constexpr double rounded = 1e-12;      ///< of the largest coefficient, and of the largest displacement
 constexpr double alike = 1e-6;         ///< of a side's size: how far a partner may lie from its place
+constexpr double same_speed = 1e-9;    ///< of the largest speed at the start
 constexpr double on_the_way = 0.38197; ///< part of the way between two knots: turns are looked at there too
-
-Vec3 middle_of(dynamics::Model const& model, Indices const& nodes) {
-  Vec3 sum = Vec3::Zero();
-  for (Index const node : nodes)
-    sum.head(model.dim()) += model.reference.row(node).transpose();
-  return sum / static_cast<double>(nodes.size());
-}
 
 Vec3 place_of(dynamics::Model const& model, Index node) {
   Vec3 X = Vec3::Zero();
   X.head(model.dim()) = model.reference.row(node).transpose();
   return X;
-}
-
-std::string words(Vec3 const& X, int dim) {
-  return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + dim, ", "));
 }
 
 /// Do these motions keep the sum at 0?
@@ -70,6 +60,17 @@ void replace(dynamics::Link& link, dynamics::Link const& follower) {
 
 } // namespace
 
+Vec3 middle_of(dynamics::Model const& model, Indices const& nodes) {
+  Vec3 sum = Vec3::Zero();
+  for (Index const node : nodes)
+    sum.head(model.dim()) += model.reference.row(node).transpose();
+  return sum / static_cast<double>(nodes.size());
+}
+
+std::string words(Vec3 const& X, int dim) {
+  return fmt::format("({:g}) m", fmt::join(X.data(), X.data() + dim, ", "));
+}
+
 void Builder::add_constraints() {
   auto const& constraints = scene_.part.constraints;
   auto const& model = *scene_.model;
@@ -78,14 +79,18 @@ void Builder::add_constraints() {
   driven_.assign(ix(model.dofs()), nullptr);
   link_of_.assign(driven_.size(), -1);
   leads_.assign(driven_.size(), false);
+  scene_.moved.assign(constraints.size(), 0.0);
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driven_[ix(model.dim() * node + motion.component)] = &motion;
-  for (std::size_t k = 0; k < constraints.size(); ++k) {
-    Where const where{fmt::format("constraints[{}]", k + 1)};
-    std::visit([&](auto const& part) { add_constraint(where, part); }, constraints[k]);
-    linked_by_.resize(model.links.size(), k + 1);
-  }
+  for (bool const ties : {false, true}) // which leave to others what these have
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+      if (std::holds_alternative<TiedPart>(constraints[k]) != ties)
+        continue;
+      Where const where{fmt::format("constraints[{}]", k + 1)};
+      std::visit([&](auto const& part) { add_constraint(where, part); }, constraints[k]);
+      linked_by_.resize(model.links.size(), k + 1);
+    }
 }
 
 void Builder::add_constraint(Where const& where, RollerPart const& part) {
@@ -138,18 +143,22 @@ void Builder::add_constraint(Where const& where, PeriodicPart const& part) {
   }
 }
 
-/// Followers are replaced by their masters first. The component with the largest coefficient that no motion
-/// drives follows from now on, in what there is already too.
-void Builder::constrain(Where const& where, Terms const& terms) {
-  auto& links = scene_.model->links;
+/// Terms with followers replaced by their masters.
+std::map<Index, double> Builder::settled(Terms const& terms) const {
   std::map<Index, double> sum;
   for (auto const& [dof, factor] : terms)
     if (Index const link = link_of_[ix(dof)]; link < 0)
       sum[dof] += factor;
     else
-      for (auto const& [master, weight] : links[ix(link)].masters)
+      for (auto const& [master, weight] : scene_.model->links[ix(link)].masters)
         sum[master] += factor * weight;
   std::erase_if(sum, [](auto const& term) { return std::abs(term.second) < rounded; });
+  return sum;
+}
+
+/// The component with the largest coefficient that no motion drives follows.
+void Builder::constrain(Where const& where, Terms const& terms) {
+  auto const sum = settled(terms);
   auto const free_size = [&](auto const& term) {
     return driven_[ix(term.first)] == nullptr ? std::abs(term.second) : 0.0;
   };
@@ -169,10 +178,17 @@ void Builder::constrain(Where const& where, Terms const& terms) {
                                   held.front().first->set));
     return;
   }
-  dynamics::Link made{follower->first, {}};
+  follow(follower->first, sum);
+}
+
+/// What keeps the sum at 0 from now on, in the links that there are already too.
+void Builder::follow(Index follower, std::map<Index, double> const& sum) {
+  auto& links = scene_.model->links;
+  double const own = sum.at(follower);
+  dynamics::Link made{follower, {}};
   for (auto const& [dof, factor] : sum)
-    if (dof != made.dof)
-      made.masters.emplace_back(dof, -factor / follower->second);
+    if (dof != follower)
+      made.masters.emplace_back(dof, -factor / own);
   for (std::size_t k = 0; leads_[ix(made.dof)] && k < links.size(); ++k)
     replace(links[k], made);
   link_of_[ix(made.dof)] = static_cast<Index>(links.size());
@@ -193,6 +209,8 @@ void Builder::check_constraints() {
              "holds nodes together, which schemes that keep accelerations, are explicit or "
              "have contact_inertia = \"cells\" cannot; use scheme.quasi_static, "
              "scheme.theta_xi or scheme.moreau_jean");
+  if (weights.inertia)
+    check_start_velocities();
   auto const touching = dynamics::contact_nodes(model);
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     auto const& [dof, masters] = model.links[k];
@@ -206,6 +224,29 @@ void Builder::check_constraints() {
              fmt::format("guides the node at {} obliquely or by nodes off the surface, and contact is at it; "
                          "take it out of one of the two",
                          words(place_of(model, dof / model.dim()), model.dim())));
+    return;
+  }
+}
+
+/// What follows would be put right in the first step, and energy be made of nothing.
+void Builder::check_start_velocities() {
+  auto const& model = *scene_.model;
+  int const dim = model.dim();
+  auto const velocity = [&](Index dof) { return model.velocity(dof / dim, dof % dim); };
+  for (std::size_t k = 0; k < model.links.size(); ++k) {
+    auto const& [dof, masters] = model.links[k];
+    double off = velocity(dof);
+    for (auto const& [master, weight] : masters)
+      off -= weight * velocity(master);
+    bool const driven =
+        std::ranges::any_of(masters, [&](auto const& m) { return driven_[ix(m.first)] != nullptr; });
+    if (driven || std::abs(off) <= same_speed * model.velocity.cwiseAbs().maxCoeff())
+      continue;
+    complain(
+        {fmt::format("constraints[{}]", linked_by_[k])},
+        fmt::format("guides the node at {}, which at the start moves by {:.3g} m/s along {} against that; "
+                    "give the bodies velocities that agree there",
+                    words(place_of(model, dof / dim), dim), off, "xyz"[dof % dim]));
     return;
   }
 }

@@ -1,5 +1,9 @@
 // The making of a Scene from a script's table, step by step; complaints are gathered before any is thrown.
 #pragma once
+#include <map>
+#include <set>
+
+#include "contact/mortar/tied.hpp"
 #include "dynamics/contact/contact_system.hpp"
 #include "mesh/topology/mesh.hpp"
 #include "scene/build/build.hpp"
@@ -10,6 +14,10 @@ using Where = std::vector<std::string>; ///< keys from the scene's table down, "
 
 /// An empty path where no values are given.
 [[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
+
+/// Mean place of nodes; a place in words, "(1, 0) m".
+[[nodiscard]] Vec3 middle_of(dynamics::Model const& model, Indices const& nodes);
+[[nodiscard]] std::string words(Vec3 const& X, int dim);
 
 class Builder {
 public:
@@ -49,9 +57,26 @@ private:
   void add_constraints();
   void add_constraint(Where const& where, RollerPart const& part);
   void add_constraint(Where const& where, PeriodicPart const& part);
+  // build_ties.cpp
+  void add_constraint(Where const& where, TiedPart const& part);
+  struct Tie {
+    Where where;
+    TiedPart const* part;
+    std::vector<contact::TiedFacet> facets;
+    std::set<Index> both; ///< nodes of both surfaces
+  };
+  [[nodiscard]] bool covered(Tie const& tie);
+  [[nodiscard]] std::set<Index> kept_nodes(Tie const& tie, int component) const;
+  void follow_facets(Tie const& tie, int component);
+  void follow_row(Index node, std::map<Index, double> const& row, int component);
+  [[nodiscard]] double move_bodies(Where const& where);
+
   using Terms = std::vector<std::pair<Index, double>>; ///< degrees of freedom and coefficients
   void constrain(Where const& where, Terms const& terms);
+  [[nodiscard]] std::map<Index, double> settled(Terms const& terms) const;
+  void follow(Index follower, std::map<Index, double> const& sum);
   void check_constraints();
+  void check_start_velocities();
 
   // build_loads.cpp
   void add_loads();

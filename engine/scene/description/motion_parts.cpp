@@ -78,6 +78,20 @@ core::Schema const& PeriodicPart::schema() {
   return made;
 }
 
+core::Schema const& TiedPart::schema() {
+  static auto const made =
+      Describe<TiedPart>{"tied",
+                         "two surfaces of different meshes joined: the nodes of one follow the facets of the "
+                         "other by mortar integrals, so that uniform stress and rigid motions pass exactly",
+                         "Wohlmuth 2000; Popp et al. 2010; physics.md 4"}
+          .text("set", &TiedPart::set, Need::required,
+                "the surface that follows, \"body.set\": all of it lies on the other, no farther off than a "
+                "tenth of a facet; the finer of the two, and the one that less is asked of elsewhere")
+          .text("to", &TiedPart::to, Need::required, "the surface that it follows, \"body.set\"")
+          .build();
+  return made;
+}
+
 core::Schema const& TurnPart::schema() {
   static auto const made =
       Describe<TurnPart>{

@@ -327,7 +327,8 @@ core::Schema const& ScenePart::schema() {
           .nested("obstacles", "obstacle", Need::optional, "table of rigid obstacles by name")
           .nested("pairs", "pair", Need::optional, "table of contact pairs by name")
           .nested("motions", "motion", Need::optional, "list of motions")
-          .nested("constraints", "constraint", Need::optional, "list of rollers and periodic sides")
+          .nested("constraints", "constraint", Need::optional,
+                  "list of rollers, periodic sides and tied surfaces")
           .nested("loads", "load", Need::optional, "list of prescribed forces")
           .nested("springs", "spring", Need::optional, "table of springs and dashpots by name")
           .nested("probes", "probe", Need::optional, "table of probes by name: the groups of series.h5")

@@ -119,7 +119,12 @@ struct PeriodicPart {
   std::string set, to;
   static core::Schema const& schema();
 };
-using ConstraintPart = std::variant<RollerPart, PeriodicPart>;
+/// A surface that follows another one whose nodes lie elsewhere.
+struct TiedPart {
+  std::string set, to;
+  static core::Schema const& schema();
+};
+using ConstraintPart = std::variant<RollerPart, PeriodicPart, TiedPart>;
 
 /// Values of dead forces along times; a component without values is 0.
 struct LoadPath {

@@ -212,13 +212,24 @@ void add_run(Facts const& facts, Explanation& explanation) {
   explanation.sections.push_back(std::move(section));
 }
 
+/// The set that follows, and what.
+std::pair<std::string, std::string> words_of(ConstraintPart const& constraint, double moved) {
+  if (auto const* roller = std::get_if<RollerPart>(&constraint))
+    return {roller->set, fmt::format("on rollers across ({:g})", fmt::join(roller->normal, ", "))};
+  if (auto const* periodic = std::get_if<PeriodicPart>(&constraint))
+    return {periodic->set, "moves as " + periodic->to};
+  auto const& tied = std::get<TiedPart>(constraint);
+  return {tied.set,
+          "tied to " + tied.to +
+              (moved > 0 ? fmt::format(", its nodes moved onto it by up to {}", human(moved, "m")) : "")};
+}
+
 Section constraints_of(Scene const& scene) {
   Section section{"Constraints", {}};
-  for (auto const& constraint : scene.part.constraints)
-    if (auto const* roller = std::get_if<RollerPart>(&constraint))
-      add(section, roller->set, fmt::format("on rollers across ({:g})", fmt::join(roller->normal, ", ")));
-    else if (auto const* periodic = std::get_if<PeriodicPart>(&constraint))
-      add(section, periodic->set, "moves as " + periodic->to);
+  for (std::size_t k = 0; k < scene.part.constraints.size(); ++k) {
+    auto const [set, words] = words_of(scene.part.constraints[k], scene.moved[k]);
+    add(section, set, words);
+  }
   add(section, "followers", fmt::format("{} components", scene.model->links.size()),
       static_cast<double>(scene.model->links.size()));
   return section;

@@ -31,7 +31,8 @@ return stiction.study {
         adhesion = p.bonds and stiction.adhesion.rcc { w = p.w, C_n = p.C, C_t = p.C, b = 0.01 * p.w * s } or nil } },
       motions = { stiction.motion.drive { set = "cup.top", times = { 0*s, 1*s, 2*s }, x = { 0*mm, 0*mm, 0*mm },
         y = { 0*mm, -p.down, p.up } } },
-      loads = p.air and { stiction.load.gas { set = "cup.under", outside = p.outside, times = { 0*s }, pressure = { 0*kPa },
+      loads = p.air and { stiction.load.gas { set = "cup.under", outside = p.outside, times = { 0*s, 2*s },
+        pressure = { 0*kPa, 0*kPa },
         seal = { 0, 1 }, leaks_at = p.leak } } or nil,
       scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = {
         stiction.stage { to = 1*s, steps = p.steps }, stiction.stage { to = 2*s, steps = p.steps } } },

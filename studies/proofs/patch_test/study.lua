@@ -11,6 +11,7 @@
 -- In statics contact alone cannot hold the upper block: one corner of its top is led to where the exact solution has it.
 --
 -- Poisson's ratio is zero and both blocks have the same modulus, so nothing slides and no friction is needed.
+-- "tied": the blocks are one, by constraint.tied instead of a pair.
 -- "matching": nodes face nodes. "nonmatching": 3 cells below, 4 above (2 and 3 in space), times `level`.
 --
 --     ./stiction run studies/proofs/patch_test
@@ -140,16 +141,19 @@ local function scene(p)
     bodies[name] = stiction.body { mesh = its, density = p.density,
       material = stiction.material.linear_elastic { young = p.young, poisson = 0 } }
   end
-  local probes = { points = stiction.probe.contact_line { pair = "joint" } }
+  local tied = p.method == "tied"
+  local probes = { points = not tied and stiction.probe.contact_line { pair = "joint" } or nil }
   for _, node in ipairs(is_flat(p) and edge_nodes(p) or {}) do
     probes[node.name] = stiction.probe.node { set = node.set, near = node.near }
   end
   return stiction.scene {
     kinematics = is_space(p) and "three_dimensional" or "plane_strain",
     bodies = bodies, motions = motions(p), loads = loads(p), probes = probes,
-    pairs = { joint = stiction.pair { secondary = "upper.bottom", primary = "lower.top", discretisation = p.method } },
+    pairs = not tied and { joint = stiction.pair { secondary = "upper.bottom", primary = "lower.top",
+      discretisation = p.method } } or nil,
+    constraints = tied and { stiction.constraint.tied { set = "upper.bottom", to = "lower.top" } } or nil,
     scheme = stiction.scheme.quasi_static {}, control = stiction.control {
-      force_tolerance = (p.method == "mortar" and p.interface ~= "curved") and 1e-12 or 1e-9 },
+      force_tolerance = (p.method ~= "node_to_segment" and p.interface ~= "curved") and 1e-12 or 1e-9 },
     schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
   }
 end
@@ -213,6 +217,9 @@ local function worst_stress(run, p)
 end
 
 local function worst_pressure(run, p)
+  if p.method == "tied" then
+    return worst_stress(run, p)
+  end
   return farthest(numeric.map(pressures(run), function(point) return point.p end), p)
 end
 
@@ -225,12 +232,12 @@ local function miss(case)
   return math.abs(case.results.judged / case.p.pressure.si - 1)
 end
 
-local function cases_of(kinds, interfaces, levels)
+local function cases_of(kinds, interfaces, levels, methods)
   local cases = {}
   for _, interface in ipairs(interfaces) do
     for _, kind in ipairs(kinds) do
       for _, level in ipairs(levels) do
-        for _, method in ipairs { "node_to_segment", "mortar" } do
+        for _, method in ipairs(methods or { "node_to_segment", "mortar" }) do
           cases[#cases + 1] = { kind = kind, interface = interface, level = level, method = method }
         end
       end
@@ -239,6 +246,7 @@ local function cases_of(kinds, interfaces, levels)
   return cases
 end
 
+local names = { node_to_segment = "node to segment", mortar = "mortar", tied = "tied" }
 local plane, space = { "quad4", "tri3", "quad8", "tri6" }, { "hex8", "tet4", "hex20", "tet10" }
 
 local function joined(...)
@@ -257,9 +265,8 @@ end
 local function row(check, cases, tolerance, note)
   local fine = cases[#cases]
   local p = fine.p
-  local method = p.method == "mortar" and "mortar" or "node to segment"
   check.proof {
-    case = ("Patch, %s, %s, %s"):format(p.interface, p.kind, method),
+    case = ("Patch, %s, %s, %s"):format(p.interface, p.kind, names[p.method]),
     quantity = is_flat(p) and "stress farthest from the pressure" or "contact pressure farthest from the applied one",
     unit = "Pa", kind = "exact", source = "uniform pressure", reference = p.pressure, tolerance = tolerance,
     values = numeric.map(cases, function(case) return { 1 / counts(case.p)[1], case.results.judged } end),
@@ -297,9 +304,19 @@ local function each_kind(cases, f)
   for _, interface in ipairs(interfaces) do
     for _, kind in ipairs(joined(plane, space)) do
       local its = cases:where { interface = interface, kind = kind }
-      if #its > 0 then
+      if #its:where { method = "mortar" } > 0 then
         f(its:where { method = "node_to_segment" }, its:where { method = "mortar" }, interface)
       end
+    end
+  end
+end
+
+--- Tied meshes, whose stress is uniform to rounding.
+local function check_tied(cases, check)
+  for _, kind in ipairs(joined(plane, space)) do
+    local its = cases:where { method = "tied", kind = kind }
+    if #its > 0 then
+      row(check, its, 1e-10)
     end
   end
 end
@@ -360,20 +377,24 @@ return stiction.study {
   given = { pressure = { 10*Pa, "" }, young = { 1000*Pa, "" }, density = { 1*kg/m^3, "not used in statics" } },
   sweep = joined(cases_of(plane, { "matching", "nonmatching", "inclined" }, { 1, 2, 4 }),
     cases_of({ "quad8", "tri6" }, { "curved" }, { 2, 4, 8 }),
-    cases_of(space, { "matching", "nonmatching" }, { 1, 2 })),
+    cases_of(space, { "matching", "nonmatching" }, { 1, 2 }),
+    cases_of(joined(plane, space), { "nonmatching" }, { 1, 2 }, { "tied" })),
   quick = { sweep = joined(cases_of({ "quad4", "tri6" }, { "matching", "nonmatching", "inclined" }, { 1, 2 }),
-    cases_of({ "hex8", "tet10" }, { "nonmatching" }, { 1 })) },
+    cases_of({ "hex8", "tet10" }, { "nonmatching" }, { 1 }),
+    cases_of({ "quad8", "tri3", "hex8", "tet10" }, { "nonmatching" }, { 1 }, { "tied" })) },
   case_id = function(p)
-    return ("%s_%s_%s_%d"):format(p.interface, p.kind, p.method == "mortar" and "mortar" or "nts", p.level)
+    return ("%s_%s_%s_%d"):format(p.interface, p.kind, p.method == "node_to_segment" and "nts" or p.method, p.level)
   end,
   scene = scene,
   results = {
     { name = "judged", unit = "Pa", judged,
       meaning = "stress at the interface farthest from the pressure; not flat: the contact pressure instead" },
-    { name = "pressure", unit = "Pa", meaning = "contact pressure farthest from the applied one", worst_pressure },
+    { name = "pressure", unit = "Pa", meaning = "contact pressure farthest from the applied one; tied: the stress",
+      worst_pressure },
   },
   check = function(cases, check)
     each_kind(cases, function(nodes, mortar, interface) checks[interface](check, nodes, mortar) end)
+    check_tied(cases, check)
   end,
   figures = function(cases)
     return { profile_figure(cases), miss_figure(cases, "plane", 12), miss_figure(cases, "space", 4), field_figure(cases) }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesh/cells/cell.hpp"
+#include "mesh/cells/quadrature.hpp"
 #include "mesh/helpers.hpp"
 #include "mesh/topology/surface.hpp"
 
@@ -189,6 +190,18 @@ TEST_SUITE("mesh") {
       CHECK(stiffness_rule(wanted.kind).points.rows() == wanted.points);
       CHECK(degree(cell, stiffness_rule(wanted.kind)) == wanted.stiffness);
       CHECK(degree(cell, mass_rule(wanted.kind)) == wanted.mass);
+    }
+  }
+
+  TEST_CASE("a Gauss rule of n points on a line is exact to degree 2 n - 1 and no further") {
+    for (int const n : {1, 4, 8}) {
+      Rule const rule = line_rule(n);
+      CAPTURE(n);
+      for (int degree = 0; degree <= 2 * n; ++degree) {
+        double const sum = rule.weights.dot(rule.points.col(0).array().pow(degree).matrix());
+        double const off = std::abs(sum - (degree % 2 == 0 ? 2.0 / (degree + 1) : 0));
+        CHECK((degree < 2 * n ? off < 1e-14 : off > 1e-6));
+      }
     }
   }
 

@@ -1,4 +1,5 @@
 // What must hold of every scene, whatever it is made of: a few hundred drawn at random.
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <limits>
 #include <numbers>
@@ -104,13 +105,14 @@ void check_state(scene::Scene const& scene, State const& state, double scale) {
   for (std::size_t p = 0; p < state.contacts.size(); ++p)
     for (auto const& point : state.contacts[p])
       check_point(point, largest_mu(scene.model->pairs[p].law), slack(scene, p) * scale);
-  if (scene.model->bodies.size() == 2)
+  if (std::ranges::find(scene.bodies, "lower") != scene.bodies.end())
     check_balance(scene, state);
 }
 
 /// Of the bottom of the upper block.
 double bottom_area(scene::Scene const& scene) {
-  auto const& nodes = scene.model->bodies[scene.bodies[0] == "upper" ? 0 : 1]->mesh.nodes;
+  auto const upper = std::ranges::find(scene.bodies, "upper") - scene.bodies.begin();
+  auto const& nodes = scene.model->bodies[static_cast<std::size_t>(upper)]->mesh.nodes;
   double const width = nodes.col(0).maxCoeff() - nodes.col(0).minCoeff();
   switch (scene.part.kinematics) {
   case solid::Kinematics::plane_strain:

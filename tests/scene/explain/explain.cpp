@@ -68,6 +68,18 @@ TEST_CASE("a sound scene has nothing to change, and says what it models") {
   CHECK(number(explanation, "Cost", "memory") > 8 * number(explanation, "Cost", "factor"));
 }
 
+TEST_CASE("constraints are told, of tied surfaces how far their nodes have moved") {
+  auto input = two_blocks();
+  remove(input, "pairs");
+  at(input, "bodies.upper") = block({{0, 0.02}, {1, 1}, {3, 2}}, linear_elastic(1000, 0));
+  at(input, "constraints") = list({tied("upper.bottom", "lower.top"), periodic("lower.left", "lower.right")});
+  auto const explanation = scene::explain(input);
+  CHECK(line(explanation, "Constraints", "upper.bottom").words ==
+        "tied to lower.top, its nodes moved onto it by up to 20 mm");
+  CHECK(line(explanation, "Constraints", "lower.left").words == "moves as lower.right");
+  CHECK(number(explanation, "Constraints", "followers") == 2 * 4 + 2 * 4);
+}
+
 TEST_CASE("numbers of bodies and motions are those of the formulas") {
   auto const explanation = scene::explain(foot_on_floor());
   double const c = std::sqrt(500.0);

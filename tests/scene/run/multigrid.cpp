@@ -50,6 +50,20 @@ TEST_CASE("multigrid gives the forces that a factor gives, in as many iterations
   }
 }
 
+TEST_CASE("multigrid moves bodies that touch nothing as a factor does") {
+  auto const moved = [](char const* bulk) {
+    auto table = dragged(rubber(), 4, bulk);
+    for (auto const* part : {"pairs", "obstacles"})
+      remove(table, part);
+    std::get<core::List>(at(table, "motions").value).push_back(fix("foot.bottom"));
+    auto const scene = scene::build(table);
+    dynamics::Stepper stepper(*scene.model);
+    return march(stepper, stepper.initial(), 0.5, 4).u;
+  };
+  Vector const direct = moved("direct"), multigrid = moved("multigrid");
+  CHECK((multigrid - direct).norm() <= 1e-6 * direct.norm());
+}
+
 TEST_CASE(
     "contact that is solved together with the bodies takes as many Newton iterations as by its matrix") {
   for (auto const& material : {linear_elastic(1000, 0.3), rubber()}) { // 16 points: no sweeps before
