@@ -42,6 +42,8 @@ public:
   /// Geometric stiffness of a force (n, t1 [, t2]), N, on one node.
   void stiffness(int pair, contact::PointKinematics<D> const& point, contact::Local<D> const& force,
                  Add const& add) const;
+  /// How gap and slip change with the positions beyond what H says; nothing where that is all, or not known.
+  void change(PointId point, contact::PointKinematics<D> const& now, Add const& add) const;
   /// Of the forces on all points of a pair that shares.
   void shared_stiffness(int pair, std::vector<contact::Local<D>> const& forces, Add const& add) const;
 

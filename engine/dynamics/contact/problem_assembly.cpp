@@ -78,6 +78,10 @@ template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points) 
     auto const& point = points.all()[ix(k)];
     auto const& kinematics = point.kinematics;
     condensation_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
+    if (turning_)
+      geometry.change(point.id, kinematics, [&](Indices const& nodes, auto const& change) {
+        condensation_.add_change(unknowns_of(nodes), change.template topRows<C>());
+      });
     if (turning_ && !geometry.shared(point.id.pair))
       geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
                          [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
