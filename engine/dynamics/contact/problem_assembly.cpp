@@ -42,7 +42,9 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   // there might be no answer; with inertia a shorter step has one
   if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
     turning_ = false;
-    return pose(points, bulk, y, weight, problem);
+    Vector guess = pose(points, bulk, y, weight, problem);
+    turning_ = D == 3; // on the way round a corner, with the next iterate normals may turn again
+    return guess;
   }
   turned_ = turned_ || (turning_ && condensation_.turns());
   problem.dim = C;
