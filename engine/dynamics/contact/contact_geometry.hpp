@@ -29,6 +29,7 @@ public:
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
   }
+  [[nodiscard]] Vector const& moved() const { return moved_; } ///< within the step, m, rad
   [[nodiscard]] std::vector<contact::Pose<D>> const& poses() const { return poses_; } ///< [rigids]
   /// Reference area of a point of a mortar pair at the step's start, m^2; none for other pairs.
   [[nodiscard]] std::optional<double> mortar_area(PointId point) const;

@@ -26,7 +26,7 @@ end
 local function leg(p) return p.leg * p.cell end
 
 local function meshes(p)
-  local zero, h, half = 0*mm, p.cell, p.side / 2
+  local h, half = p.cell, p.side / 2
   local function count(length) return math.floor(length / h + 0.5) end
   return stiction.mesh.half_ball { centre = { -leg(p) / 2, -leg(p) / 2, p.radius }, radius = p.radius, part = "full",
       fine = { p.fine, p.fine }, fine_size = p.ratio * h, coarse_size = 4 * h },
