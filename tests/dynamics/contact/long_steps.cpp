@@ -55,7 +55,7 @@ TEST_CASE("in space a ball slides over its dent by steps of three facets in a fe
       continue;
     ++slipping;
     loss -= point.area * point.dry.tail<2>().dot(point.slip);
-    CHECK(point.slip.norm() > 0.55);
+    CHECK(point.slip.norm() > 0.4); // two facets
     CHECK((point.dry.tail<2>() + 0.3 * point.dry[0] * point.slip.normalized()).norm() < 1e-6 * point.dry[0]);
   }
   CHECK(slipping > 10);
