@@ -44,7 +44,7 @@ TEST_CASE("in space a ball slides over its dent by steps of three facets in a fe
     REQUIRE(outcome.converged());
     before = state.ledger.friction_loss;
     CAPTURE(leg);
-    CHECK(outcome.iterations <= 8);
+    CHECK(outcome.iterations <= 7); // 8 with the rows of the forces alone, 13 without the turn of normals
     state = outcome.state;
   }
   // friction is against the way that was gone in the step, and is paid for along it
