@@ -3,6 +3,7 @@ return {
   "patch_test",
   "ironing",
   "nonmatching_slide",
+  "ironing_in_space",
   "pinched_ring",
   "cook_membrane",
   "greco_block",

@@ -46,15 +46,24 @@ template<int D> struct PointKinematics {
 [[nodiscard]] PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
 
-/// Against a deformable surface; slip is (t1, t2)^T (x2(foot) - x2(start)), both at the present positions.
-/// The rows of H balance forces and moments and are blind to rigid motions; they are the derivatives of gap
-/// and slip up to terms of the order of the angle between the field of normals and the facet. Columns of the
-/// nodes beyond the facet's are zero in the row of the gap; those of the slip hold the couple of a force
-/// across an open gap, which the nodes that make the nodal normals carry.
+/// Against a deformable surface; slip is the way of P2 along it (SurfacePath), from x2(start) to x2(foot),
+/// both at the present positions, in the frame at its end. The rows of H are those of the forces: they
+/// balance forces and moments and are blind to rigid motions. Columns of the nodes beyond the facet's are
+/// zero in the row of the gap; those of the slip hold the couple of a force across an open gap, which the
+/// nodes that make the nodal normals carry. Where the way is short and the field of normals is that of the
+/// facet H is the derivative of gap and slip, elsewhere `motion_rows` is.
 [[nodiscard]] PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
 [[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
+/// The derivative of gap and slip by the positions of all nodes that they depend on, those of the point
+/// first.
+struct MotionRows {
+  Indices nodes;
+  Rows<3> by_x; ///< [3, 3 nodes]; 1
+};
+[[nodiscard]] MotionRows motion_rows(Surface const& surface, PointKinematics<3> const& point, Foot start,
+                                     std::span<double const> x);
 /// Derivative of H^T force at fixed force (n, t1, t2) by the positions of all nodes of the point, N/m.
 [[nodiscard]] Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& point,
                                            std::span<double const> x, Vec3 const& force_ntt);

@@ -4,6 +4,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "contact/node_to_segment/kinematics.hpp"
+#include "contact/surface/surface_path.hpp"
 
 namespace stiction::contact {
 
@@ -256,10 +257,15 @@ Local2<Dual> foot_with_derivatives(Facet const& facet, Inputs<Dual> const& in, F
   return at;
 }
 
-/// Which a node is among the point's.
-int slot_of(PointKinematics<3> const& point, Index node) {
-  auto const* begin = point.nodes.data() + 1;
-  return 1 + static_cast<int>(std::find(begin, point.nodes.data() + point.count, node) - begin);
+/// Which a node is among the point's, the first being its own.
+int slot_of(Indices const& nodes, Index node) {
+  return static_cast<int>(std::find(nodes.begin() + 1, nodes.end(), node) - nodes.begin());
+}
+
+/// From the foot at the step's start to the present one.
+SurfacePath path_of(Surface const& surface, PointKinematics<3> const& point, Foot start,
+                    std::span<double const> x) {
+  return {surface, start, {point.foot, point.normal()}, x};
 }
 
 PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start, Foot foot,
@@ -276,8 +282,7 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
   point.gap = pairing.gap;
   point.frame << pairing.n, pairing.t1, pairing.t2;
   if (start.found())
-    point.slip =
-        point.frame.rightCols<2>().transpose() * (surface.position(foot, x) - surface.position(start, x));
+    point.slip = point.frame.rightCols<2>().transpose() * path_of(surface, point, start, x).slip();
   auto const stencil = surface.stencil(foot.segment);
   point.count = 1 + static_cast<int>(stencil.size());
   point.nodes.assign(1, node);
@@ -291,42 +296,58 @@ PointKinematics<3> kinematics_at(Surface const& surface, Index node, Foot start,
       continue;
     for (int k = 0; k < facet.count; ++k)
       for (auto const& [other, factors] : carried[ix(k)].parts)
-        point.H.block<1, 3>(row, 3 * slot_of(point, other)) +=
+        point.H.block<1, 3>(row, 3 * slot_of(point.nodes, other)) +=
             factors[0] * forces.shared[0][ix(k)].transpose() +
             factors[1] * forces.shared[1][ix(k)].transpose();
   }
   return point;
 }
 
-/// A point whose stiffness is asked for.
-struct Asked {
+/// Derivatives by the positions of nodes, row by row, to be added to.
+struct Columns {
   Surface const& surface;
-  PointKinematics<3> const& point;
   std::span<double const> x;
+  Indices const& nodes;
+  Eigen::Ref<Dense> by_x;
+
+  void add_node(Index node, Eigen::Ref<Dense const> const& by) {
+    by_x.block(0, 3 * slot_of(nodes, node), by.rows(), 3) += by;
+  }
+  /// What the motion of nodes does through the nodal normal of a corner.
+  void add_normal(int corner, Eigen::Ref<Dense const> const& by_normal) {
+    auto const fan = surface.fan(corner);
+    Vec3 area = Vec3::Zero();
+    for (int const f : fan)
+      area += area_vector(surface.positions(f, x), surface.facets()[ix(f)].count);
+    Vec3 const n = area.normalized();
+    Eigen::Matrix<double, Eigen::Dynamic, 3> const by_area =
+        by_normal * (Matrix3::Identity() - n * n.transpose()) * (0.5 / area.norm());
+    for (int const f : fan) {
+      auto const& facet = surface.facets()[ix(f)];
+      auto const at = surface.positions(f, x);
+      for (int i = 0; i < facet.count; ++i) { // area = 1/2 sum_i x_i x x_{i+1}
+        Vec3 const e = at[ix((i + 1) % facet.count)] - at[ix((i + facet.count - 1) % facet.count)];
+        Matrix3 turn;
+        turn << 0, e.z(), -e.y(), -e.z(), 0, e.x(), e.y(), -e.x(), 0; // dx x e
+        add_node(facet.nodes[ix(i)], by_area * turn);
+      }
+    }
+  }
 };
 
-/// By the inputs, row by row as in Block.
+/// By the inputs, row by row.
 using ByInputs = Eigen::Matrix<double, Eigen::Dynamic, inputs_of_point>;
 
-/// Adds what the motion of nodes does through nodal normal k.
-void add_by_normal(Asked const& asked, int k, ByInputs const& by_input, Block<3>& K) {
-  auto const& [surface, point, x] = asked;
-  auto const fan = surface.fan(surface.facets()[ix(point.foot.segment)].corner[ix(k)]);
-  Vec3 area = Vec3::Zero();
-  for (int const f : fan)
-    area += area_vector(surface.positions(f, x), surface.facets()[ix(f)].count);
-  Vec3 const n = area.normalized();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> const by_area =
-      by_input.middleCols<3>(15 + 3 * k) * (Matrix3::Identity() - n * n.transpose()) * (0.5 / area.norm());
-  for (int const f : fan) {
-    auto const& facet = surface.facets()[ix(f)];
-    auto const at = surface.positions(f, x);
-    for (int i = 0; i < facet.count; ++i) { // area = 1/2 sum_i x_i x x_{i+1}
-      Vec3 const e = at[ix((i + 1) % facet.count)] - at[ix((i + facet.count - 1) % facet.count)];
-      Matrix3 turn;
-      turn << 0, e.z(), -e.y(), -e.z(), 0, e.x(), e.y(), -e.x(), 0; // dx x e
-      K.block(0, 3 * slot_of(point, facet.nodes[ix(i)]), by_area.rows(), 3) += by_area * turn;
-    }
+/// Deals the derivatives by the inputs of a facet out to the nodes.
+void add_inputs(Facet const& facet, std::array<Carrier, 4> const& carried, ByInputs const& by_input,
+                Columns columns) {
+  int const own = 3 * (1 + facet.count);
+  columns.by_x.topLeftCorner(by_input.rows(), own) += by_input.leftCols(own);
+  for (int k = 0; k < facet.count; ++k) {
+    columns.add_normal(facet.corner[ix(k)], by_input.middleCols<3>(15 + 3 * k));
+    for (auto const& [node, factors] : carried[ix(k)].parts)
+      columns.add_node(node, factors[0] * by_input.middleCols<3>(27 + 3 * k) +
+                                 factors[1] * by_input.middleCols<3>(39 + 3 * k));
   }
 }
 
@@ -346,7 +367,7 @@ ByInputs by_inputs(PointKinematics<3> const& point, NodalForces<Dual> const& for
     for (int which = 0; which < 2; ++which) {
       auto const shared = derivatives(forces.shared[ix(which)][ix(k)]);
       for (auto const& [node, factors] : (*couples)[ix(k)].parts)
-        by.middleRows<3>(3 * slot_of(point, node)) += factors[which] * shared;
+        by.middleRows<3>(3 * slot_of(point.nodes, node)) += factors[which] * shared;
     }
   return by;
 }
@@ -379,16 +400,94 @@ Block<3> geometric_stiffness(Surface const& surface, PointKinematics<3> const& p
       nodal_forces(pair_at<Dual>(facet, dual, FootFeature::of(point.foot), at), facet.count, force_ntt);
   bool const couples = !force_ntt.tail<2>().isZero(0) && std::abs(point.gap) > no_turn * surface.facet_size();
   auto const by_input = by_inputs(point, forces, facet.count, couples ? &carried : nullptr);
-  int const own = 3 * (1 + facet.count), n = point.unknowns();
-  Block<3> K = Block<3>::Zero(n, n);
-  K.topLeftCorner(by_input.rows(), own) = by_input.leftCols(own);
-  for (int k = 0; k < facet.count; ++k) {
-    add_by_normal({surface, point, x}, k, by_input, K);
-    for (auto const& [node, factors] : carried[ix(k)].parts)
-      K.block(0, 3 * slot_of(point, node), by_input.rows(), 3) +=
-          factors[0] * by_input.middleCols<3>(27 + 3 * k) + factors[1] * by_input.middleCols<3>(39 + 3 * k);
-  }
+  int const n = point.unknowns();
+  Dense K = Dense::Zero(n, n);
+  add_inputs(facet, carried, by_input, {surface, x, point.nodes, K});
   return K;
+}
+
+namespace {
+
+/// Derivatives of a vector by the inputs.
+Eigen::Matrix<double, 3, inputs_of_point> derivatives(Vec3Of<Dual> const& v) {
+  Eigen::Matrix<double, 3, inputs_of_point> by;
+  for (int c = 0; c < 3; ++c)
+    by.row(c) = v[c].derivatives().head<inputs_of_point>().transpose();
+  return by;
+}
+
+/// Adds what a station at a side, or at the start of the way, does to the slip.
+void add_station(Station const& station, Foot start, SurfacePath::Change const& change, Columns columns) {
+  bool const at_start = station.side < 0;
+  auto const& surface = columns.surface;
+  int const number = at_start ? start.segment : station.facet;
+  auto const& facet = surface.facets()[ix(number)];
+  Vec2 const at =
+      at_start ? Vec2(start.xi, start.eta) : side_coordinates(facet.count, station.side, station.part);
+  auto const N = shape(facet.count, at.x(), at.y()).N;
+  auto const normals = surface.now(number, columns.x).normals;
+  Vec3 const sum = combine<double>(N, normals, facet.count), n = sum.normalized();
+  Eigen::Matrix<double, 2, 3> const by_sum =
+      change.by_n * (Matrix3::Identity() - n * n.transpose()) / sum.norm();
+  Columns slip{surface, columns.x, columns.nodes, columns.by_x.bottomRows(2)};
+  for (int k = 0; k < facet.count; ++k) {
+    if (N[ix(k)] == 0)
+      continue;
+    slip.add_node(facet.nodes[ix(k)], N[ix(k)] * change.by_x);
+    slip.add_normal(facet.corner[ix(k)], N[ix(k)] * by_sum);
+  }
+}
+
+/// The point's, and those that make facets and normals along the way.
+Indices nodes_along(Surface const& surface, PointKinematics<3> const& point, Foot start,
+                    SurfacePath const& path) {
+  Indices nodes(point.nodes.begin(), point.nodes.begin() + point.count);
+  auto const add = [&](int facet) {
+    for (Index const node : surface.stencil(facet))
+      if (slot_of(nodes, node) == static_cast<int>(nodes.size()))
+        nodes.push_back(node);
+  };
+  add(start.segment);
+  for (auto const& station : path.stations())
+    if (station.side >= 0)
+      add(station.facet);
+  return nodes;
+}
+
+} // namespace
+
+MotionRows motion_rows(Surface const& surface, PointKinematics<3> const& point, Foot start,
+                       std::span<double const> x) {
+  auto const& facet = surface.facets()[ix(point.foot.segment)];
+  auto const carried = carriers(surface, point.foot.segment);
+  auto const in = inputs(surface, point.foot, point.nodes[0], carried, x);
+  auto const dual = with_derivatives(in);
+  auto const at =
+      foot_with_derivatives(facet, dual, point.foot, pairing_jacobian(facet, in, point.foot, point.gap));
+  auto const pairing = pair_at<Dual>(facet, dual, FootFeature::of(point.foot), at);
+  ByInputs by_input = ByInputs::Zero(3, inputs_of_point);
+  by_input.row(0) = pairing.gap.derivatives().head<inputs_of_point>().transpose();
+  MotionRows rows;
+  if (!start.found())
+    start = point.foot; // no way yet
+  auto const path = path_of(surface, point, start, x);
+  SurfacePath::Changes changes;
+  path.differentiate(point.frame.rightCols<2>().transpose(), changes);
+  auto const stations = path.stations();
+  auto const& end = changes[stations.size() - 1];
+  Vec3 const slip = path.slip();
+  auto const by_foot = derivatives(combine<Dual>(pairing.N.N, dual.x, facet.count));
+  by_input.bottomRows<2>() = end.by_x * by_foot + end.by_n * derivatives(pairing.n);
+  by_input.row(1) += slip.transpose() * derivatives(pairing.t1);
+  by_input.row(2) += slip.transpose() * derivatives(pairing.t2);
+  rows.nodes = nodes_along(surface, point, start, path);
+  Dense by_x = Dense::Zero(3, 3 * static_cast<Index>(rows.nodes.size()));
+  Columns columns{surface, x, rows.nodes, by_x};
+  add_inputs(facet, carried, by_input, columns);
+  for (std::size_t k = 0; k + 1 < stations.size(); ++k)
+    add_station(stations[k], start, changes[k], columns);
+  rows.by_x = by_x;
+  return rows;
 }
 
 } // namespace stiction::contact

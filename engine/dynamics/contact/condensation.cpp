@@ -10,6 +10,7 @@ namespace stiction::dynamics {
 void Condensation::clear() {
   rows_ = 0;
   H_.clear();
+  change_.clear();
   K_.clear();
 }
 
@@ -19,6 +20,20 @@ void Condensation::add_point(Indices const& unknowns, Eigen::Ref<Dense const> co
       if (double const value = H(i, static_cast<Eigen::Index>(j)); unknowns[j] >= 0 && value != 0)
         H_.push_back({rows_ + static_cast<Index>(i), unknowns[j], value});
   rows_ += static_cast<Index>(H.rows());
+}
+
+void Condensation::add_change(Indices const& unknowns, Eigen::Ref<Dense const> const& change) {
+  Index const first = rows_ - static_cast<Index>(change.rows());
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    for (Eigen::Index i = 0; i < change.rows(); ++i)
+      if (double const value = change(i, static_cast<Eigen::Index>(j)); unknowns[j] >= 0 && value != 0)
+        change_.push_back({first + static_cast<Index>(i), unknowns[j], value});
+}
+
+/// Of H + change.
+template<class Act> void Condensation::each_row_entry(Act const& act) const {
+  std::for_each(H_.begin(), H_.end(), act);
+  std::for_each(change_.begin(), change_.end(), act);
 }
 
 void Condensation::add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K) {
@@ -44,8 +59,7 @@ void Condensation::find_used(Index surface) {
     use(k.column);
   }
   support_ = static_cast<Index>(used_.size());
-  for (auto const& h : H_)
-    use(h.column);
+  each_row_entry([&](Entry const& h) { use(h.column); });
 }
 
 /// Does each component move one unknown, each another one, as of nodes over a plane along the axes?
@@ -62,15 +76,15 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
     K_.push_back({u, u, bulk.hold() / weight});
   free.setZero(rows_);
-  for (auto const& h : H_)
-    free[h.row] += h.value * y[h.column];
+  each_row_entry([&](Entry const& h) { free[h.row] += h.value * y[h.column]; });
   bool const same = made_of_.bulk == bulk.identity() && made_of_.weight == weight && made_of_.H == H_;
-  if (K_.empty() && same && W.rows() == rows_)
+  bool const plain = K_.empty() && change_.empty();
+  if (plain && same && W.rows() == rows_)
     return;
-  made_of_ = K_.empty() ? Origin{bulk.identity(), weight, H_} : Origin{};
+  made_of_ = plain ? Origin{bulk.identity(), weight, H_} : Origin{};
   weight_ = weight;
   find_used(bulk.surface());
-  if (support_ == 0 && one_to_one()) {
+  if (plain && one_to_one()) {
     Vector const sides = Vector::NullaryExpr(rows_, [&](Index row) { return H_[ix(row)].value; });
     bulk.compliance(used_, W);
     for (auto const& h : H_)
@@ -90,7 +104,7 @@ linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& f
   return {H_, rows_, weight};
 }
 
-/// W = weight H V H^T
+/// W = weight (H + change) V H^T
 void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W) {
   bulk.compliance(used_, V_);
   right_.setZero(V_.rows(), rows_ + 1);
@@ -98,11 +112,13 @@ void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense
     right_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]);
   right_.col(rows_) = y(used_);
   W.setZero(rows_, rows_);
-  for (auto const& h : H_)
-    if (auto const row = right_.row(slot_[ix(h.column)]).head(rows_); symmetric_) // W is its own transpose
+  bool const symmetric = symmetric_ && change_.empty();
+  each_row_entry([&](Entry const& h) {
+    if (auto const row = right_.row(slot_[ix(h.column)]).head(rows_); symmetric) // W is its own transpose
       W.col(h.row) += h.value * row.transpose();
     else
       W.row(h.row) += h.value * row;
+  });
 }
 
 /// Adds what K_geo does to W and free.
@@ -126,13 +142,15 @@ void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
   for (auto const& k : K_)
     if (!crowded)
       K_motion_.col(slot_[ix(k.row)]) += (weight_ * k.value) * motion.col(slot_[ix(k.column)]);
-  if (!symmetric_) {
+  bool const symmetric = symmetric_ && change_.empty();
+  if (!symmetric) {
     left_.setZero(s, m);
-    for (auto const& h : H_)
+    each_row_entry([&](Entry const& h) {
       left_.col(h.row) += (weight_ * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
+    });
   }
-  // H V = (weight V^T H^T)^T / weight
-  auto const HV = (symmetric_ ? right_ : left_).topLeftCorner(s, m).transpose();
+  // (H + change) V = (weight V^T (H + change)^T)^T / weight
+  auto const HV = (symmetric ? right_ : left_).topLeftCorner(s, m).transpose();
   W.noalias() += (1 / weight_) * (HV * K_motion_.topRows(m).transpose());
   free.noalias() += (1 / weight_) * (HV * K_motion_.row(m).transpose());
 }

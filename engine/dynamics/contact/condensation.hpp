@@ -11,13 +11,18 @@ public:
   void clear();
   /// unknowns[columns]: surface unknown behind each column of H, -1 if driven. H: [components, columns].
   void add_point(Indices const& unknowns, Eigen::Ref<Dense const> const& H);
+  /// Of the point last added: how gap and slip change with the unknowns beyond what H, the rows of its
+  /// forces, says. [components, columns]
+  void add_change(Indices const& unknowns, Eigen::Ref<Dense const> const& change);
   void add_stiffness(Indices const& unknowns, Eigen::Ref<Dense const> const& K);
 
   /// weight: of the step's end reaction in the balance. With V the bulk's compliance, (I - weight V K_geo) du
-  /// = y + weight V H^T p gives x = free + W p, where x = H du. What holds the bulk's surface is taken away
-  /// like a K_geo. W is left as it is where nothing that it is made of has changed since the last problem.
+  /// = y + weight V H^T p gives x = free + W p, where x = (H + change) du. What holds the bulk's surface is
+  /// taken away like a K_geo. W is left as it is where nothing that it is made of has changed since the last
+  /// problem.
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
-  /// The rows of H for a bulk that contact is solved together with, and free = H y; there is no K_geo then.
+  /// The rows of H for a bulk that contact is solved together with, and free = H y; there is neither K_geo
+  /// nor change then.
   [[nodiscard]] linear::SurfaceRows rows(Vector const& y, double weight, Vector& free);
   /// Has the problem last eliminated a K_geo?
   [[nodiscard]] bool turns() const { return support_ > 0; }
@@ -37,10 +42,11 @@ private:
   };
   Index rows_ = 0;
   bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
-  std::vector<Entry> H_, K_;
+  std::vector<Entry> H_, change_, K_;
   Origin made_of_; ///< the last W
   void find_used(Index surface);
   [[nodiscard]] bool one_to_one() const;
+  template<class Act> void each_row_entry(Act const& act) const;
   void set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W);
   void add_stiffness_of_contact(Dense& W, Vector& free);
 
@@ -49,10 +55,10 @@ private:
   Index support_ = 0;   ///< how many of them K touches
   Dense V_;             ///< between them
   Dense right_;         ///< weight V H^T | y, [used, rows + 1]
-  Dense left_;          ///< weight V^T H^T on the support, [support, rows]; where V is not symmetric
-  Dense small_;         ///< I - weight V K on the support
-  Dense K_all_;         ///< weight K on the support, where it has more entries than slots
-  Dense K_motion_;      ///< weight K du on the support, a row per force and one without, [rows + 1, support]
+  Dense left_;  ///< weight V^T (H + change)^T on the support, [support, rows]; where it is not that of right_
+  Dense small_; ///< I - weight V K on the support
+  Dense K_all_; ///< weight K on the support, where it has more entries than slots
+  Dense K_motion_; ///< weight K du on the support, a row per force and one without, [rows + 1, support]
 };
 
 } // namespace stiction::dynamics

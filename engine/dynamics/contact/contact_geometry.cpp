@@ -10,6 +10,10 @@ using contact::Foot;
 using contact::Local;
 using contact::PointKinematics;
 
+namespace {
+constexpr double rounding = 1e-12; ///< of rows, whose entries are about 1
+}
+
 template<int D>
 ContactGeometry<D>::ContactGeometry(Model const& model) : model_(&model), poses_(model.rigids.size()) {
   for (auto const& pair : model.pairs) {
@@ -136,6 +140,20 @@ void ContactGeometry<D>::stiffness(int pair, PointKinematics<D> const& point, Lo
     add(point.nodes, geometric_stiffness(*surface, point, positions(), force));
   else
     add(point.nodes, geometric_stiffness(posed(std::get<RigidSide>(primary)), point, positions(), force));
+}
+
+template<int D>
+void ContactGeometry<D>::change(PointId point, PointKinematics<D> const& now, Add const& add) const {
+  if constexpr (D == 3) {
+    auto const* surface = std::get_if<Deformable>(&model_->pairs[ix(point.pair)].primary);
+    if (surface == nullptr || shared(point.pair))
+      return;
+    Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
+    auto rows = motion_rows(*surface, now, start, positions());
+    rows.by_x.leftCols(now.unknowns()) -= now.H;
+    if (rows.by_x.cwiseAbs().maxCoeff() > rounding)
+      add(rows.nodes, rows.by_x);
+  }
 }
 
 template<int D>

@@ -29,6 +29,7 @@ public:
   [[nodiscard]] std::span<double const> positions() const {
     return {positions_.data(), static_cast<std::size_t>(positions_.size())};
   }
+  [[nodiscard]] Vector const& moved() const { return moved_; } ///< within the step, m, rad
   [[nodiscard]] std::vector<contact::Pose<D>> const& poses() const { return poses_; } ///< [rigids]
   /// Reference area of a point of a mortar pair at the step's start, m^2; none for other pairs.
   [[nodiscard]] std::optional<double> mortar_area(PointId point) const;
@@ -42,6 +43,8 @@ public:
   /// Geometric stiffness of a force (n, t1 [, t2]), N, on one node.
   void stiffness(int pair, contact::PointKinematics<D> const& point, contact::Local<D> const& force,
                  Add const& add) const;
+  /// How gap and slip change with the positions beyond what H says; nothing where that is all, or not known.
+  void change(PointId point, contact::PointKinematics<D> const& now, Add const& add) const;
   /// Of the forces on all points of a pair that shares.
   void shared_stiffness(int pair, std::vector<contact::Local<D>> const& forces, Add const& add) const;
 

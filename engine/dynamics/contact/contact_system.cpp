@@ -22,7 +22,7 @@ public:
   void begin(State const& old, double t1, double dt, bool turning) override {
     points_.begin(old, t1, dt);
     solver_->forget();
-    assembly_.begin(turning);
+    assembly_.begin(old, dt, turning);
   }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
@@ -60,7 +60,7 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   Timer const timer(cost.contact);
   c.setZero(bulk.surface());
   problem_.points.clear();
-  if (points_.active().empty() && bulk.hold() == 0)
+  if (points_.active().empty() && bulk.hold() == 0 && !assembly_.spins())
     return true;
   Vector guess;
   contact::Solution found;

@@ -1,7 +1,10 @@
 // Gathering of rows and stiffnesses over the surface unknowns, and what the condensed problem holds.
 #include "dynamics/contact/problem_assembly.hpp"
 
+#include <algorithm>
+
 #include "dynamics/contact/bond_grip.hpp"
+#include "dynamics/model/spin.hpp"
 
 namespace stiction::dynamics {
 
@@ -9,7 +12,13 @@ namespace {
 constexpr double loosest = 0.05, tighter = 10, tightest = 0.5; ///< grip, of the bonds' stiffness
 } // namespace
 
-template<int D, int C> void ProblemAssembly<D, C>::begin(bool turning) {
+template<int D, int C>
+ProblemAssembly<D, C>::ProblemAssembly(Model const& model, BulkSystem const& bulk)
+    : model_(&model), bulk_(&bulk), spins_(std::ranges::any_of(model.rigids, tensorial)) {}
+
+template<int D, int C> void ProblemAssembly<D, C>::begin(State const& old, double dt, bool turning) {
+  old_ = &old;
+  dt_ = dt;
   turning_ = turning;
   turned_ = false;
   grip_ = 0;
@@ -34,7 +43,7 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     grip_ = std::max(grip_, loosest);
   auto* const together = bulk.coupled();
   turning_ = turning_ && together == nullptr;
-  gather(points);
+  gather(points, weight);
   if (together != nullptr)
     couple(*together, y, weight, problem);
   else
@@ -42,7 +51,9 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   // there might be no answer; with inertia a shorter step has one
   if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
     turning_ = false;
-    return pose(points, bulk, y, weight, problem);
+    Vector guess = pose(points, bulk, y, weight, problem);
+    turning_ = D == 3; // on the way round a corner, with the next iterate normals may turn again
+    return guess;
   }
   turned_ = turned_ || (turning_ && condensation_.turns());
   problem.dim = C;
@@ -71,13 +82,19 @@ void ProblemAssembly<D, C>::couple(linear::CoupledBulk& bulk, Vector const& y, d
 
 /// grip_: bodies that are unstable by themselves, as a long film that is pressed a little along, are held by
 /// their bonds.
-template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points) {
+template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points, double weight) {
   auto const& geometry = points.geometry();
   condensation_.clear();
+  if (D == 3 && spins_)
+    add_spins(points, weight);
   for (Index const k : points.active()) {
     auto const& point = points.all()[ix(k)];
     auto const& kinematics = point.kinematics;
     condensation_.add_point(unknowns_of(kinematics.nodes), kinematics.H.template topRows<C>());
+    if (turning_)
+      geometry.change(point.id, kinematics, [&](Indices const& nodes, auto const& change) {
+        condensation_.add_change(unknowns_of(nodes), change.template topRows<C>());
+      });
     if (turning_ && !geometry.shared(point.id.pair))
       geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
                          [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
@@ -88,6 +105,22 @@ template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points) 
   for (std::size_t pair = 0; pair < model_->pairs.size(); ++pair)
     if (turning_ && geometry.shared(static_cast<int>(pair)))
       add_shared_stiffness(points, static_cast<int>(pair));
+}
+
+/// What the mass matrix, which has a third of the trace about every axis, lacks of the torque's derivative.
+template<int D, int C> void ProblemAssembly<D, C>::add_spins(Points const& points, double weight) {
+  auto const scheme = weights(model_->scheme);
+  bool const apart = scheme.surface_apart();
+  double const factor = apart ? scheme.apart_factor() : 1, mass = apart ? 1 : scheme.mass;
+  for (std::size_t r = 0; r < model_->rigids.size(); ++r) {
+    auto const& rigid = model_->rigids[r];
+    if (!tensorial(rigid))
+      continue;
+    Vec3 const d = points.geometry().moved().template segment<3>(rigid.turn());
+    Eigen::Matrix3d const known = rigid.inertia / (mass * dt_ * dt_) * Eigen::Matrix3d::Identity();
+    add_stiffness({rigid.node + 1},
+                  (-factor / weight) * (spin_of(*model_, r, *old_, dt_).stiffness(d) - known));
+  }
 }
 
 template<int D, int C> void ProblemAssembly<D, C>::add_shared_stiffness(Points const& points, int pair) {

@@ -10,10 +10,12 @@ namespace stiction::dynamics {
 template<int D, int C> class ProblemAssembly {
 public:
   using Points = ContactPoints<D, C>;
-  ProblemAssembly(Model const& model, BulkSystem const& bulk) : model_(&model), bulk_(&bulk) {}
+  ProblemAssembly(Model const& model, BulkSystem const& bulk);
 
   /// As ContactSystem::begin and turned.
-  void begin(bool turning);
+  void begin(State const& old, double dt, bool turning);
+  /// Has the matrix to know of bodies that turn with an inertia tensor, be there contact or not?
+  [[nodiscard]] bool spins() const { return spins_; }
   [[nodiscard]] bool turned() const { return turned_; }
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
@@ -27,14 +29,18 @@ public:
   }
 
 private:
-  void gather(Points const& points);
+  void gather(Points const& points, double weight);
   void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
+  void add_spins(Points const& points, double weight);
   void add_shared_stiffness(Points const& points, int pair);
   void add_stiffness(Indices const& nodes, Eigen::Ref<Dense const> const& K);
   [[nodiscard]] Indices const& unknowns_of(Indices const& nodes);
 
   Model const* model_;
   BulkSystem const* bulk_;
+  State const* old_ = nullptr;
+  double dt_ = 0;
+  bool spins_;
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
   Indices unknowns_;                     ///< surface unknowns of one point

@@ -40,9 +40,14 @@ struct RigidBody {
   Vec3 axis = Vec3::UnitZ(); ///< unit
   double mass = 0;           ///< kg (kg/m in plane strain); > 0: free, with unknowns of its own
   double inertia = 0; ///< of a free body about its pivot, the same about every axis, kg m^2; 0: never turns
+  /// Of a free body in space, about its pivot at the start, kg m^2; `inertia` is then a third of its trace.
+  /// Zero: `inertia` is all.
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   Vec3 force = Vec3::Zero(); ///< constant load on a free body, N
   Index node = -1;           ///< of a free body: model node of its translation; node + 1 is its turn
   [[nodiscard]] bool free() const { return node >= 0; }
+  /// In space: the first degree of freedom of the turn.
+  [[nodiscard]] Index turn() const { return 3 * (node + 1); }
   /// Displacement of an obstacle that is not free.
   [[nodiscard]] Vec3 offset(double t) const {
     return {shift[0].value(t), shift[1].value(t), shift[2].value(t)};

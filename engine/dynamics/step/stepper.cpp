@@ -95,7 +95,7 @@ State Stepper::initial() {
     }
   if (weights_.inertia) {
     bulk_.mass().times(state.v, mass_rate_);
-    state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_);
+    state.ledger.kinetic = 0.5 * state.v.dot(mass_rate_) + spin_energy(state);
   }
   Vector unused = Vector::Zero(dofs);
   state.ledger.spring = bulk_.springs().add_force(state.u, 0, unused);
@@ -190,6 +190,7 @@ void Stepper::accelerate(State const& old, double dt) {
   bulk_.links().follow(gained_);
   bulk_.mass().times(gained_, inertia_);
   inertia_ /= dt;
+  spin(old, dt);
 }
 
 /// unbalanced_ = inertia - weighted F - earlier R: what the present reaction has to balance, (48)-(51).
@@ -464,6 +465,7 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
     set_explicit_rates(old, dt, next);
   else
     next.v = weights_.inertia ? Vector(old.v + rate_change_) : Vector(d_ / dt);
+  turn_rates(old, dt, next);
   if (weights_.accelerations())
     next.a = ((next.v - old.v) / dt - (1 - weights_.gamma) * old.a) / weights_.gamma;
   for (Index dof = 0; dof < next.a.size(); ++dof)

@@ -84,6 +84,10 @@ private:
   [[nodiscard]] bool internal_forces(double t, Outcome& outcome);
   [[nodiscard]] bool shorten(State const& old, double dt, Outcome& outcome);
   void accelerate(State const& old, double dt);
+  void spin(State const& old, double dt);
+  void turn_rates(State const& old, double dt, State& next) const;
+  [[nodiscard]] double spin_energy(State const& state) const;
+  [[nodiscard]] double spin_loss(State const& old, State const& next) const;
   void start_rates(State& state);
   void set_explicit_rates(State const& old, double dt, State& next) const;
   [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);

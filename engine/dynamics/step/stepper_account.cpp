@@ -95,7 +95,7 @@ void Stepper::account(State const& old, State& next) const {
     return;
   Vector momentum;
   bulk_.mass().times(next.v, momentum);
-  ledger.kinetic = 0.5 * next.v.dot(momentum);
+  ledger.kinetic = 0.5 * next.v.dot(momentum) + spin_energy(next);
 }
 
 } // namespace stiction::dynamics

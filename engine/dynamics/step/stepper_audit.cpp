@@ -156,7 +156,8 @@ void Stepper::audit(State const& old, State& next) const {
   auto& loss = next.ledger.predicted;
   double const omega = weights_.work, dt = next.t - old.t;
   if (weights_.inertia)
-    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_);
+    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_) +
+                  spin_loss(old, next);
   SpringWork on_paths;
   if (!bulk_.springs().empty())
     on_paths = bulk_.springs().path_work({old.u, old.v, old.t}, {next.u, next.v, next.t}, omega);

@@ -1,4 +1,5 @@
 // Momenta after a step, and the impulses that changed them.
+#include "dynamics/model/spin.hpp"
 #include "dynamics/step/stepper.hpp"
 
 namespace stiction::dynamics {
@@ -8,6 +9,9 @@ void Stepper::set_momenta(State& state) const {
   Vector const v = state.kick.size() > 0 ? Vector(state.v - state.kick) : state.v;
   Vector momentum;
   bulk_.mass().times(v, momentum);
+  for (std::size_t r = 0; r < model_->rigids.size(); ++r)
+    if (auto const& rigid = model_->rigids[r]; tensorial(rigid))
+      momentum.segment<3>(rigid.turn()) = inertia_in_space(*model_, r, state) * v.segment<3>(rigid.turn());
   auto& bodies = state.momenta.bodies;
   bodies.clear();
   for (std::size_t b = 0; b + 1 < model_->first_node.size(); ++b)

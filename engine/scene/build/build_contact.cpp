@@ -1,4 +1,5 @@
 // Obstacles and contact pairs of a scene.
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -62,6 +63,7 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   rigid.axis = part.axis.size() == 3 ? Vec3(vec(part.axis).normalized()) : Vec3::UnitZ();
   rigid.mass = part.mass;
   rigid.inertia = part.inertia;
+  take_tensor(rigid, part);
   rigid.force = vec(part.force);
   if (part.mass > 0) {
     if (!dynamics::weights(model.scheme).inertia)
@@ -74,6 +76,35 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
     rigid.angle = path(part.times, part.angle);
   }
   model.rigids.push_back(rigid);
+}
+
+/// The inertia tensor of a free body in space.
+void Builder::take_tensor(dynamics::RigidBody& rigid, ObstaclePart const& part) {
+  auto const& J = part.inertia_tensor;
+  if (J.empty())
+    return;
+  Where const where{"obstacles", rigid.name, "inertia_tensor"};
+  auto const scheme = dynamics::weights(scene_.model->scheme);
+  if (scene_.part.dim() != 3 || part.inertia > 0)
+    return complain(where, "is for bodies in space, instead of inertia; leave one of them out");
+  if (scheme.accelerations() || scheme.explicit_forces || scheme.velocity_level())
+    return complain(where, "needs one of Jean's schemes at the position level; use scheme.theta_xi");
+  if (J.size() != 3 && J.size() != 6)
+    return complain(
+        where, fmt::format("has {} numbers; give {{xx, yy, zz}} or {{xx, yy, zz, xy, yz, zx}}", J.size()));
+  rigid.tensor.diagonal() << J[0], J[1], J[2];
+  if (J.size() == 6) {
+    rigid.tensor(0, 1) = rigid.tensor(1, 0) = J[3];
+    rigid.tensor(1, 2) = rigid.tensor(2, 1) = J[4];
+    rigid.tensor(0, 2) = rigid.tensor(2, 0) = J[5];
+  }
+  Vec3 const principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rigid.tensor).eigenvalues();
+  if (!(principal[0] > 0) || principal[2] > (1 + 1e-9) * (principal[0] + principal[1]))
+    return complain(
+        where, fmt::format("has the principal moments {:.4g}, {:.4g}, {:.4g} kg m^2; those of a body are "
+                           "positive, and none is larger than the sum of the others",
+                           principal[0], principal[1], principal[2]));
+  rigid.inertia = rigid.tensor.trace() / 3;
 }
 
 /// Paths of a body with a mass drive its unknowns.

@@ -103,6 +103,7 @@ private:
   // build_contact.cpp
   void add_obstacles();
   void add_obstacle(std::string const& name, ObstaclePart const& part);
+  void take_tensor(dynamics::RigidBody& rigid, ObstaclePart const& part);
   void drive_rigid(dynamics::RigidBody const& rigid, ObstaclePart const& part);
   void add_pairs();
   void add_pair(std::string const& name, PairPart const& part);

@@ -172,6 +172,9 @@ core::Schema const& ObstaclePart::schema() {
                   "mass (per metre of depth in plane strain); > 0: components without a path are free")
           .number("inertia", &ObstaclePart::inertia, "kg m^2", core::non_negative, Need::optional,
                   "moment of inertia about the pivot, the same about every axis; 0: it does not turn")
+          .numbers("inertia_tensor", &ObstaclePart::inertia_tensor, "kg m^2", Need::optional,
+                   "3D, instead of inertia: {xx, yy, zz} or {xx, yy, zz, xy, yz, zx} about the pivot at the "
+                   "start, xy = -int x y dm; with Jean's schemes")
           .numbers("velocity", &ObstaclePart::velocity, "m/s", Need::optional, "at the start, if free")
           .numbers("spin", &ObstaclePart::spin, "rad/s", Need::optional,
                    "angular velocity at the start, if free: one number in 2D, three in 3D")
@@ -186,7 +189,7 @@ void ObstaclePart::read_nested(Reader& reader) {
   check_path(reader, times, angle, "angle");
   if (mass > 0)
     return;
-  for (char const* key : {"inertia", "velocity", "spin", "force"})
+  for (char const* key : {"inertia", "inertia_tensor", "velocity", "spin", "force"})
     if (reader.has(key))
       reader.complain_at(key, "needs a free body; give it a mass, or paths without this");
 }

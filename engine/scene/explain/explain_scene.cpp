@@ -135,7 +135,9 @@ void add_obstacle(std::string const& name, ObstaclePart const& part, Explanation
     add(section, "turns", path_words(part.times, part.angle, "rad"));
   if (part.mass > 0)
     add(section, "free",
-        fmt::format("where it has no path: mass {:.3g} kg, inertia {:.3g} kg m^2", part.mass, part.inertia));
+        fmt::format(
+            "where it has no path: mass {:.3g} kg, inertia {:.3g} kg m^2", part.mass,
+            fmt::join(part.inertia_tensor.empty() ? std::vector{part.inertia} : part.inertia_tensor, ", ")));
   else if (part.times.empty())
     add(section, "moves", "not at all");
   explanation.sections.push_back(std::move(section));
