@@ -8,6 +8,7 @@ return {
   "cook_membrane",
   "greco_block",
   "balloon",
+  "suction_cup",
   "soft_drop",
   "soft_wetting",
   "hertz_2d",

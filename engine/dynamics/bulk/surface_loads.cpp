@@ -71,34 +71,45 @@ double SurfaceLoads::volume(Gas const& gas, Vector const& u) const {
   return sum;
 }
 
+/// V0^n over V^n.
+double SurfaceLoads::thicker(Gas const& gas, Vector const& u) const {
+  return std::pow(gas.volume / std::max(volume(gas, u), least_volume * gas.volume), gas.exponent);
+}
+
 Gases SurfaceLoads::gas_pressures(Vector const& u, double t, Gases const& known) const {
   Gases all = known;
   for (std::size_t k = 0; k < all.size(); ++k) {
     auto const& gas = model_->gases[k];
-    double const P = gas.path.value(t), V = volume(gas, u), V0 = gas.volume;
-    if (all[k].leaking)
-      all[k].pressure = 0;
+    auto& [pressure, leaking, share] = all[k];
+    double const P = gas.path.value(t);
+    if (leaking)
+      pressure = 0;
     else if (gas.by_volume)
-      all[k].pressure += gas.stiffness * (V0 * P - V);
+      pressure += gas.stiffness * (gas.volume * P - volume(gas, u));
     else
-      all[k].pressure =
-          (P + gas.outside) * std::pow(V0 / std::max(V, least_volume * V0), gas.exponent) - gas.outside;
+      pressure = share * (P + gas.outside) * thicker(gas, u) - gas.outside;
+    if (gas.seal)
+      pressure = std::min(pressure, 0.0);
   }
   return all;
 }
 
-Gases SurfaceLoads::leaked(Vector const& u, Gases gas) const {
+Gases SurfaceLoads::leaked(Vector const& u, double t, Gases gas) const {
   int const dim = model_->dim();
   for (std::size_t k = 0; k < gas.size(); ++k) {
-    auto const& seal = model_->gases[k].seal;
-    if (!seal)
+    auto const& one = model_->gases[k];
+    if (!one.seal)
       continue;
     auto const off = [&](Index node) {
       Vector const x = model_->reference.row(node).transpose() + u.segment(dim * node, dim);
-      return std::abs((x - model_->gases[k].centre.head(dim)).dot(seal->normal.head(dim)));
+      return std::abs((x - one.centre.head(dim)).dot(one.seal->normal.head(dim)));
     };
-    gas[k].leaking = gas[k].leaking ||
-                     std::ranges::any_of(seal->rim, [&](Index node) { return off(node) > seal->leaks_at; });
+    auto& [pressure, leaking, share] = gas[k];
+    leaking = leaking ||
+              std::ranges::any_of(one.seal->rim, [&](Index node) { return off(node) > one.seal->leaks_at; });
+    double const amount = (one.path.value(t) + one.outside) * thicker(one, u);
+    if (share * amount > one.outside)
+      share = one.outside / amount;
   }
   return gas;
 }
@@ -120,7 +131,7 @@ void SurfaceLoads::add_pressures(Vector const& u, double t, Gases const& gas, Ve
 
 /// -dp/dV, Pa/m^3.
 double SurfaceLoads::resistance(Gas const& gas, GasState const& now, double volume) const {
-  if (now.leaking)
+  if (now.leaking || (gas.seal && !(now.pressure < 0)))
     return 0;
   if (gas.by_volume)
     return gas.stiffness;

@@ -20,8 +20,9 @@ public:
   [[nodiscard]] double volume(Gas const& gas, Vector const& u) const;
   /// Of every gas; known: at the step's start.
   [[nodiscard]] Gases gas_pressures(Vector const& u, double t, Gases const& known) const;
-  /// At a step's end: those leak too whose wall has left its seal.
-  [[nodiscard]] Gases leaked(Vector const& u, Gases gas) const;
+  /// At a step's end: those leak too whose wall has left its seal, and what was more than the pressure
+  /// outside bears has gone out under it.
+  [[nodiscard]] Gases leaked(Vector const& u, double t, Gases gas) const;
   /// Those that the matrix turns with the surface: of given volumes the ones known, as those on the way to
   /// the volume have no bound.
   [[nodiscard]] Gases steady(Gases const& now, Gases const& known) const;
@@ -49,6 +50,7 @@ public:
 private:
   [[nodiscard]] Matrix places(mesh::Facet const& facet, Vector const& u) const;
   [[nodiscard]] Vector normals(std::vector<mesh::Facet> const& facets, Vector const& u) const;
+  [[nodiscard]] double thicker(Gas const& gas, Vector const& u) const;
   [[nodiscard]] double resistance(Gas const& gas, GasState const& now, double volume) const;
   template<class Visit>
   void each_stiffness(Vector const& u, double t, Gases const& gas, Visit const& visit) const;

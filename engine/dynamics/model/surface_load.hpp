@@ -48,6 +48,7 @@ struct Gas {
 struct GasState {
   double pressure = 0;  ///< over that outside, Pa
   bool leaking = false; ///< and so it stays: its pressure is that outside
+  double share = 1;     ///< of the amount that the path says, as some went out under a seal
 };
 using Gases = std::vector<GasState>; ///< [gases]
 

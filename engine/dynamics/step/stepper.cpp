@@ -446,7 +446,7 @@ void Stepper::finish(State const& old, double dt, Outcome& outcome) {
   next.t = old.t + dt;
   next.u = u_;
   next.internal = internal_;
-  next.gas = bulk_.surface_loads().leaked(next.u, gas_);
+  next.gas = bulk_.surface_loads().leaked(next.u, next.t, gas_);
   next.damping = damping_;
   if (bulk_.relaxing()) {
     Timer const timer(cost_.assembly);

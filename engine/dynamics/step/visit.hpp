@@ -57,8 +57,8 @@ template<class Archive> void visit(Archive& archive, Ledger& ledger) {
 }
 
 template<class Archive> void visit(Archive& archive, GasState& gas) {
-  auto& [pressure, leaking] = gas;
-  archive(pressure, leaking);
+  auto& [pressure, leaking, share] = gas;
+  archive(pressure, leaking, share);
 }
 
 template<class Archive> void visit(Archive& archive, FactorSource& source) {

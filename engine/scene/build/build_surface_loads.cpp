@@ -35,6 +35,15 @@ std::set<Index> rim_of(std::vector<mesh::Facet> const& facets, int dim) {
   return rim;
 }
 
+double size_of(dynamics::Model const& model) {
+  return model.reference.colwise().norm().maxCoeff();
+}
+
+bool on_seal(dynamics::Model const& model, dynamics::Gas const& gas, Index node) {
+  Vector const off = model.reference.row(node).transpose() - gas.centre.head(model.dim());
+  return gas.seal && std::abs(off.dot(gas.seal->normal.head(model.dim()))) < 1e-9 * size_of(model);
+}
+
 } // namespace
 
 void Builder::add_load(Where const& where, PressurePart const& part) {
@@ -71,12 +80,7 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       held.insert({node, motion.component});
-  double const size = model.reference.colwise().norm().maxCoeff();
-  auto const sealed = [&](Index node) {
-    Point X = Point::Zero();
-    X.head(model.dim()) = model.reference.row(node).transpose();
-    return gas.seal && std::abs((X - gas.centre).dot(gas.seal->normal)) < 1e-9 * size;
-  };
+  double const size = size_of(model);
   auto const kept = [&](Index node) {
     int components = 0;
     bool in_plane = revolved && model.reference(node, 0) == 0;
@@ -86,7 +90,7 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
       components += driven ? 1 : 0;
       in_plane = in_plane || (there && driven);
     }
-    return in_plane || components == model.dim() || sealed(node);
+    return in_plane || components == model.dim() || on_seal(model, gas, node);
   };
   for (Index const node : rim_of(gas.facets, model.dim()))
     if (!kept(node)) {
@@ -102,16 +106,22 @@ void Builder::check_cavity(Where const& where, dynamics::Gas const& gas) {
     }
 }
 
-/// The wall's end, but for what of it is on the axis.
+/// What of the wall's end is on the seal, but not on the axis.
 void Builder::add_seal(Where const& where, GasPart const& part, dynamics::Gas& gas) {
   auto const& model = *scene_.model;
   check_size({where[0], "seal"}, part.seal);
   if (vec(part.seal).isZero(0))
     return complain({where[0], "seal"}, "is no direction; give numbers that are not all 0");
   gas.seal = dynamics::Seal{{}, vec(part.seal).normalized(), part.leaks_at};
+  bool const revolved = model.kinematics == solid::Kinematics::axisymmetric;
   for (Index const node : rim_of(gas.facets, model.dim()))
-    if (model.kinematics != solid::Kinematics::axisymmetric || model.reference(node, 0) > 0)
+    if (on_seal(model, gas, node) && !(revolved && model.reference(node, 0) == 0))
       gas.seal->rim.push_back(node);
+  if (gas.seal->rim.empty())
+    complain({where[0], "seal"},
+             fmt::format("has no end of \"{}\" on it; give the normal of the plane through "
+                         "`centre` that the wall stands on",
+                         part.set));
 }
 
 void Builder::add_load(Where const& where, GasPart const& part) {

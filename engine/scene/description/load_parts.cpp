@@ -62,7 +62,7 @@ core::Schema const& GasPart::schema() {
           .numbers(
               "seal", &GasPart::seal, "1", Need::optional,
               "normal {x, y [, z]} of a plane through `centre` that the wall's end stands on and may leave, "
-              "as a suction cup does; an obstacle or bonds keep it there")
+              "as a suction cup does; under it gas goes out whenever its pressure is over that outside")
           .number("leaks_at", &GasPart::leaks_at, "m", core::non_negative, Need::optional,
                   "how far off the seal any of that end may be; farther off the gas leaks, for good, to the "
                   "pressure "

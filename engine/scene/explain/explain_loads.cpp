@@ -49,8 +49,9 @@ void describe(Facts const& all, GasPart const& part, Section& section) {
   auto const what = part.volume.empty()
                         ? "gas, pressure at the first volume " + path_words(part.times, part.pressure, "Pa")
                         : "gas of volume " + path_words(part.times, part.volume, "1");
+  auto const seal = part.seal.empty() ? "" : fmt::format("; leaks {:g} m off its seal", part.leaks_at);
   section.lines.push_back(
-      {part.set, fmt::format("{}; cavity of {:.4g} {}", what, volume, unit), volume, unit, ""});
+      {part.set, fmt::format("{}; cavity of {:.4g} {}{}", what, volume, unit, seal), volume, unit, ""});
 }
 void describe(Facts const& all, SurfaceStressPart const& part, Section& section) {
   auto const& body = body_of(all, part.set);
