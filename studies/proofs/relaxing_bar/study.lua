@@ -90,6 +90,7 @@ local function scene(p)
     probes = {
       pull = stiction.probe.force { set = "bar.right" },
       tip = stiction.probe.node { set = "bar.right", near = { p.length, 0*m, 0*m } },
+      side = stiction.probe.node { set = "bar.right", near = { p.length, p.width, 0*m } },
       energy = stiction.probe.energy { audit = true },
     },
   }
@@ -194,7 +195,7 @@ return stiction.study {
     local runs, values = cases:where { test = "equal" }, {}
     for k, case in ipairs(runs) do
       values[k] = { case.p.duration.si / case.p.steps, case.results.over_exact }
-      local tip, side = last((case:series("tip", "u_x"))) / case.p.length.si, last((case:series("tip", "u_y"))) / case.p.width.si
+      local tip, side = last((case:series("tip", "u_x"))) / case.p.length.si, last((case:series("side", "u_y"))) / case.p.width.si
       check.close(("Poisson's ratio stays, %d steps"):format(case.p.steps), -side / tip, case.p.poisson, 1e-9)
     end
     check.proof { case = "Relaxing bar, bulk modulus alike", quantity = "stress at the end", kind = "exact",
