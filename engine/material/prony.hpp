@@ -94,6 +94,10 @@ struct NetworkStep {
   [[nodiscard]] double left() const { return modulus * (keep + before); }
 };
 
+[[nodiscard]] inline double inverse_cbrt(double x) {
+  return 1 / std::cbrt(x);
+}
+
 /// Symmetric tensor of a stress-like vector.
 template<int N, class S> [[nodiscard]] Tensor<S> full(Voigt<N, S> const& v) {
   Tensor<S> T = Tensor<S>::Zero();
@@ -182,12 +186,11 @@ EIGEN_ALWAYS_INLINE void add_networks(bool small, double m, Voigt<N, S> const& P
     }
     return;
   }
-  using std::cbrt;
   Voigt<N, S> const C = green_metric<N>(strain);
   Voigt<N, S> inverse, M;
   S determinant;
   minors_of<N>(C, inverse, determinant);
-  S const p = 1 / cbrt(determinant), reciprocal = 1 / determinant;
+  S const p = inverse_cbrt(determinant), reciprocal = 1 / determinant;
   for (int i = 0; i < N; ++i) {
     inverse[i] *= reciprocal;
     M[i] = p * (i < 3 ? S(m - 2 * P[i]) : S(-2 * P[i]));
@@ -216,10 +219,9 @@ template<int N, class S>
       W[i] = i < 3 ? S(strain[i] - mean) : S(0.5 * strain[i]);
     return W;
   }
-  using std::cbrt;
   S determinant;
   minors_of<N>(green_metric<N>(strain), W, determinant);
-  S const p = 1 / cbrt(determinant), half = -0.5 * p * p;
+  S const p = inverse_cbrt(determinant), half = -0.5 * p * p;
   for (int i = 0; i < N; ++i)
     W[i] = i < 3 ? S(0.5 + half * W[i]) : S(half * W[i]);
   return W;

@@ -212,6 +212,16 @@ TEST_CASE("relaxation: small strains dissipate the same in one step as in many")
   CHECK((same - V).norm() < 1e-14);
 }
 
+TEST_CASE("four inverse cube roots at once are those of one") {
+  double worst = 0;
+  for (double x = 1e-300; x < 1e300; x *= 1.0137)
+    worst = std::max(worst, std::abs(inverse_cbrt(Pack(x))[3] * std::cbrt(x) - 1));
+  for (double x = 0.1; x < 10; x += 3.1e-4)
+    worst = std::max(worst, std::abs(inverse_cbrt(Pack(x))[1] * std::cbrt(x) - 1));
+  CHECK(worst < 1e-15);
+  CHECK(inverse_cbrt(Pack(1))[0] == doctest::Approx(1).epsilon(1e-15));
+}
+
 TEST_CASE("four logarithms at once are those of one") {
   double worst = 0;
   for (double x = 1e-300; x < 1e300; x *= 1.0137)
