@@ -54,6 +54,25 @@ public:
   friend Pack cbrt(Pack const& a) {
     return a.each([](double x) { return std::cbrt(x); });
   }
+  /// a^(-1/3) of positive, normal numbers, to the last digits: of a = t 2^(3k), t in [1/2, 4), a polynomial
+  /// within 3 %, then twice y (1 - h)^(-1/3) in powers of h = 1 - t y^3 up to the third.
+  friend Pack inverse_cbrt(Pack const& a) {
+    using Bits = unsigned long long __attribute__((vector_size(32)));
+    constexpr double whole = 0x1.8p52; // beside it numbers are rounded to integers
+    Bits const bits = Bits(a.v_), one = Bits(Pack(1).v_), two_52 = Bits(Pack(0x1p52).v_);
+    Lanes const m = Lanes((bits & 0xfffffffffffffULL) | one),
+                e = Lanes((bits >> 52) | two_52) - (0x1p52 + 1023), k = (e / 3 + whole) - whole,
+                left = e - 3 * k,
+                t = left > 0   ? 2 * m
+                    : left < 0 ? 0.5 * m
+                               : m;
+    Lanes y = 1.5186457 + t * (-0.67441915 + t * (0.19491008 - t * 0.020547832));
+    for (int i = 0; i < 2; ++i) {
+      Lanes const h = 1 - t * y * y * y;
+      y += y * h * (1.0 / 3 + h * (2.0 / 9 + h * (14.0 / 81)));
+    }
+    return Pack(y * Lanes(Bits(0x1p52 + 1023 - k) << 52));
+  }
   /// Of positive, normal numbers, to the last digits: with m = a / 2^e in [1/sqrt(2), sqrt(2)] and s =
   /// (m - 1) / (m + 1) it is e ln 2 + 2 (s + s^3 / 3 + s^5 / 5 + ...).
   friend Pack log(Pack const& a) {

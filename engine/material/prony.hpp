@@ -1,4 +1,4 @@
-// Relaxation beside any law: Maxwell networks, the terms of a Prony series of the shear modulus.
+// Relaxation beside any law: Maxwell networks, the terms of Prony series of the shear and the bulk modulus.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,46 +11,64 @@ namespace stiction::material {
 
 inline constexpr std::size_t most_prony_terms = 20;
 
-/// A network of modulus G_k that forgets its strain in the time tau_k: G(t) = G + sum G_k exp(-t / tau_k), G
-/// the shear modulus of the law at rest.
+/// A network of moduli G_k, K_k or both that forgets its strain in the time tau_k: G(t) = G + sum G_k exp(-t
+/// / tau_k) and K(t) alike, G and K the shear and the bulk modulus of the law at rest.
 struct PronyTerm {
-  double share = 0;   ///< G_k / G, 1; 0: `modulus` says it
-  double modulus = 0; ///< G_k, Pa
-  double time = 0;    ///< tau_k, s
+  double share = 0;        ///< G_k / G, 1; 0: `modulus` says it
+  double modulus = 0;      ///< G_k, Pa
+  double time = 0;         ///< tau_k, s
+  double bulk_share = 0;   ///< K_k / K, 1; 0: `bulk_modulus` says it
+  double bulk_modulus = 0; ///< K_k, Pa
+  [[nodiscard]] bool in_shear() const { return share > 0 || modulus > 0; }
+  [[nodiscard]] bool in_volume() const { return bulk_share > 0 || bulk_modulus > 0; }
   /// G_k beside a law of this shear modulus at rest, Pa.
   [[nodiscard]] double stiffness(double shear) const { return modulus > 0 ? modulus : share * shear; }
+  /// K_k beside a law of this bulk modulus at rest, Pa.
+  [[nodiscard]] double bulk_stiffness(double bulk) const {
+    return bulk_modulus > 0 ? bulk_modulus : bulk_share * bulk;
+  }
 
   [[nodiscard]] core::Complaints check() const {
-    if ((share > 0) != (modulus > 0))
-      return {};
-    return {{"", "share",
-             modulus > 0 ? "and modulus both say how stiff the term is; leave one of them out"
-                         : "or modulus has to be more than 0: how stiff the term is, over the law's shear "
-                           "modulus at rest, or in Pa"}};
+    core::Complaints found;
+    if (share > 0 && modulus > 0)
+      found.push_back({"", "share", "and modulus both say how stiff the term is; leave one of them out"});
+    if (bulk_share > 0 && bulk_modulus > 0)
+      found.push_back({"", "bulk_share",
+                       "and bulk_modulus both say how stiff the term is in volume; leave one of them out"});
+    if (!in_shear() && !in_volume())
+      found.push_back({"", "share",
+                       "or modulus has to be more than 0: how stiff the term is, over the law's shear "
+                       "modulus at rest, or in Pa; or bulk_share or bulk_modulus, in volume"});
+    return found;
   }
   static core::Schema const& schema() {
     using core::Need;
     static auto const made =
         core::Describe<PronyTerm>{"prony",
-                                  "a term of relaxation: G(t) = G + sum G_k exp(-t / tau_k), G of the law at "
-                                  "rest",
+                                  "a term of relaxation: G(t) = G + sum G_k exp(-t / tau_k), K(t) = K + sum "
+                                  "K_k exp(-t / tau_k), G and K of the law at rest",
                                   "physics.md 4"}
             .number("share", &PronyTerm::share, "1", core::non_negative, Need::optional,
                     "G_k over the shear modulus of the bulk law at rest; or give `modulus`")
             .number("modulus", &PronyTerm::modulus, "Pa", core::non_negative, Need::optional,
                     "G_k, where `share` is left out")
             .number("time", &PronyTerm::time, "s", core::positive, Need::required, "tau_k")
+            .number("bulk_share", &PronyTerm::bulk_share, "1", core::non_negative, Need::optional,
+                    "K_k over the bulk modulus of the bulk law at rest; or give `bulk_modulus`")
+            .number("bulk_modulus", &PronyTerm::bulk_modulus, "Pa", core::non_negative, Need::optional,
+                    "K_k, where `bulk_share` is left out; without both the term leaves the volume alone")
             .build();
     return made;
   }
 };
 
 /// What a network does in a step of size dt, while the metric that it follows goes straight from one to the
-/// next. V and W are (I - A) / 2 and (I - C'^-1) / 2, C' = J^-2/3 C; with small strains the network's and the
-/// body's strain deviators. dV/dt = (W - V) / tau gives V1 = keep V0 + before W0 + after W1, and the lag W -
-/// V at a part y = exp(-t / tau) of the step's fading is y (W0 - V0) + (1 - y) (W1 - W0) tau / dt.
+/// next. Volume networks of modulus K_k follow ln J in the same way. V and W are (I - A) / 2 and (I - C'^-1)
+/// / 2, C' = J^-2/3 C; with small strains the network's and the body's strain deviators. dV/dt = (W - V) /
+/// tau gives V1 = keep V0 + before W0 + after W1, and the lag W - V at a part y = exp(-t / tau) of the step's
+/// fading is y (W0 - V0) + (1 - y) (W1 - W0) tau / dt.
 struct NetworkStep {
-  double modulus = 0;                     ///< G_k, Pa
+  double modulus = 0;                     ///< G_k or K_k, Pa
   double keep = 1, before = 0, after = 0; ///< sum to 1; none is negative
   /// Integrals over the step of the products of the two parts of the lag, over tau: a matrix that is never
   /// negative.
@@ -59,7 +77,7 @@ struct NetworkStep {
 
   NetworkStep() = default;
   /// dt >= 0; 0: at present.
-  NetworkStep(double G, double time, double dt) : modulus(G) {
+  NetworkStep(double stiffness, double time, double dt) : modulus(stiffness) {
     double const x = dt / time, gone = -std::expm1(-x);
     if (x == 0)
       return;
@@ -75,6 +93,10 @@ struct NetworkStep {
   /// What is left of the modulus at the step's end, Pa.
   [[nodiscard]] double left() const { return modulus * (keep + before); }
 };
+
+[[nodiscard]] inline double inverse_cbrt(double x) {
+  return 1 / std::cbrt(x);
+}
 
 /// Symmetric tensor of a stress-like vector.
 template<int N, class S> [[nodiscard]] Tensor<S> full(Voigt<N, S> const& v) {
@@ -164,12 +186,11 @@ EIGEN_ALWAYS_INLINE void add_networks(bool small, double m, Voigt<N, S> const& P
     }
     return;
   }
-  using std::cbrt;
   Voigt<N, S> const C = green_metric<N>(strain);
   Voigt<N, S> inverse, M;
   S determinant;
   minors_of<N>(C, inverse, determinant);
-  S const p = 1 / cbrt(determinant), reciprocal = 1 / determinant;
+  S const p = inverse_cbrt(determinant), reciprocal = 1 / determinant;
   for (int i = 0; i < N; ++i) {
     inverse[i] *= reciprocal;
     M[i] = p * (i < 3 ? S(m - 2 * P[i]) : S(-2 * P[i]));
@@ -198,17 +219,72 @@ template<int N, class S>
       W[i] = i < 3 ? S(strain[i] - mean) : S(0.5 * strain[i]);
     return W;
   }
-  using std::cbrt;
   S determinant;
   minors_of<N>(green_metric<N>(strain), W, determinant);
-  S const p = 1 / cbrt(determinant), half = -0.5 * p * p;
+  S const p = inverse_cbrt(determinant), half = -0.5 * p * p;
   for (int i = 0; i < N; ++i)
     W[i] = i < 3 ? S(0.5 + half * W[i]) : S(half * W[i]);
   return W;
 }
 
+/// All volume networks at one point within a step: S = (m e - n) C^-1 with e = ln J, or (m e - n) I with e =
+/// tr(E) of small strains, which derives from m/2 e^2 - n e.
+template<int N, Wanted wanted, class S>
+EIGEN_ALWAYS_INLINE void add_volume_networks(bool small, double m, S const& n, Voigt<N, S> const& strain,
+                                             Response<N, S>& response) {
+  auto& [energy, stress, D] = response;
+  if (small) {
+    S const pressed = m * (strain[0] + strain[1] + strain[2]) - n;
+    for (int i = 0; i < 3; ++i) {
+      stress[i] += pressed;
+      for (int j = 0; wanted == Wanted::tangent && j < 3; ++j)
+        D(i, j) += m;
+    }
+    return;
+  }
+  using std::log;
+  Voigt<N, S> inverse;
+  S determinant;
+  minors_of<N>(green_metric<N>(strain), inverse, determinant);
+  S const reciprocal = 1 / determinant, pressed = 0.5 * m * log(determinant) - n;
+  for (int i = 0; i < N; ++i) {
+    inverse[i] *= reciprocal;
+    stress[i] += pressed * inverse[i];
+  }
+  if constexpr (wanted == Wanted::tangent) {
+    D -= (2 * pressed) * symmetric_square<N>(full<N>(inverse));
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j)
+        D(i, j) += m * inverse[i] * inverse[j];
+  }
+}
+
+/// ln J of a strain; tr(E) of small strains.
+template<int N, class S>
+[[nodiscard]] EIGEN_ALWAYS_INLINE S volume_strain(bool small, Voigt<N, S> const& strain) {
+  if (small)
+    return strain[0] + strain[1] + strain[2];
+  using std::log;
+  Voigt<N, S> unused;
+  S determinant;
+  minors_of<N>(green_metric<N>(strain), unused, determinant);
+  return 0.5 * log(determinant);
+}
+
 /// Per volume: energy that a network holds and what it has dissipated in a step, J/m^3.
 template<class S> struct NetworkEnergy { S stored = 0, dissipated = 0; };
+
+/// What volume network k, with a0, does while ln J goes straight from one value to the other; a1 is left in
+/// a. It holds K/2 (ln J - a)^2 and dissipates K / tau (ln J - a)^2, which is integrated exactly.
+template<class S>
+EIGEN_ALWAYS_INLINE void pass_volume(NetworkStep const& k, S const& from, S const& to, S& a,
+                                     NetworkEnergy<S>& energy) {
+  S const lag = from - a, way = to - from;
+  a = k.keep * a + k.before * from + k.after * to;
+  S const held = to - a;
+  energy.stored += k.modulus / 2 * held * held;
+  energy.dissipated += k.modulus * (k.fading * lag * lag + 2 * k.mixed * lag * way + k.flowing * way * way);
+}
 
 /// The metrics of a body at a point before and after a step, which all networks there follow.
 template<int N, class S> struct MetricMove {

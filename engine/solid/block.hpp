@@ -58,8 +58,10 @@ struct PreparedBlock {
 
 /// What networks that relax do at the points of a block within a step (material::add_networks).
 struct BlockNetworks {
-  double modulus = 0;      ///< m, Pa
-  std::vector<Pack> pulls; ///< P, [groups, points, stress components], Pa
+  double modulus = 0;         ///< m, Pa
+  std::vector<Pack> pulls;    ///< P, [groups, points, stress components], Pa; empty without networks in shear
+  double bulk_modulus = 0;    ///< m of volume networks, Pa
+  std::vector<Pack> pressing; ///< their n, [groups, points], Pa; empty without them
 };
 
 /// One block with its body and the displacement, dim * nodes of it; networks: none.
@@ -77,10 +79,24 @@ struct RememberedAt {
   std::size_t each, skip;
 };
 
+/// The networks of a law in a step. A point remembers V of each in shear and W, then a of each in volume and
+/// ln J; nothing of those that there are none of.
+struct NetworkSteps {
+  std::vector<material::NetworkStep> shear, volume;
+  /// Numbers of the networks in shear, at a point of so many stress components.
+  [[nodiscard]] std::size_t of_shear(std::size_t components) const {
+    return shear.empty() ? 0 : (shear.size() + 1) * components;
+  }
+  /// And of all.
+  [[nodiscard]] std::size_t each(std::size_t components) const {
+    return of_shear(components) + (volume.empty() ? 0 : volume.size() + 1);
+  }
+};
+
 /// A step of the networks of a block: what they remember of its start, and where its end goes.
 struct Remembered {
-  std::span<material::NetworkStep const> steps; ///< [terms]
-  std::span<double const> before;               ///< of all cells of the body
+  NetworkSteps const& steps;
+  std::span<double const> before; ///< of all cells of the body
   std::span<double> after;
 };
 

@@ -82,25 +82,15 @@ public:
     return energy;
   }
 
-  /// Takes networks that remember V of each term and W through a step; the energies in each cell.
+  /// Takes networks through a step; the energies in each cell.
   material::NetworkEnergy<Pack> relax(Remembered const& memory) {
     material::NetworkEnergy<Pack> sum;
-    auto const terms = memory.steps.size();
-    Voigt V, from;
-    std::span<Pack> const numbers(V.data(), voigt);
     for (int q = 0; q < points(); ++q) {
-      RememberedAt place{number_, q, (terms + 1) * voigt, terms * voigt};
-      recall(block_, memory.before, place, {from.data(), voigt});
-      Voigt const to = material::metric_strain<voigt>(!finite_, strains_[at(q)]);
-      keep(block_, memory.after, place, {to.data(), voigt});
-      material::MetricMove<voigt, Pack> const move(!finite_, from, to);
       material::NetworkEnergy<Pack> of_point;
-      for (std::size_t k = 0; k < terms; ++k) {
-        place.skip = k * voigt;
-        recall(block_, memory.before, place, numbers);
-        move.pass(memory.steps[k], V, of_point);
-        keep(block_, memory.after, place, numbers);
-      }
+      if (!memory.steps.shear.empty())
+        relax_shear(memory, q, of_point);
+      if (!memory.steps.volume.empty())
+        relax_volume(memory, q, of_point);
       sum.stored += volume(q) * of_point.stored;
       sum.dissipated += volume(q) * of_point.dissipated;
     }
@@ -200,10 +190,48 @@ private:
   }
 
   template<material::Wanted wanted> void add_networks() {
-    for (int q = 0; q < points(); ++q) {
-      Eigen::Map<Voigt const> const P(&networks_->pulls[(ix(number_) * at(points()) + at(q)) * voigt]);
+    auto const first = ix(number_) * at(points());
+    for (int q = 0; q < points() && !networks_->pulls.empty(); ++q) {
+      Eigen::Map<Voigt const> const P(&networks_->pulls[(first + at(q)) * voigt]);
       material::add_networks<voigt, wanted>(!finite_, networks_->modulus, Voigt(P), strains_[at(q)],
                                             responses_[at(q)]);
+    }
+    for (int q = 0; q < points() && !networks_->pressing.empty(); ++q)
+      material::add_volume_networks<voigt, wanted>(!finite_, networks_->bulk_modulus,
+                                                   networks_->pressing[first + at(q)], strains_[at(q)],
+                                                   responses_[at(q)]);
+  }
+
+  void relax_shear(Remembered const& memory, int q, material::NetworkEnergy<Pack>& energy) const {
+    auto const& steps = memory.steps.shear;
+    Voigt V, from;
+    std::span<Pack> const numbers(V.data(), voigt);
+    RememberedAt place{number_, q, memory.steps.each(voigt), steps.size() * voigt};
+    recall(block_, memory.before, place, {from.data(), voigt});
+    Voigt const to = material::metric_strain<voigt>(!finite_, strains_[at(q)]);
+    keep(block_, memory.after, place, {to.data(), voigt});
+    material::MetricMove<voigt, Pack> const move(!finite_, from, to);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      place.skip = k * voigt;
+      recall(block_, memory.before, place, numbers);
+      move.pass(steps[k], V, energy);
+      keep(block_, memory.after, place, numbers);
+    }
+  }
+
+  void relax_volume(Remembered const& memory, int q, material::NetworkEnergy<Pack>& energy) const {
+    auto const& steps = memory.steps.volume;
+    auto const first = memory.steps.of_shear(voigt);
+    RememberedAt place{number_, q, memory.steps.each(voigt), first + steps.size()};
+    Pack a, from;
+    recall(block_, memory.before, place, {&from, 1});
+    Pack const to = material::volume_strain<voigt>(!finite_, strains_[at(q)]);
+    keep(block_, memory.after, place, {&to, 1});
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      place.skip = first + k;
+      recall(block_, memory.before, place, {&a, 1});
+      material::pass_volume(steps[k], from, to, a, energy);
+      keep(block_, memory.after, place, {&a, 1});
     }
   }
 

@@ -51,10 +51,10 @@ public:
 
   /// Has the body networks that relax? Without them the calls below are not for it.
   [[nodiscard]] bool relaxing() const { return !body_->relaxing.empty(); }
-  /// Size of what they remember, all 0 at rest: [groups of four cells, points, terms and the metric, stress
-  /// components, lanes] block by block, or by_cell where others share the cells.
+  /// Size of what they remember, all 0 at rest: [groups of four cells, points, numbers of NetworkSteps,
+  /// lanes] block by block, or by_cell where others share the cells.
   [[nodiscard]] Eigen::Index memory_size() const;
-  /// The same as [points of the cells in the order of the mesh, terms and the metric, stress components].
+  /// The same as [points of the cells in the order of the mesh, numbers of NetworkSteps].
   [[nodiscard]] Vector by_cell(std::span<double const> memory) const;
   /// And back.
   [[nodiscard]] Vector from_cells(std::span<double const> by_cell) const;
@@ -107,8 +107,7 @@ private:
   [[nodiscard]] NodalStress stress_of_whole(std::span<double const> u, std::span<double const> memory) const;
   void prepare(PreparedBlock& block) const;
   void prepare_point(std::array<Matrix, Pack::lanes> const& X, int q, PreparedBlock& prepared) const;
-  [[nodiscard]] std::vector<material::NetworkStep> network_steps(material::Material const& law,
-                                                                 double dt) const;
+  [[nodiscard]] NetworkSteps network_steps(material::Material const& law, double dt) const;
   template<class Visit> void each_whole(Visit const& visit) const;
   template<class BlockPass> void each_block(BlockPass const& pass) const;
   template<class BlockPass>

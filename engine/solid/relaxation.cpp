@@ -30,7 +30,7 @@ void Cells::number_points() {
 }
 
 std::size_t Cells::remembered_each() const {
-  return (body_->relaxing.size() + 1) * ix(stress_components(kinematics_));
+  return network_steps(body_->material, 0).each(ix(stress_components(kinematics_)));
 }
 
 Eigen::Index Cells::memory_size() const {
@@ -78,36 +78,67 @@ NodalStress Cells::stress_of_whole(std::span<double const> u, std::span<double c
   return whole.stress(u, {own.data(), static_cast<std::size_t>(own.size())});
 }
 
-std::vector<material::NetworkStep> Cells::network_steps(material::Material const& law, double dt) const {
-  double const shear = material::moduli(law).shear();
-  std::vector<material::NetworkStep> steps;
-  steps.reserve(body_->relaxing.size());
-  for (auto const& term : body_->relaxing)
-    steps.emplace_back(term.stiffness(shear), term.time, dt);
+NetworkSteps Cells::network_steps(material::Material const& law, double dt) const {
+  auto const moduli = material::moduli(law);
+  NetworkSteps steps;
+  steps.shear.reserve(body_->relaxing.size());
+  steps.volume.reserve(body_->relaxing.size());
+  for (auto const& term : body_->relaxing) {
+    if (term.in_shear())
+      steps.shear.emplace_back(term.stiffness(moduli.shear()), term.time, dt);
+    if (term.in_volume())
+      steps.volume.emplace_back(term.bulk_stiffness(moduli.bulk()), term.time, dt);
+  }
   return steps;
 }
 
 namespace {
 
-/// P of the cells of a block, from what they remember; each: tensors' components together.
-void find_pulls(PreparedBlock const& block, std::span<material::NetworkStep const> steps,
-                std::span<double const> memory, std::span<Pack> pulls) {
-  std::size_t const tensors = steps.size() + 1,
-                    components = pulls.size() / (ix(block.groups()) * ix(block.points));
-  std::vector<Pack> numbers(tensors * components);
-  double metric = 0;
+using Steps = std::span<material::NetworkStep const>;
+
+/// What is left of all moduli at the step's end, Pa.
+double modulus_left(Steps steps) {
+  double sum = 0;
   for (auto const& step : steps)
-    metric += step.modulus * step.before;
+    sum += step.left();
+  return sum;
+}
+
+/// Sum of modulus times weight of what the networks follow, at the step's start, Pa.
+double modulus_before(Steps steps) {
+  double sum = 0;
+  for (auto const& step : steps)
+    sum += step.modulus * step.before;
+  return sum;
+}
+
+/// P or n of a point from the numbers that its networks remember, [terms and what they follow, components].
+void sum_up(Steps steps, double metric, std::span<Pack const> numbers, std::span<Pack> sums) {
+  std::size_t const components = sums.size();
+  for (std::size_t i = 0; i < components; ++i) {
+    Pack sum = metric * numbers[steps.size() * components + i];
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      sum += steps[k].modulus * steps[k].keep * numbers[k * components + i];
+    sums[i] = sum;
+  }
+}
+
+/// P and n of the cells of a block, from what they remember.
+void find_sums(PreparedBlock const& block, NetworkSteps const& steps, std::span<double const> memory,
+               BlockNetworks& own) {
+  std::size_t const points = block.volumes.size(), components = own.pulls.size() / points,
+                    of_shear = steps.of_shear(components), in_volume = own.pressing.size() / points;
+  std::vector<Pack> remembered(steps.each(components));
+  std::span<Pack const> const numbers(remembered);
+  double const metric = modulus_before(steps.shear), volume = modulus_before(steps.volume);
   std::size_t at = 0;
   for (Index g = 0; g < block.groups(); ++g)
-    for (int q = 0; q < block.points; ++q, at += components) {
-      recall(block, memory, {g, q, numbers.size(), 0}, numbers);
-      for (std::size_t i = 0; i < components; ++i) {
-        Pack sum = metric * numbers[steps.size() * components + i];
-        for (std::size_t k = 0; k < steps.size(); ++k)
-          sum += steps[k].modulus * steps[k].keep * numbers[k * components + i];
-        pulls[at + i] = sum;
-      }
+    for (int q = 0; q < block.points; ++q, ++at) {
+      recall(block, memory, {g, q, remembered.size(), 0}, remembered);
+      sum_up(steps.shear, metric, numbers.first(of_shear),
+             std::span(own.pulls).subspan(at * components, components));
+      sum_up(steps.volume, volume, numbers.subspan(of_shear),
+             std::span(own.pressing).subspan(at * in_volume, in_volume));
     }
 }
 
@@ -126,14 +157,15 @@ void Cells::find_networks(std::span<double const> memory, double dt, Networks& a
     auto const& block = blocks_[ix(i)];
     auto& own = all[ix(i)];
     auto const steps = network_steps(*block.law, dt);
-    own.modulus = 0;
-    for (auto const& step : steps)
-      own.modulus += step.left();
-    own.pulls.resize(block.volumes.size() * components);
-    if (memory.empty())
-      std::ranges::fill(own.pulls, Pack(0));
-    else
-      find_pulls(block, steps, memory, own.pulls);
+    auto const points = block.volumes.size();
+    own.modulus = modulus_left(steps.shear);
+    own.bulk_modulus = modulus_left(steps.volume);
+    own.pulls.resize(steps.shear.empty() ? 0 : points * components);
+    own.pressing.resize(steps.volume.empty() ? 0 : points);
+    if (!memory.empty())
+      return find_sums(block, steps, memory, own);
+    std::ranges::fill(own.pulls, Pack(0));
+    std::ranges::fill(own.pressing, Pack(0));
   });
 }
 

@@ -142,9 +142,13 @@ axis("relax", "time in which the body relaxes [s]", { "punch", "slide", "slide_m
   { "1e9", { relax = 1e9 } }, { "share_0", { relax = 1, share = 0 }, want = "refused" }, { "share_1e-9", { relax = 0.1, share = 1e-9 } },
   { "share_1e6", { relax = 0.1, share = 1e6, tilts = true } }, { "rubber", { relax = 0.1, material = "neo_hookean" } },
   { "sheet", { relax = 0.1, sheet = true }, want = "refused" },
+  { "bulk", { relax = 0.1, bulk_share = 1 } }, { "bulk_alone", { relax = 0.1, share = 0, bulk_share = 1 } },
+  { "bulk_1e6", { relax = 0.1, bulk_share = 1e6, tilts = true } },
+  { "bulk_rubber", { relax = 0.1, bulk_share = 1, material = "neo_hookean" } },
 })
 axis("relax", "time in which the body relaxes [s]", { "punch", "slide", "slide_mortar", "drop", "crowd", "tie" }, {
   { "0.4999_mean", { relax = 0.1, nu = 0.4999, interpolation = "mean_dilatation" } },
+  { "bulk_mean", { relax = 0.1, bulk_share = 1, interpolation = "mean_dilatation", material = "neo_hookean" } },
 })
 axis("folds", "of a strip on itself", { "fold" }, {
   { "2", { folds = 2, press = 3e-3 } }, { "4", { folds = 4, press = 5e-3 } }, { "few_steps", { steps = 4 } },

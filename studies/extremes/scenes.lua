@@ -40,7 +40,7 @@ end
 local function body_of(q, u, mesh, t)
   return stiction.body { mesh = mesh, material = material_of(q, u, t and t.factor), density = q.rho * u.kg / u.m^3,
     interpolation = q.interpolation, plane_stress = q.sheet, velocity = t and t.velocity,
-    relaxing = q.relax and { { share = q.share, time = q.relax * u.s } } or nil,
+    relaxing = q.relax and { { share = q.share, bulk_share = q.bulk_share, time = q.relax * u.s } } or nil,
     damping = q.eta and stiction.damping.kelvin_voigt { shear_viscosity = q.eta * u.Pa * u.s,
       bulk_viscosity = q.eta * u.Pa * u.s } or nil }
 end

@@ -70,6 +70,31 @@ template<int N> void check_tangent(bool small, double size) {
   CHECK(test::rate(energy, stress(strain).transpose(), strain, 1e-2).second_order);
 }
 
+template<int N> void check_volume_tangent(bool small) {
+  std::mt19937 random(6);
+  Vector const strain = random_strain<N>(random, 0.2);
+  auto const respond = [&](Vector const& at) {
+    material::Response<N> response;
+    response.stress.setZero();
+    response.tangent.setZero();
+    material::add_volume_networks<N, material::Wanted::tangent>(small, 1.3, 0.4, material::Voigt<N>(at),
+                                                                response);
+    return response;
+  };
+  Dense const D = respond(strain).tangent;
+  auto const stress = [&](Vector const& at) { return Vector(respond(at).stress); };
+  auto const found = test::rate(stress, D, strain, 1e-2);
+  INFO(found.words());
+  CHECK((small ? found.errors[0] < 1e-12 : found.second_order));
+  CHECK((D - D.transpose()).norm() < 1e-14 * D.norm());
+  auto const energy = [&](Vector const& at) { // m/2 e^2 - n e
+    auto const C = material::right_cauchy_green<N>(material::Voigt<N>(at));
+    double const e = small ? at.head<3>().sum() : 0.5 * std::log(C.determinant());
+    return Vector::Constant(1, 0.65 * e * e - 0.4 * e);
+  };
+  CHECK(test::rate(energy, stress(strain).transpose(), strain, 1e-2).errors[2] < 1e-9);
+}
+
 } // namespace
 
 TEST_SUITE_BEGIN("material");
@@ -97,6 +122,41 @@ TEST_CASE("relaxation: the stress of networks derives from an energy, and its ta
   for (bool const small : {false, true}) {
     check_tangent<4>(small, 0.2);
     check_tangent<6>(small, 0.2);
+  }
+}
+
+TEST_CASE("relaxation: the stress of volume networks derives from an energy, its tangent from the stress") {
+  for (bool const small : {false, true}) {
+    check_volume_tangent<4>(small);
+    check_volume_tangent<6>(small);
+  }
+}
+
+TEST_CASE("relaxation: a volume network dissipates what it takes up, in one step as in many") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+  for (double const x : {1e-9, 1e-3, 0.3, 2.0, 40.0, 1e9}) {
+    double const from = uniform(random), to = uniform(random), start = uniform(random);
+    CAPTURE(x);
+    double a = start, same = start;
+    material::NetworkEnergy<double> once, many;
+    material::pass_volume({2, 1, x}, from, to, a, once);
+    CHECK(once.dissipated >= 0);
+    int const pieces = 64;
+    double work = 0; // of K (e - a), by its exact mean over each piece
+    for (int i = 0; i < pieces; ++i) {
+      double const e = from + (to - from) * i / pieces, next = from + (to - from) * (i + 1) / pieces,
+                   y = x / pieces, rate = (next - e) / y;
+      work += 2 * rate * (rate * y + (e - same - rate) * -std::expm1(-y));
+      many.stored = 0;
+      material::pass_volume({2, 1, y}, e, next, same, many);
+    }
+    CHECK(a == doctest::Approx(same).epsilon(1e-12));
+    CHECK(once.stored == doctest::Approx(many.stored).epsilon(1e-11));
+    CHECK(once.dissipated == doctest::Approx(many.dissipated).epsilon(1e-9));
+    if (x > 1e-4 && x < 1e4)
+      CHECK(once.stored + once.dissipated - (from - start) * (from - start) ==
+            doctest::Approx(work).epsilon(1e-10));
   }
 }
 
@@ -150,6 +210,16 @@ TEST_CASE("relaxation: small strains dissipate the same in one step as in many")
   }
   CHECK(many == doctest::Approx(once.dissipated).epsilon(1e-12));
   CHECK((same - V).norm() < 1e-14);
+}
+
+TEST_CASE("four inverse cube roots at once are those of one") {
+  double worst = 0;
+  for (double x = 1e-300; x < 1e300; x *= 1.0137)
+    worst = std::max(worst, std::abs(inverse_cbrt(Pack(x))[3] * std::cbrt(x) - 1));
+  for (double x = 0.1; x < 10; x += 3.1e-4)
+    worst = std::max(worst, std::abs(inverse_cbrt(Pack(x))[1] * std::cbrt(x) - 1));
+  CHECK(worst < 1e-15);
+  CHECK(inverse_cbrt(Pack(1))[0] == doctest::Approx(1).epsilon(1e-15));
 }
 
 TEST_CASE("four logarithms at once are those of one") {

@@ -77,7 +77,7 @@ class RandomScenes {
 public:
   explicit RandomScenes(unsigned seed)
       : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
-        constraints_(seed + 4000), ties_(seed + 5000) {}
+        constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -135,10 +135,23 @@ private:
         dice_.one_in(3))
       parts["damping"] =
           make("damping.kelvin_voigt", {{"shear_viscosity", value(dice_.between(0, 5), "Pa s")}});
-    if (!parts.contains("plane_stress") && !sample_.cells && relaxing_.one_in(4))
-      parts["relaxing"] = list({make("prony", {{"share", value(relaxing_.between(0.1, 0.5))},
-                                               {"time", value(std::exp2(relaxing_.between(-12, 3)), "s")}})});
+    if (!parts.contains("plane_stress") && !sample_.cells)
+      relax(parts);
     return make("body", std::move(parts));
+  }
+  /// In shear, in volume, in both by one term or by two.
+  void relax(core::Table& parts) {
+    core::List terms;
+    if (relaxing_.one_in(4))
+      terms.push_back(make("prony", {{"share", value(relaxing_.between(0.1, 0.5))},
+                                     {"time", value(std::exp2(relaxing_.between(-12, 3)), "s")}}));
+    double const bulk = volumes_.between(0.1, 0.5), time = std::exp2(volumes_.between(-12, 3));
+    if (!terms.empty() && volumes_.one_in(3))
+      at(terms.front(), "bulk_share") = value(bulk);
+    else if (volumes_.one_in(8))
+      terms.push_back(make("prony", {{"bulk_share", value(bulk)}, {"time", value(time, "s")}}));
+    if (!terms.empty())
+      parts["relaxing"] = list(std::move(terms));
   }
   void add_bodies(RandomScene& scene) {
     two_bodies_ = dice_.one_in(2);
@@ -260,8 +273,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_, constraints_,
-      ties_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_,
+      volumes_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

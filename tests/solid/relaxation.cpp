@@ -11,9 +11,16 @@ using solid::Cells;
 
 namespace {
 
+/// Two terms in shear, of which one relaxes in volume too, and one in volume alone.
 Body relaxing(Case const& each, material::Material const& law, int n = 1) {
   Body body = each.body(law, n);
-  body.relaxing = {{0.7, 0, 1}, {0, 4e5, 20}};
+  body.relaxing = {{0.7, 0, 1}, {0, 4e5, 20, 0.6}, {0, 0, 3, 0, 3e5}};
+  return body;
+}
+/// In volume alone.
+Body pressed(Case const& each, material::Material const& law, double time) {
+  Body body = each.body(law, 1);
+  body.relaxing = {{0, 0, time, 0.8}};
   return body;
 }
 
@@ -56,6 +63,74 @@ TEST_CASE("relaxation: the matrix of every cell and law is the derivative of its
     CHECK((found.second_order || found.errors[0] < 1e-9 * found.scale));
     CHECK((K - stiffness(cells, u, each.dim())).norm() > 1e-3 * K.norm());
   });
+}
+
+TEST_CASE("relaxation: a network in volume, fresh, holds K_k/2 ln(J)^2 of the mean dilatation") {
+  Case const each{mesh::CellKind::quad4, Kinematics::plane_strain, solid::Interpolation::mean_dilatation};
+  for (auto const& [name, law] : sample_materials()) {
+    if (small_strain(law))
+      continue;
+    CAPTURE(name);
+    Body const body = pressed(each, law, 1e12);
+    Cells const cells(body, each.kinematics);
+    auto const area = [&](Vector const& u) { // of one cell
+      auto const& cell = body.mesh.blocks[0].nodes;
+      double sum = 0;
+      for (std::size_t a = 0; a < 4; ++a) {
+        Index const i = cell[a], j = cell[(a + 1) % 4];
+        Point const p = node_position(body.mesh, i) + at_node(u, i, 2),
+                    q = node_position(body.mesh, j) + at_node(u, j, 2);
+        sum += 0.5 * (p.x() * q.y() - p.y() * q.x());
+      }
+      return sum;
+    };
+    Vector const u = random_vector(8, 0.1), rest = Vector::Zero(8);
+    double const K = 0.8 * material::moduli(law).bulk(), A0 = area(rest);
+    auto const energy = [&](Vector const& at) {
+      double const e = std::log(area(at) / A0);
+      return Vector::Constant(1, K / 2 * A0 * e * e);
+    };
+    Vector const memory = Vector::Zero(cells.memory_size());
+    Vector own = force_of(cells, u, cells.networks(view(memory), 1)), without = Vector::Zero(8);
+    REQUIRE(cells.add_force(view(u), view(without)).sound());
+    own -= without;
+    auto const found = rate(energy, own.transpose(), u, 1e-2, 100 * own.norm());
+    INFO(found.words());
+    CHECK(found.second_order);
+    CHECK(found.errors[2] < 1e-5 * found.scale);
+  }
+}
+
+TEST_CASE("relaxation: a network in volume that has relaxed makes no force where it has, in every cell") {
+  each_case_and_law([](Case const& each, material::Material const& law) {
+    if (each.sheet)
+      return;
+    Body const body = pressed(each, law, 1e-9);
+    Cells const cells(body, each.kinematics);
+    Vector const u = random_vector(each.dim() * body.mesh.node_count(), 0.03);
+    Vector const rest = Vector::Zero(cells.memory_size());
+    Vector memory = rest;
+    CHECK(cells.relax(view(u), 1, view(rest), view(memory)).dissipated > 0);
+    Vector law_alone = Vector::Zero(u.size());
+    REQUIRE(cells.add_force(view(u), view(law_alone)).sound());
+    CHECK((force_of(cells, u, cells.networks(view(memory), 0)) - law_alone).norm() < 1e-7 * law_alone.norm());
+    CHECK((force_of(cells, u, cells.networks(view(rest), 0)) - law_alone).norm() > 1e-3 * law_alone.norm());
+  });
+}
+
+TEST_CASE("relaxation: only what there is is remembered") {
+  Case const each{mesh::CellKind::hex8, Kinematics::three_dimensional, solid::Interpolation::plain};
+  Body body = each.body(sample_materials()[2].second, 1);
+  auto const numbers = [&](std::vector<material::PronyTerm> terms) {
+    body.relaxing = std::move(terms);
+    Cells const cells(body, each.kinematics);
+    return cells.by_cell(view(Vector(Vector::Zero(cells.memory_size())))).size() / 8; // points
+  };
+  CHECK(numbers({{0.7, 0, 1}}) == 12);
+  CHECK(numbers({{0.7, 0, 1}, {0.2, 0, 5}}) == 18);
+  CHECK(numbers({{0, 0, 1, 0.7}}) == 2);
+  CHECK(numbers({{0.7, 0, 1}, {0, 0, 1, 0.7}}) == 14);
+  CHECK(numbers({{0.7, 0, 1, 0.7}, {0, 0, 1, 0, 1}}) == 15);
 }
 
 TEST_CASE("relaxation: a body that is turned and shifted between its steps makes the same forces, turned") {

@@ -1,4 +1,6 @@
 // The networks of bodies that relax, from step to step.
+#include <algorithm>
+
 #include "dynamics/bulk/bulk_system.hpp"
 
 namespace stiction::dynamics {
@@ -32,15 +34,29 @@ void BulkSystem::remember_from(std::shared_ptr<Memory const> memory, double dt) 
   relax_dt_ = dt;
 }
 
+/// One that nobody wants any more, or a new one: pages that a process is given anew cost more than the
+/// networks do.
+std::shared_ptr<Memory> BulkSystem::memory_to_fill() {
+  constexpr std::size_t at_most = 4;
+  auto const unwanted = std::ranges::find_if(filled_, [](auto const& one) { return one.use_count() == 1; });
+  if (unwanted != filled_.end())
+    return *unwanted;
+  if (filled_.size() == at_most)
+    filled_.erase(filled_.begin());
+  auto made = std::make_shared<Memory>();
+  made->reserve(model_->cells.size());
+  for (auto const& cells : model_->cells)
+    made->emplace_back(cells.memory_size());
+  return filled_.emplace_back(std::move(made));
+}
+
 /// Each rank has filled its own cells, and left the others' at zero.
-std::shared_ptr<Memory const> BulkSystem::relax(Vector const& u,
-                                                material::NetworkEnergy<double>& energy) const {
-  Memory after;
-  after.reserve(model_->cells.size());
+std::shared_ptr<Memory const> BulkSystem::relax(Vector const& u, material::NetworkEnergy<double>& energy) {
+  auto after = memory_to_fill();
   energy = {};
   for (std::size_t body = 0; body < model_->cells.size(); ++body) {
     auto const& cells = model_->cells[body];
-    auto& own = after.emplace_back(cells.memory_size());
+    auto& own = (*after)[body];
     if (!cells.relaxing())
       continue;
     if (model_->share)
@@ -58,7 +74,7 @@ std::shared_ptr<Memory const> BulkSystem::relax(Vector const& u,
     energy.stored = model_->share->ranks->sum(energy.stored);
     energy.dissipated = model_->share->ranks->sum(energy.dissipated);
   }
-  return std::make_shared<Memory const>(std::move(after));
+  return after;
 }
 
 } // namespace stiction::dynamics

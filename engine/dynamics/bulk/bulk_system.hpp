@@ -80,8 +80,7 @@ public:
   /// A step of size dt begins with this memory.
   void remember_from(std::shared_ptr<Memory const> memory, double dt);
   /// It ends at u: what they remember then, and their energies, J.
-  [[nodiscard]] std::shared_ptr<Memory const> relax(Vector const& u,
-                                                    material::NetworkEnergy<double>& energy) const;
+  [[nodiscard]] std::shared_ptr<Memory const> relax(Vector const& u, material::NetworkEnergy<double>& energy);
   /// "cell 12 of body tape, at (0.1, 0.2) m" where it lies at rest; the number counts all bodies' from 0.
   [[nodiscard]] std::string cell_words(Index cell) const;
   /// Internal force of the skin, weighted by how much more it counts at the step's end than that of all
@@ -173,6 +172,7 @@ private:
     return !model_->share || model_->share->own(dof_of(unknown) / dim_);
   }
   [[nodiscard]] solid::Pass together(solid::Pass mine, Vector& force) const;
+  [[nodiscard]] std::shared_ptr<Memory> memory_to_fill();
   [[nodiscard]] std::vector<solid::Networks> networks_of(Memory const* memory, double dt) const;
   void build_maps(Model const& model);
   void gather_grip(Model const& model);
@@ -203,11 +203,12 @@ private:
   std::vector<std::unique_ptr<linear::BulkFactor>> spare_; ///< memory of factors that nobody wants
   std::size_t kept_at_most_ = 1;
   bool linear_ = false, linear_bodies_ = false, damped_ = false, relaxing_ = false;
-  std::shared_ptr<Memory const> memory_;  ///< at the start of the present step
-  double relax_dt_ = 0;                   ///< its size, s
-  std::vector<solid::Networks> networks_; ///< [bodies], in it; empty without bodies that relax
-  bool own_rates_ = false;                ///< of damped bodies' contact nodes
-  double cell_size_ = 0;                  ///< m
+  std::shared_ptr<Memory const> memory_;        ///< at the start of the present step
+  std::vector<std::shared_ptr<Memory>> filled_; ///< by the last steps; who wants one holds it too
+  double relax_dt_ = 0;                         ///< its size, s
+  std::vector<solid::Networks> networks_;       ///< [bodies], in it; empty without bodies that relax
+  bool own_rates_ = false;                      ///< of damped bodies' contact nodes
+  double cell_size_ = 0;                        ///< m
 };
 
 } // namespace stiction::dynamics

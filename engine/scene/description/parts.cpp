@@ -95,9 +95,10 @@ core::Schema const& BodyPart::schema() {
               "a thin sheet, free to change its thickness, in a scene of kinematics plane_strain; forces are "
               "per metre of its thickness")
           .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
-          .nested("relaxing", "prony", Need::optional,
-                  "list of terms {share = or modulus =, time =} of a Prony series beside the bulk law; none: "
-                  "elastic")
+          .nested(
+              "relaxing", "prony", Need::optional,
+              "list of terms {share = or modulus =, time =} of a Prony series beside the bulk law, in volume "
+              "too with bulk_share = or bulk_modulus =; none: elastic")
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .build();
   return made;

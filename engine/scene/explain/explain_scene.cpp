@@ -72,15 +72,26 @@ std::string cell_words(solid::Body const& body) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// "G_k = 1 kPa, K_k = 2 kPa"
+std::string moduli_words(material::PronyTerm const& term, material::Moduli const& at_rest) {
+  std::vector<std::string> words;
+  if (term.in_shear())
+    words.push_back("G_k = " + human(term.stiffness(at_rest.shear()), "Pa"));
+  if (term.in_volume())
+    words.push_back("K_k = " + human(term.bulk_stiffness(at_rest.bulk()), "Pa"));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 /// Each time against the steps and the run.
 void add_relaxation(Facts const& all, BodyFacts const& facts, Section& section) {
-  double at_once = 1;
-  double const shear = facts.moduli.shear();
+  double at_once = 1, in_volume = 1;
+  double const shear = facts.moduli.shear(), bulk = facts.moduli.bulk();
   for (auto const& term : facts.body->relaxing) {
     at_once += term.stiffness(shear) / shear;
+    in_volume += term.bulk_stiffness(bulk) / bulk;
     std::string words =
-        fmt::format("G_k = {}, {:.2g} of the longest step, {:.2g} of the run",
-                    human(term.stiffness(shear), "Pa"), term.time / all.longest_step, term.time / all.end);
+        fmt::format("{}, {:.2g} of the longest step, {:.2g} of the run", moduli_words(term, facts.moduli),
+                    term.time / all.longest_step, term.time / all.end);
     if (term.time < 0.1 * all.longest_step)
       words += ": gone within a step";
     else if (term.time > 10 * all.end)
@@ -89,6 +100,8 @@ void add_relaxation(Facts const& all, BodyFacts const& facts, Section& section) 
   }
   if (at_once > 1)
     add(section, "at once", fmt::format("{:.4g} times as stiff in shear as at rest", at_once), at_once);
+  if (in_volume > 1)
+    add(section, "at once in volume", fmt::format("{:.4g} times as stiff as at rest", in_volume), in_volume);
 }
 
 void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation) {

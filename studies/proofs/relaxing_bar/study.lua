@@ -1,7 +1,8 @@
--- A bar that relaxes, creeps and swings: a Prony series of the shear modulus beside a constant bulk modulus, sides free.
+-- A bar that relaxes, creeps and swings: a Prony series of the shear modulus, the bulk modulus constant or alike; sides free.
 --
 --     |###|-> pulled, its sides free    exact: E(s) = 9 K G(s) / (3 K + G(s)) has one pole, so that the bar is a standard
---                                       linear solid too: E(t) = E + (E0 - E) exp(-t / tau_E)
+--                                       linear solid too: E(t) = E + (E0 - E) exp(-t / tau_E); with a bulk modulus that
+--                                       relaxes alike, "equal", nu stays and E(t) = E (1 + share exp(-t / tau))
 --
 --     ./stiction run studies/proofs/relaxing_bar
 local stiction = require "stiction"
@@ -12,6 +13,9 @@ local cycles = 3
 
 --- Moduli at rest and at once and times of relaxation and creep of the bar, SI.
 local function solid(p)
+  if p.test == "equal" then
+    return { rest = p.young.si, at_once = p.young.si * (1 + p.share), relaxing = p.time.si }
+  end
   local shear, bulk = p.young.si / (2 * (1 + p.poisson)), p.young.si / (3 * (1 - 2 * p.poisson))
   local at_once = shear * (1 + p.share)
   local time = p.time.si * (3 * bulk + at_once) / (3 * bulk + shear)
@@ -73,7 +77,7 @@ local function scene(p)
     bodies = { bar = stiction.body {
       mesh = stiction.mesh.box { origin = { 0*m, 0*m, 0*m }, size = { p.length, p.width, p.width }, cells = { 3, 1, 1 } },
       material = stiction.material.linear_elastic { young = p.young, poisson = p.poisson }, density = 1*kg/m^3,
-      relaxing = { { share = p.share, time = p.time } },
+      relaxing = { { share = p.share, bulk_share = p.test == "equal" and p.share or nil, time = p.time } },
     } },
     motions = motions,
     loads = creep and { stiction.load.traction { set = "bar.right", times = { 0*s, p.duration },
@@ -86,6 +90,7 @@ local function scene(p)
     probes = {
       pull = stiction.probe.force { set = "bar.right" },
       tip = stiction.probe.node { set = "bar.right", near = { p.length, 0*m, 0*m } },
+      side = stiction.probe.node { set = "bar.right", near = { p.length, p.width, 0*m } },
       energy = stiction.probe.energy { audit = true },
     },
   }
@@ -112,7 +117,7 @@ end
 local function over_exact(run, p)
   if p.test == "creep" then
     return last((run:series("tip", "u_x"))) / p.length.si / strain(p)
-  elseif p.test == "relaxation" then
+  elseif p.test == "relaxation" or p.test == "equal" then
     return last((run:series("pull", "force_x"))) / p.width.si ^ 2 / stress(p)
   end
   local storage, loss = measured(run, p)
@@ -126,6 +131,10 @@ for _, test in ipairs { "relaxation", "creep" } do
     local case = { test = test, steps = steps, pace = 1 }
     sweep[#sweep + 1], quick[#quick + 1] = case, steps <= 40 and case or nil
   end
+end
+for _, steps in ipairs { 4, 40 } do
+  local case = { test = "equal", steps = steps, pace = 1 }
+  sweep[#sweep + 1], quick[#quick + 1] = case, case
 end
 local paces = { 0.01, 0.1, 1, 10, 100 }
 for _, pace in ipairs(paces) do
@@ -183,6 +192,15 @@ return stiction.study {
         tolerance = #runs > 2 and 1e-6 or 1e-4, order = 1.9, run = runs[#runs] }
       check.holds("a good part of the work is dissipated, " .. test, runs[#runs].results.dissipated > 0.1)
     end
+    local runs, values = cases:where { test = "equal" }, {}
+    for k, case in ipairs(runs) do
+      values[k] = { case.p.duration.si / case.p.steps, case.results.over_exact }
+      local tip, side = last((case:series("tip", "u_x"))) / case.p.length.si, last((case:series("side", "u_y"))) / case.p.width.si
+      check.close(("Poisson's ratio stays, %d steps"):format(case.p.steps), -side / tip, case.p.poisson, 1e-9)
+    end
+    check.proof { case = "Relaxing bar, bulk modulus alike", quantity = "stress at the end", kind = "exact",
+      source = "linear viscoelasticity", reference = 1, scale = 1, values = values, resolution = "s step", tolerance = 1e-9,
+      run = runs[#runs] }
     for _, pace in ipairs(paces) do
       check_moduli(check, cases:where { test = "cycles", pace = pace })
     end

@@ -11,15 +11,16 @@ constexpr double G = 400; // Pa, E = 1000, nu = 0.25
 constexpr double pi = 3.14159265358979323846;
 
 struct Term {
-  double share, time; ///< 1, s
+  double share, time, bulk = 0; ///< 1, s, 1
 };
 using Terms = std::vector<Term>;
 
 test::Input series(Terms const& terms) {
   core::List all;
   for (auto const& term : terms)
-    all.push_back(
-        test::make("prony", {{"share", test::value(term.share)}, {"time", test::value(term.time, "s")}}));
+    all.push_back(test::make("prony", {{"share", test::value(term.share)},
+                                       {"time", test::value(term.time, "s")},
+                                       {"bulk_share", test::value(term.bulk)}}));
   return test::list(std::move(all));
 }
 test::Input neo_hookean() {
@@ -46,7 +47,7 @@ test::Input along(test::Input table, std::vector<double> const& times, std::vect
 }
 
 struct Marched {
-  std::vector<double> force; ///< on the top along x, N
+  std::vector<double> force, push; ///< on the top along x and y, N
   dynamics::State end;
 };
 Marched march(test::Input const& table, double end, int steps) {
@@ -56,7 +57,9 @@ Marched march(test::Input const& table, double end, int steps) {
   Marched marched;
   marched.end = test::march(stepper, stepper.initial(), end / steps, steps,
                             [&](dynamics::State const&, dynamics::State const& next) {
-                              marched.force.push_back(test::force_on(scene, next, "bar.top").x());
+                              auto const force = test::force_on(scene, next, "bar.top");
+                              marched.force.push_back(force.x());
+                              marched.push.push_back(force.y());
                             });
   return marched;
 }
@@ -64,7 +67,7 @@ Marched march(test::Input const& table, double end, int steps) {
 /// Force on the top after a ramp to this shear within t1, of small strains.
 double relaxed(Terms const& terms, double shear, double t1, double t) {
   double force = G * shear;
-  for (auto const& [share, time] : terms)
+  for (auto const& [share, time, bulk] : terms)
     force += share * G * shear / t1 * time * -std::expm1(-t1 / time) * std::exp(-(t - t1) / time);
   return force;
 }
@@ -104,6 +107,23 @@ double finite_force(Term const& term, Stretched const& way, double t) {
   return (F * M)(0, 1) / std::cbrt(F.determinant() * F.determinant());
 }
 
+/// One cube of 1 m in space whose sides at the origin are held.
+test::Input cube(Terms const& terms) {
+  auto table = test::space();
+  test::at(table, "bodies.bar") =
+      test::box({.size = {1, 1, 1}, .cells = {1, 1, 1}}, test::linear_elastic(1000, 0.25));
+  test::at(table, "bodies.bar.relaxing") = series(terms);
+  test::at(table, "motions") = test::list(
+      {test::fix_in("bar.left", "x"), test::fix_in("bar.bottom", "z"), test::fix_in("bar.front", "y")});
+  return table;
+}
+core::List& list_of(test::Input& table, char const* name) {
+  auto& found = test::at(table, name);
+  if (found.list() == nullptr)
+    found = test::list({});
+  return std::get<core::List>(found.value);
+}
+
 /// Storage and loss modulus from the force on a block that swings, its transients fitted with it.
 std::pair<double, double> moduli(Terms const& terms, double omega) {
   constexpr int steps = 800, amplitude_steps = 400; // two periods
@@ -138,7 +158,7 @@ struct Swing {
 Swing swing(test::Input scheme, test::Input law, int steps) {
   auto table = test::make("scene");
   test::at(table, "bodies.bar") = test::block({{0, 0}, {1, 1}, {2, 2}}, std::move(law), 3);
-  test::at(table, "bodies.bar.relaxing") = series({{0.8, 0.05}, {0.5, 3e-3}});
+  test::at(table, "bodies.bar.relaxing") = series({{0.8, 0.05, 0.3}, {0.5, 3e-3}, {0, 0.02, 0.6}});
   test::at(table, "scheme") = std::move(scheme);
   test::at(table, "schedule") = test::schedule({{0.5, steps}});
   test::at(table, "motions") = test::list({test::fix("bar.bottom")});
@@ -229,11 +249,121 @@ TEST_CASE("creep under a growing force nears its closed form as dt^2") {
   CHECK(c < 1e-6);
 }
 
+TEST_CASE("pressed from all sides a cube relaxes by its volume terms alone") {
+  Terms const terms{{5, 0.1}, {0.3, 0.5, 0.8}, {0, 4, 1.5}};
+  double const e = 1e-3, t1 = 1, end = 4;
+  for (int const steps : {4, 40}) {
+    auto table = cube(terms);
+    auto& motions = list_of(table, "motions");
+    std::vector<double> const times{0, t1, end}, path{0, e, e};
+    motions.push_back(test::drive("bar.right", times, {{path, {}, {}}}));
+    motions.push_back(test::drive("bar.back", times, {{{}, path, {}}}));
+    motions.push_back(test::drive("bar.top", times, {{{}, {}, path}}));
+    test::at(table, "schedule") = test::schedule({{end, steps}});
+    auto const scene = scene::build(table);
+    scene.model->control.force_tolerance = 1e-13;
+    dynamics::Stepper stepper(*scene.model);
+    auto const state = test::march(stepper, stepper.initial(), end / steps, steps);
+    double const K = G * 5 / 3; // nu = 0.25
+    double exact = K * 3 * e;
+    for (auto const& [share, time, bulk] : terms)
+      exact += bulk * K * 3 * e / t1 * time * -std::expm1(-t1 / time) * std::exp(-(end - t1) / time);
+    CHECK(test::drive_on(scene, state, "bar.right").x() == doctest::Approx(exact).epsilon(1e-11));
+    CHECK(test::drive_on(scene, state, "bar.top").z() == doctest::Approx(exact).epsilon(1e-11));
+    CHECK(state.ledger.relaxation_loss > 0.1 * state.ledger.motion_work);
+  }
+}
+
+TEST_CASE("a cube drawn from all sides by a growing traction creeps in volume, in error as dt^2") {
+  double const k = 1.5, time = 0.4, pull = 2; // Pa/s
+  auto const error = [&](int steps) {
+    auto table = cube({{0.7, 0.1, 0}, {0, time, k}});
+    auto& loads = list_of(table, "loads");
+    int component = 0;
+    for (char const* set : {"bar.right", "bar.back", "bar.top"})
+      loads.push_back(
+          test::make("load.traction", {{"set", test::text(set)},
+                                       {"times", test::values({0, 1}, "s")},
+                                       {std::string(1, "xyz"[component++]), test::values({0, pull}, "Pa")}}));
+    test::at(table, "schedule") = test::schedule({{1, steps}});
+    auto const scene = scene::build(table);
+    scene.model->control.force_tolerance = 1e-13;
+    dynamics::Stepper stepper(*scene.model);
+    auto const end = test::march(stepper, stepper.initial(), 1.0 / steps, steps);
+    double const slow = time * (1 + k), K = G * 5 / 3,
+                 exact = pull / K * (1 + k / (1 + k) * slow * std::expm1(-1 / slow)) / 3;
+    return end.u[3 * test::nodes_of(scene, "bar.right")[0]] / exact - 1;
+  };
+  double const a = std::abs(error(20)), b = std::abs(error(40)), c = std::abs(error(400));
+  CHECK(std::log2(a / b) == doctest::Approx(2).epsilon(0.03));
+  CHECK(c < 1e-6);
+}
+
+TEST_CASE("a confined block relaxes in shear and volume at once, each by its own times") {
+  Terms const terms{{0.5, 0.03, 0.2}, {0, 1, 0.9}, {2, 5, 0}};
+  double const e = 1e-3, K = G * 5 / 3, M = K + 4 * G / 3;
+  for (int const steps : {4, 40}) {
+    auto const marched =
+        march(along(sheared(test::linear_elastic(1000, 0.25), terms), {0, 1, 4}, {0, 0, 0}, e), 4, steps);
+    double exact = M * e;
+    for (auto const& [share, time, bulk] : terms)
+      exact += (bulk * K + share * G * 4 / 3) * e * time * -std::expm1(-1 / time) * std::exp(-3 / time);
+    CHECK(marched.push.back() == doctest::Approx(exact).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("equal shares leave Poisson's ratio: a bar relaxes as E (1 + s exp(-t/tau)), whatever the step") {
+  double const e = 1e-3, share = 4, time = 1, end = 2, t1 = 0.5;
+  for (int const steps : {4, 40}) {
+    auto table = cube({{share, time, share}});
+    list_of(table, "motions").push_back(test::drive("bar.right", {0, t1, end}, {{{0, e, e}, {}, {}}}));
+    test::at(table, "schedule") = test::schedule({{end, steps}});
+    auto const scene = scene::build(table);
+    scene.model->control.force_tolerance = 1e-13;
+    dynamics::Stepper stepper(*scene.model);
+    auto const state = test::march(stepper, stepper.initial(), end / steps, steps);
+    double const exact =
+        1000 * e * (1 + share * time / t1 * -std::expm1(-t1 / time) * std::exp((t1 - end) / time));
+    CHECK(test::drive_on(scene, state, "bar.right").x() == doctest::Approx(exact).epsilon(1e-11));
+    CHECK(state.u[3 * test::nodes_of(scene, "bar.top")[0] + 2] == doctest::Approx(-0.25 * e).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("large compression relaxes in volume as the equation of its network, to second order") {
+  double const time = 0.6, bulk = 1.5, stretch = 0.6, K = G * 5 / 3;
+  auto const path = [&](double t) { return std::log(1 + (stretch - 1) * std::min(t, 1.0)); };
+  double a = 0;
+  int const pieces = 4000;
+  double const h = 2.0 / pieces; // Runge and Kutta's method
+  for (int i = 0; i < pieces; ++i) {
+    auto const slope = [&](double t, double at) { return (path(t) - at) / time; };
+    double const t = i * h, k1 = slope(t, a), k2 = slope(t + h / 2, a + h / 2 * k1),
+                 k3 = slope(t + h / 2, a + h / 2 * k2), k4 = slope(t + h, a + h * k3);
+    a += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  double const exact = bulk * K * (std::log(stretch) - a) / stretch;
+  auto const push = [&](Terms const& terms, int steps) {
+    return march(along(sheared(neo_hookean(), terms), {0, 1, 2}, {0, 0, 0}, stretch - 1), 2, steps);
+  };
+  // networks of a modulus next to 0 leave the law alone
+  double const law = push({{0, 1, 1e-12}}, 4).push.back();
+  auto const error = [&](int steps) {
+    return std::abs((push({{0, time, bulk}}, steps).push.back() - law) / exact - 1);
+  };
+  double const coarse = error(20), fine = error(40);
+  CHECK(coarse < 1e-2);
+  CHECK(std::log2(coarse / fine) == doctest::Approx(2).epsilon(0.05));
+  CHECK(error(2000) < 1e-6);
+  auto const few = push({{0, time, bulk}}, 50).end.ledger, many = push({{0, time, bulk}}, 500).end.ledger;
+  CHECK(many.relaxation_loss > 0.1 * many.motion_work);
+  CHECK(std::abs(many.scheme_loss()) < 0.11 * std::abs(few.scheme_loss()));
+}
+
 TEST_CASE("storage and loss modulus over four decades of frequency") {
   Terms const terms{{2, 1}, {3, 0.05}};
   for (double const omega : {0.02, 0.2, 2.0, 20.0, 200.0}) {
     double storage = G, loss = 0;
-    for (auto const& [share, time] : terms) {
+    for (auto const& [share, time, bulk] : terms) {
       double const x = omega * time;
       storage += share * G * x * x / (1 + x * x);
       loss += share * G * x / (1 + x * x);

@@ -339,7 +339,9 @@ TEST_CASE("terms of relaxation that say too little or too much are named") {
   auto const term = [](std::vector<std::pair<std::string, double>> const& numbers) {
     core::Table table;
     for (auto const& [name, number] : numbers)
-      table[name] = test::value(number, name == "time" ? "s" : name == "modulus" ? "Pa" : "1");
+      table[name] = test::value(number, name == "time"                              ? "s"
+                                        : name.find("modulus") != std::string::npos ? "Pa"
+                                                                                    : "1");
     return test::make("prony", std::move(table));
   };
   auto table = test::foot_on_floor();
@@ -350,6 +352,12 @@ TEST_CASE("terms of relaxation that say too little or too much are named") {
   check_only(table, "bodies.foot.relaxing[2].share", {"modulus", "more than 0"});
   relaxing = test::list({term({{"share", 0.4}, {"modulus", 100}, {"time", 1}})});
   check_only(table, "bodies.foot.relaxing[1].share", {"leave one of them out"});
+  relaxing = test::list({term({{"bulk_share", 0.4}, {"time", 1}}), term({{"bulk_modulus", 1}, {"time", 1}})});
+  CHECK(complaints(table).empty());
+  relaxing = test::list({term({{"share", 1}, {"bulk_share", 0.4}, {"bulk_modulus", 100}, {"time", 1}})});
+  check_only(table, "bodies.foot.relaxing[1].bulk_share", {"bulk_modulus", "leave one of them out"});
+  relaxing = test::list({term({{"share", 1}, {"bulk_share", -0.4}, {"time", 1}})});
+  check_only(table, "bodies.foot.relaxing[1].bulk_share", {"-0.4", ">= 0"});
   relaxing = test::list({term({{"share", 0.4}, {"time", 0}})});
   check_only(table, "bodies.foot.relaxing[1].time", {"0 s", "> 0 s"});
   relaxing = test::list({});

@@ -419,4 +419,13 @@ TEST_CASE("times of relaxation are held against the steps and the run") {
                  "4 of the longest step, 0.5 of the run"));
   CHECK_FALSE(contains(line(explanation, "Body foot", "relaxes in 1 s").words, ":"));
   CHECK(contains(line(explanation, "Body foot", "relaxes in " + scene::human(1e6, "s")).words, "a spring"));
+  auto both = term(0.5, 1);
+  at(both, "bulk_share") = value(2);
+  auto volume = make("prony", {{"bulk_share", value(1.5)}, {"time", value(3, "s")}});
+  at(table, "bodies.foot.relaxing") = list({both, volume});
+  auto const pressed = scene::explain(table);
+  CHECK(number(pressed, "Body foot", "at once") == doctest::Approx(1.5));
+  CHECK(number(pressed, "Body foot", "at once in volume") == doctest::Approx(4.5));
+  CHECK(contains(line(pressed, "Body foot", "relaxes in 1 s").words, "G_k = 250 Pa, K_k = "));
+  CHECK(line(pressed, "Body foot", "relaxes in 3 s").words.rfind("K_k = ", 0) == 0);
 }
