@@ -16,7 +16,7 @@ local function of(key, values)
 end
 
 local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "stack_tied", "drop", "crowd", "fold", "tie",
-  "tube" }
+  "tube", "cup", "top" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
@@ -173,6 +173,23 @@ axis("fill", "gas, pressure over E or volume, that fills it; stress of its surfa
   { "pressure", { by = "pressure" } }, { "pressure_beyond", { by = "pressure", fill = 1 } },
   { "gamma_1e-9", { gamma = 1e-9 } }, { "gamma_0.2", { gamma = 0.2 } }, { "gamma_1e3", { gamma = 1e3 } },
   { "gamma_0", { gamma = 0 }, want = "refused" }, { "linear", { material = "linear_elastic", fill = 1 } },
+})
+axis("seal", "how far off its seal a cup may be, how far it is drawn; pressure outside over E", { "cup" }, {
+  { "leaks_0", { leaks_at = 0 } }, { "leaks_1e-9", { leaks_at = 1e-9 } }, { "leaks_never", { leaks_at = 1 } },
+  { "below_0", { leaks_at = -1e-6 }, want = "refused" }, { "pull_1e-9", { pull = 1e-9 } }, { "pull_0.1", { pull = 0.1 } },
+  { "outside_0", { outside = 0 } }, { "outside_1e-9", { outside = 1e-9 } }, { "outside_1", { outside = 1 } },
+  { "outside_1e3", { outside = 1e3 } }, { "bonds", { C = 1e9, w = 5, b = 0.05 } }, { "dry", { without = { "mu" } } },
+  { "linear", { material = "linear_elastic" } }, { "0.4999_mean", { nu = 0.4999, interpolation = "mean_dilatation" } },
+})
+axis("inertia", "moments of inertia of a ball over 0.1 m R^2, spin [rad/s]", { "top" }, {
+  { "1e-9", { moments = { 1e-9, 1.5e-9, 2e-9 } } }, { "1e-3", { moments = { 1e-3, 1.5e-3, 2e-3 } } },
+  { "1e3", { moments = { 1e3, 1.5e3, 2e3 } } }, { "1e9", { moments = { 1e9, 1.5e9, 2e9 } } },
+  { "needle", { slender = 1e-9, moments = { 1, 1, 1 } } }, { "equal", { moments = { 1, 1, 1 } } },
+  { "disc", { moments = { 1, 1, 2 } } }, { "no_body", { moments = { 1, 1, 2.1 } }, want = "refused" },
+  { "0", { moments = { 0, 0, 0 } }, want = "refused" }, { "still", { spin = { 0, 0, 0 } } },
+    { "spin_1e-9", { spin = { 1e-9, 1e-9, 1e-9 } } },
+  { "spin_1e4", { spin = { 1e4, 2e4, 3e4 } } }, { "spin_1e9", { spin = { 1e9, 2e9, 3e9 } } }, { "mass_1e-9", { mass = 1e-9 } },
+  { "mass_1e3", { mass = 1e3 } },
 })
 axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
   { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },

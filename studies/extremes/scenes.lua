@@ -262,6 +262,57 @@ scenes.tube = {
   end,
 }
 
+--- A suction cup pressed onto a plane and drawn off: air goes out under its rim, what is left holds it until the rim is off.
+scenes.cup = {
+  values = { size = 0.01, wall = 0.002, height = 0.003, revolved = true, mu = 0.5, outside = 0.1, leaks_at = 1e-5, press = 1e-3,
+    pull = 6e-3, steps = 40, material = "neo_hookean", nu = 0.45 },
+  make = function(q, u)
+    local R, h, t = q.size, q.height, q.wall
+    local function at(x, y, name)
+      return stiction.edge { to = list({ x, y }, u.m), name = name }
+    end
+    local mesh = stiction.mesh.gmsh { size = t * u.m, start = list({ R, 0 }, u.m), edges = { at(R + t, 0, "rim"),
+      at(R + t, h, "out"), at(t, h + t, "out"), at(0, h + t, "top"), at(0, h, "axis"), at(R, h - t, "under"), at(R, 0, "under") } }
+    return {
+      kinematics = "axisymmetric", bodies = { cup = body_of(q, u, mesh) }, obstacles = floor(),
+      pairs = { touch = pair_of(q, u, "cup.rim", "floor") },
+      motions = { path(q, u, { set = "cup.top", times = { 0, 1, 2 }, x = { 0, 0, 0 }, y = { 0, -q.press, q.pull } }) },
+      loads = { stiction.load.gas { set = "cup.under", outside = q.outside * q.E * u.Pa, times = list({ 0, 2 * q.pace }, u.s),
+        pressure = list({ 0, 0 }, u.Pa), seal = { 0, 1 }, leaks_at = q.leaks_at * u.m } },
+      scheme = stiction.scheme.quasi_static {}, schedule = schedule_of(q, u, { 1, 2 }),
+      probes = { gas = stiction.probe.gas { set = "cup.under" }, lip = node(u, "cup.under", { R, 0 }),
+        contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+        drive = stiction.probe.force { set = "cup.top" }, driven = node(u, "cup.top", { 0, h + t }),
+        energy = stiction.probe.energy { audit = true } },
+    }
+  end,
+}
+
+--- A rigid ball with three moments of inertia that flies onto a bed, spinning.
+scenes.top = {
+  values = { size = 0.01, gap = 1e-3, speed = 0.1, spin = { 3, 5, 20 }, mass = 1e-3, moments = { 1, 1.5, 2 }, slender = 1, mu = 0.3,
+    eta = 3, E = 1e5, last = 0.2, steps = 100, solid = true },
+  make = function(q, u)
+    local own, J = 0.1 * q.mass * q.size ^ 2, {}
+    for i, moment in ipairs(q.moments) do
+      J[i] = moment * own * (i == 3 and q.slender or 1)
+    end
+    local ball = stiction.obstacle { shape = stiction.rigid.sphere { centre = list({ 0, 0, q.gap + q.size }, u.m), radius = q.size * u.m },
+      mass = q.mass * u.kg, inertia_tensor = list(J, u.kg * u.m^2), velocity = list({ 0, 0, -q.speed }, u.m / u.s),
+      spin = list(q.spin, units.rad / u.s) }
+    local bed = stiction.mesh.box { origin = list({ -q.size, -q.size, -q.size }, u.m), size = list({ 2 * q.size, 2 * q.size, q.size }, u.m),
+      cells = { 2, 2, 1 } }
+    return {
+      kinematics = "three_dimensional", bodies = { bed = body_of(q, u, bed) }, obstacles = { ball = ball },
+      pairs = { touch = pair_of(q, u, "bed.top", "ball") }, motions = { stiction.motion.fix { set = "bed.bottom" } },
+      scheme = stiction.scheme.theta_xi {}, schedule = schedule_of(q, u, { q.last }),
+      probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
+       
+        momentum = stiction.probe.momentum {}, ball = stiction.probe.rigid { obstacle = "ball" }, energy = stiction.probe.energy { audit = true } },
+    }
+  end,
+}
+
 --- Whether block i is asked about block k, each a whole boundary.
 local asks = {
   neighbours = function(i, k) return k == i + 1 end,

@@ -93,6 +93,7 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
                                [](auto const& body) { return solid::linear(*body); });
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
+  arms_ = arms(model);
 }
 
 void BulkSystem::make_matrix(Model const& model, StepWeights const& weights) {
@@ -458,7 +459,8 @@ bool BulkSystem::make(StepWeights const& weights, Cost& cost) {
     if (!own(j))
       continue;
     auto const k = ix(columns[ix(j)]);
-    now.scale = std::max(now.scale, values_[k]);
+    double const arm = arms_.size() > 0 ? arms_[dof_of(j)] : 1;
+    now.scale = std::max(now.scale, values_[k] / (arm * arm));
     now.bodies = std::max(now.bodies, values_[k] - (weights.inertia ? now.mass * mass_in_matrix_[k] : 0));
   }
   if (model_->share) {

@@ -209,6 +209,7 @@ private:
   std::vector<solid::Networks> networks_;       ///< [bodies], in it; empty without bodies that relax
   bool own_rates_ = false;                      ///< of damped bodies' contact nodes
   double cell_size_ = 0;                        ///< m
+  Vector arms_;                                 ///< of the model
 };
 
 } // namespace stiction::dynamics

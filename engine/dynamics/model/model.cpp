@@ -1,6 +1,8 @@
 // Cells of shared bodies, unknowns of free rigid ones.
 #include "dynamics/model/model.hpp"
 
+#include <cmath>
+
 namespace stiction::dynamics {
 
 solid::Cells cells_of(Model const& model, std::size_t body) {
@@ -8,6 +10,18 @@ solid::Cells cells_of(Model const& model, std::size_t body) {
     return {*model.bodies[body], model.kinematics};
   return {*model.bodies[body], model.kinematics,
           [&](std::span<Index const> nodes) { return model.share->part(nodes, model.first_node[body]); }};
+}
+
+Vector arms(Model const& model) {
+  Vector all;
+  for (auto const& rigid : model.rigids)
+    if (rigid.free() && rigid.inertia > 0) {
+      if (all.size() == 0)
+        all.setOnes(model.dofs());
+      all.segment(model.dim() * (rigid.node + 1), model.dim())
+          .setConstant(std::sqrt(rigid.inertia / rigid.mass));
+    }
+  return all;
 }
 
 void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin) {

@@ -130,6 +130,10 @@ struct Model {
 /// The cells of a body: those of this process's share.
 [[nodiscard]] solid::Cells cells_of(Model const& model, std::size_t body);
 
+/// What a turn counts for as a way, and a moment as a force: the radius of gyration of free rigid bodies, m,
+/// and 1 for displacements, [degrees of freedom]; empty where nothing turns freely.
+[[nodiscard]] Vector arms(Model const& model);
+
 /// Puts a free rigid body's two nodes at the end of the model; holds the components that it has not.
 void add_unknowns(Model& model, RigidBody& rigid, Vec3 const& velocity, Vec3 const& spin);
 

@@ -13,7 +13,6 @@
 namespace stiction::dynamics {
 
 namespace {
-constexpr int settle_after = 6;        // iterations after which no point changes its mind about bonding
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
 constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
 constexpr double unreached = 1e100;    // gap of a point without counterpart, m
@@ -46,7 +45,8 @@ core::Schema const& StepControl::schema() {
 
 Stepper::Stepper(Model const& model, Purpose purpose)
     : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_, purpose),
-      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr) {
+      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
+      arms_(arms(model)) {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
@@ -250,33 +250,6 @@ bool Stepper::apart(Index dof) const {
   return weights_.surface_apart() && bulk_.surface_dof(dof) && driver_[ix(dof)] == nullptr;
 }
 
-/// Largest force on a free unknown that nothing balances, N.
-double Stepper::imbalance() const {
-  double largest = 0;
-  auto const& borne = bulk_.links().empty() ? reaction_ : gathered_;
-  for (Index k = 0; k < bulk_.unknowns(); ++k) {
-    Index const dof = bulk_.dof_of(k);
-    largest = std::max(largest, std::abs(unbalanced_[dof] - weights_.contact * borne[dof]));
-  }
-  return largest;
-}
-
-/// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
-/// rounding, once it no longer falls.
-bool Stepper::converged(Outcome& outcome) {
-  double const way = u_.lpNorm<Eigen::Infinity>() + d_.lpNorm<Eigen::Infinity>();
-  double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
-  double const rounded = 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
-  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
-  double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
-  outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
-  outcome.force_scale = force_scale_;
-  double const rounding = 1e-15 * extent_ * bulk_.stiffness_scale();
-  bool const stalls =
-      worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
-  return forces <= tolerance && contact <= tolerance + (stalls ? rounding : 0.0);
-}
-
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
 /// one.
 bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
@@ -403,9 +376,8 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
     if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
       return outcome;
-    force_scale_ = std::max({internal_.lpNorm<Eigen::Infinity>(), old.internal.lpNorm<Eigen::Infinity>(),
-                             inertia_.lpNorm<Eigen::Infinity>(), contact_->force_scale(),
-                             external_.lpNorm<Eigen::Infinity>()});
+    force_scale_ = std::max({largest_force(internal_), largest_force(old.internal), largest_force(inertia_),
+                             contact_->force_scale(), largest_force(external_)});
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
     previous_imbalance_ = now;

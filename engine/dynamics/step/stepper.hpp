@@ -92,6 +92,8 @@ private:
   void set_explicit_rates(State const& old, double dt, State& next) const;
   [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);
   [[nodiscard]] bool apart(Index dof) const;
+  [[nodiscard]] double largest_way(Vector const& way) const;
+  [[nodiscard]] double largest_force(Vector const& force) const;
   [[nodiscard]] double imbalance() const;
   [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(State const& old, double dt, Outcome& outcome);
@@ -113,6 +115,8 @@ private:
   [[nodiscard]] std::string unanswered() const;
   [[nodiscard]] std::string held_and_pressed() const;
 
+  static constexpr int settle_after = 6; ///< iterations after which no point changes its mind about bonding
+
   Model const* model_;
   std::function<bool()> enough_;
   StepWeights weights_;
@@ -121,6 +125,7 @@ private:
   Tunnelling tunnelling_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
+  Vector arms_;                       ///< of the model
   // workspace of one step
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, gathered_, correction_,
       surface_, surface_load_;

@@ -21,6 +21,16 @@ void Stepper::set_momenta(State& state) const {
                                   : Screw{});
 }
 
+namespace {
+
+/// Is the primary side a free rigid body? It has nothing inside that hands the mean of R on.
+bool alone(Model const& model, Pair const& pair) {
+  auto const* side = std::get_if<RigidSide>(&pair.primary);
+  return side != nullptr && model.rigids[side->body].free();
+}
+
+} // namespace
+
 /// Adds the step's impulses to those of old, by the force averages of the scheme.
 void Stepper::tally(State const& old, State& next) const {
   auto& all = next.momenta;
@@ -42,12 +52,14 @@ void Stepper::tally(State const& old, State& next) const {
   Vector force;
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
     contact_->reaction(force, static_cast<int>(p));
-    auto const now = resultants(*model_, model_->pairs[p], next.u, force);
+    auto const& pair = model_->pairs[p];
+    auto const now = resultants(*model_, pair, next.u, force);
+    double const own = alone(*model_, pair) && weights_.surface_apart() ? 1 : chi;
     auto& sum = all.pairs[p];
     sum.secondary += dt * ((1 - chi) * all.forces[p].secondary);
     sum.secondary += dt * (chi * now.secondary);
-    sum.primary += dt * ((1 - chi) * all.forces[p].primary);
-    sum.primary += dt * (chi * now.primary);
+    sum.primary += dt * ((1 - own) * all.forces[p].primary);
+    sum.primary += dt * (own * now.primary);
     all.forces[p] = now;
   }
 }

@@ -139,3 +139,41 @@ TEST_CASE("an inertia tensor that no body has is refused") {
   CHECK(refused({1, 1}));
   CHECK(refused({1, 1, 1, 2, 0, 0}));
 }
+
+TEST_CASE("a spinning ball that lands is the same in small units") {
+  auto const landed = [](double m) { // lengths times m: stresses over m, moments of inertia times m^2
+    auto table = test::make("scene");
+    auto shape = test::make("rigid.sphere", {{"centre", test::values({0, 0, 0.011 * m}, "m")},
+                                             {"radius", test::value(0.01 * m, "m")}});
+    double const J = 1e-8 * m * m;
+    test::at(table, "kinematics") = test::text("three_dimensional");
+    test::at(table, "bodies.bed") =
+        test::box({{-0.01 * m, -0.01 * m, -0.01 * m}, {0.02 * m, 0.02 * m, 0.01 * m}, {2, 2, 1}},
+                  test::linear_elastic(1e5 / m, 0.3), 1000 / (m * m * m));
+    test::at(table, "obstacles.ball") =
+        test::make("obstacle", {{"shape", std::move(shape)},
+                                {"mass", test::value(1e-3, "kg")},
+                                {"inertia_tensor", test::values({J, 1.5 * J, 2 * J}, "kg m^2")},
+                                {"velocity", test::values({0, 0, -0.1 * m}, "m/s")},
+                                {"spin", test::values({3, 5, 20}, "rad/s")}});
+    test::at(table, "pairs.joint") = test::pair("bed.top", "ball");
+    test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
+    test::at(table, "motions") = test::list({test::fix("bed.bottom")});
+    test::at(table, "scheme") = test::theta_xi(0.5, 0.5);
+    test::at(table, "schedule") = test::schedule({{0.1, 1}});
+    test::at(table, "probes.momentum") = test::make("probe.momentum");
+    auto const scene = scene::build(table);
+    double off = 0; // of its own momentum and what contact gave it, at any step
+    auto const end = spin(scene, 2e-3, 25, [&](test::State const& state) {
+      Vec3 const gained = state.momenta.bodies.back().linear - Vec3(0, 0, -1e-4 * m);
+      off = std::max(off, (gained - state.momenta.pairs[0].primary.linear).norm());
+    });
+    CHECK(off < 1e-6 * 1e-4 * m);
+    auto const& ball = end.momenta.bodies.back();
+    return std::pair{Vec3(ball.linear / (1e-3 * 0.1 * m)), Vec3(ball.angular / (20 * J))};
+  };
+  auto const ordinary = landed(1), small = landed(1e-9);
+  CHECK(ordinary.first.z() > -0.9); // it has landed
+  CHECK((ordinary.first - small.first).norm() < 1e-6);
+  CHECK((ordinary.second - small.second).norm() < 1e-6);
+}

@@ -1,0 +1,49 @@
+// When a step counts as converged.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dynamics/step/stepper.hpp"
+
+namespace stiction::dynamics {
+
+/// m, turns by their arms.
+double Stepper::largest_way(Vector const& way) const {
+  return arms_.size() > 0 ? way.cwiseProduct(arms_).lpNorm<Eigen::Infinity>() : way.lpNorm<Eigen::Infinity>();
+}
+
+/// N, moments over their arms.
+double Stepper::largest_force(Vector const& force) const {
+  return arms_.size() > 0 ? force.cwiseQuotient(arms_).lpNorm<Eigen::Infinity>()
+                          : force.lpNorm<Eigen::Infinity>();
+}
+
+/// Largest force on a free unknown that nothing balances, N.
+double Stepper::imbalance() const {
+  double largest = 0;
+  auto const& borne = bulk_.links().empty() ? reaction_ : gathered_;
+  for (Index k = 0; k < bulk_.unknowns(); ++k) {
+    Index const dof = bulk_.dof_of(k);
+    double const force = std::abs(unbalanced_[dof] - weights_.contact * borne[dof]);
+    largest = std::max(largest, arms_.size() > 0 ? force / arms_[dof] : force);
+  }
+  return largest;
+}
+
+/// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
+/// rounding, once it no longer falls.
+bool Stepper::converged(Outcome& outcome) {
+  double const way = largest_way(u_) + largest_way(d_);
+  double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
+  double const rounded = 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
+  double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
+  outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
+  outcome.force_scale = force_scale_;
+  double const rounding = 1e-15 * extent_ * bulk_.stiffness_scale();
+  bool const stalls =
+      worst > 0.5 * std::exchange(previous_worst_, worst) && outcome.iterations >= settle_after;
+  return forces <= tolerance && contact <= tolerance + (stalls ? rounding : 0.0);
+}
+
+} // namespace stiction::dynamics
