@@ -1,5 +1,6 @@
 -- What would notice a wrong answer, per scene: balance, complementarity, ledger, closed forms, other units.
 local measure = require "measure"
+local impulses = require "impulses"
 
 local checks = {}
 
@@ -421,62 +422,13 @@ local function suction(case, q, say)
   local floor, drive, leaking = case:series("contact", "force_y"), case:series("drive", "force_y"), case:series("lip", "u_y")
   local left = false
   for i = 2, #pressure do
-    local held = pressure[i] * math.pi * (q.size * q.L + r[i]) ^ 2
-    off, most = math.max(off, math.abs(floor[i] + drive[i] + held)), math.max(most, math.abs(held), math.abs(floor[i]))
+    local pull = pressure[i] * math.pi * (q.size * q.L + r[i]) ^ 2
+    off, most = math.max(off, math.abs(floor[i] + drive[i] + pull)), math.max(most, math.abs(pull), math.abs(floor[i]))
     wrong = math.max(wrong, left and math.abs(pressure[i]) or pressure[i])
     left = left or math.abs(leaking[i]) > q.leaks_at * q.L
   end
   say("what is pulled against air and floor, over the largest", off / (most + 1e-6 * measure.scales(q).force), 1e-6)
   say("pressure of air above that outside, or once the lip is off", wrong / (q.E * q.M / q.L / q.T ^ 2), 1e-12)
-end
-
-local function vectors(case, group, name)
-  local x, y, z, list = case:series(group, name .. "_x"), case:series(group, name .. "_y"), case:series(group, name .. "_z"), {}
-  for i = 1, #x do
-    list[i] = { x[i], y[i], z[i] }
-  end
-  return list
-end
-
-local function cross(a, b)
-  return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
-end
-
---- Momentum of the ball, and angular momentum about its centre, change in each step by what its contact gives.
-local function impulses(case, q, say)
-  local p, l, at = vectors(case, "momentum", "ball_p"), vectors(case, "momentum", "ball_l"), vectors(case, "ball", "u")
-  local given, turned = {}, {}
-  for name, list in pairs { impulse = given, angular_impulse = turned } do
-    local bed, both = vectors(case, "momentum", "touch_" .. name), vectors(case, "momentum", "touch_" .. name:gsub("impulse", "sum"))
-    for i = 1, #bed do
-      list[i] = { both[i][1] - bed[i][1], both[i][2] - bed[i][2], both[i][3] - bed[i][3] }
-    end
-  end
-  local off, off_l, most, most_l, old = 0, 0, 0, 0, nil
-  for i = 1, #p do
-    local x = at[i]
-    x[3] = x[3] + (q.gap + q.size) * q.L
-    local orbit, own = cross(x, p[i]), {}
-    for k = 1, 3 do
-      own[k] = l[i][k] - orbit[k]
-      most, most_l = math.max(most, math.abs(p[i][k])), math.max(most_l, math.abs(own[k]))
-    end
-    if old then
-      local step, moment = {}, {}
-      for k = 1, 3 do
-        step[k], moment[k] = given[i][k] - given[i - 1][k], turned[i][k] - turned[i - 1][k]
-        off = math.max(off, math.abs(p[i][k] - p[i - 1][k] - step[k]))
-      end
-      local about = cross(x, step)
-      for k = 1, 3 do
-        off_l = math.max(off_l, math.abs(own[k] - old[k] - moment[k] + about[k]))
-      end
-    end
-    old = own
-  end
-  most_l = math.max(most_l, 1e-3 * most * q.size * q.L) -- without spin
-  say("momentum that no contact gave, over the largest", off / math.max(most, 1e-300), 1e-6)
-  say("angular momentum that no contact gave, over the largest", off_l / math.max(most_l, 1e-300), 1e-6)
 end
 
 local of_scene = {

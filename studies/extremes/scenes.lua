@@ -307,8 +307,8 @@ scenes.top = {
       pairs = { touch = pair_of(q, u, "bed.top", "ball") }, motions = { stiction.motion.fix { set = "bed.bottom" } },
       scheme = stiction.scheme.theta_xi {}, schedule = schedule_of(q, u, { q.last }),
       probes = { contact = stiction.probe.contact { pair = "touch" }, line = stiction.probe.contact_line { pair = "touch" },
-       
-        momentum = stiction.probe.momentum {}, ball = stiction.probe.rigid { obstacle = "ball" }, energy = stiction.probe.energy { audit = true } },
+        momentum = stiction.probe.momentum {}, ball = stiction.probe.rigid { obstacle = "ball" },
+        energy = stiction.probe.energy { audit = true } },
     }
   end,
 }

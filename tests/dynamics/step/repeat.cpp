@@ -62,10 +62,9 @@ std::vector<std::pair<std::string, test::Input>> scenes() {
     auto const bodies = std::string("bodies.") + body;
     test::at(all.back().second, bodies + ".material") = test::linear_elastic(1000, 0.3);
     for (auto* table : {&all.back().second, &all[all.size() - 2].second})
-      test::at(*table, bodies + ".relaxing") =
-          test::list({test::make("prony", {{"share", test::value(0.5)},
-                                           {"bulk_share", test::value(0.4)},
-                                           {"time", test::value(0.2, "s")}})});
+      test::at(*table, bodies + ".relaxing") = test::list({test::make(
+          "prony",
+          {{"share", test::value(0.5)}, {"bulk_share", test::value(0.4)}, {"time", test::value(0.2, "s")}})});
   }
   all.emplace_back("explicit", dragged(test::make("scheme.central_difference")));
   return all;
