@@ -92,7 +92,8 @@ template<int N> void check_volume_tangent(bool small) {
     double const e = small ? at.head<3>().sum() : 0.5 * std::log(C.determinant());
     return Vector::Constant(1, 0.65 * e * e - 0.4 * e);
   };
-  CHECK(test::rate(energy, stress(strain).transpose(), strain, 1e-2).errors[2] < 1e-9);
+  auto const derived = test::rate(energy, stress(strain).transpose(), strain, 1e-2);
+  CHECK((small ? derived.errors[0] < 1e-12 : derived.second_order));
 }
 
 } // namespace
