@@ -54,7 +54,8 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   auto const scales = interface::scales(*facts.pair->law.adhesion);
   auto const wording = interface::wording(*facts.pair->law.adhesion);
   auto const& motion = facts.motion;
-  double const length = facts.modulus * scales.work / (scales.strength * scales.strength);
+  double const length = facts.cohesive_length(),
+               elastic = facts.modulus * scales.work / (scales.strength * scales.strength);
   auto const spaced = [](std::string_view formula) {
     return formula.empty() ? std::string() : " " + std::string(formula);
   };
@@ -62,7 +63,10 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   add(section, "u0", scales.opening, "opening" + spaced(wording.opening) + " at that peak", "m");
   add(section, "sigma0 / E*", scales.strength / facts.modulus,
       "strain that the bonds can put into the bodies");
-  add(section, "cohesive length", length, fmt::format("{}, over which a bond fails", wording.length), "m");
+  add(section, "cohesive length", length,
+      fmt::format("{}, over which a bond fails",
+                  length > elastic ? "sqrt(surface stress u0 / sigma0)" : wording.length),
+      "m");
   add(section, "cohesive length / cell", length / facts.size, "below 3 the pull-off depends on the mesh");
   bool const product = wording.softening.find(' ') != std::string_view::npos;
   add(section,

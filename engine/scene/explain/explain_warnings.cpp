@@ -33,8 +33,7 @@ std::string more_steps(Facts const& all, std::size_t stage, double factor) {
 }
 
 void cohesive_length(PairFacts const& pair, Warnings& warnings) {
-  auto const scales = interface::scales(*pair.pair->law.adhesion);
-  double const length = pair.modulus * scales.work / (scales.strength * scales.strength);
+  double const length = pair.cohesive_length();
   double const cell = std::max(pair.size, 0.0);
   if (length >= cohesive_cells * cell)
     return;

@@ -1,6 +1,9 @@
 // What follows from a scene without running it: sizes, speeds, stiffnesses; lines and warnings are made of
 // them.
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "dynamics/step/stepper.hpp"
 #include "scene/build/fit.hpp"
 #include "scene/explain/explain.hpp"
@@ -56,8 +59,16 @@ struct PairFacts {
   double radius = 0;                   ///< 1 / sum of curvatures, m; 0: flat or not known
   Vec3 normal = Vec3::Zero();          ///< mean of the secondary, outward; 0: it closes around
   ShapeFit secondary_fit, primary_fit; ///< of deformable sides
+  double tension = 0;                  ///< surface stress of the secondary, N/m
   std::array<double, 2> strain{};      ///< expected in the secondary and the primary body, 1
   RelativeMotion motion;
+  /// Over which bonds fail, m: elastic bodies' E* w / sigma0^2, stretched surfaces' sqrt(tension u0 /
+  /// sigma0).
+  [[nodiscard]] double cohesive_length() const {
+    auto const scales = interface::scales(*pair->law.adhesion);
+    return std::max(modulus * scales.work / (scales.strength * scales.strength),
+                    std::sqrt(tension * scales.opening / scales.strength));
+  }
   /// Does any adhesion act along the normal?
   [[nodiscard]] bool adheres() const {
     return pair->law.adhesion && interface::scales(*pair->law.adhesion).work > 0 &&

@@ -1,6 +1,7 @@
 // Facts of pairs: stiffness, curvature, cell size, and how the motions bring the two sides together.
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include <Eigen/Geometry>
 
@@ -323,6 +324,23 @@ void add_strain(Facts const& all, PairFacts& facts) {
 
 } // namespace
 
+namespace {
+
+/// Sum of the surface stresses that act on all of the secondary side, N/m.
+double tension_of(dynamics::Model const& model, dynamics::Pair const& pair) {
+  double sum = 0;
+  for (auto const& stress : model.surface_stresses) {
+    std::set<Index> stretched;
+    for (auto const& facet : stress.facets)
+      stretched.insert(facet.nodes.begin(), facet.nodes.end());
+    if (std::ranges::all_of(pair.nodes(), [&](Index node) { return stretched.contains(node); }))
+      sum += stress.gamma;
+  }
+  return sum;
+}
+
+} // namespace
+
 PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& start) {
   auto const& scene = *all.scene;
   PairFacts facts;
@@ -344,6 +362,7 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
     for (auto const& primary : movers_of(all, facts))
       follower.follow(scene.part.schedule, secondary, primary);
   add_strain(all, facts);
+  facts.tension = tension_of(*scene.model, *facts.pair);
   return facts;
 }
 

@@ -200,6 +200,19 @@ TEST_CASE("a cohesive length below three cells makes the pull-off depend on the 
   CHECK(contains(found[0].change, "cells of 83.3 mm or less at foot.bottom"));
 }
 
+TEST_CASE("a stretched surface makes the cohesive length longer") {
+  auto input = bonded(4, 2000, 40);
+  at(input, "loads") =
+      list({make("load.surface_stress", {{"set", text("foot.bottom")}, {"gamma", value(4000, "N/m")}})});
+  CHECK_FALSE(warns(input, "will depend on the mesh"));
+  auto const& told = line(scene::explain(input), "Numbers of pair sole", "cohesive length");
+  CHECK(told.value == doctest::Approx(std::sqrt(2.0)));
+  CHECK(contains(told.meaning, "surface stress"));
+  at(input, "loads") =
+      list({make("load.surface_stress", {{"set", text("foot.left")}, {"gamma", value(4000, "N/m")}})});
+  CHECK(warns(input, "will depend on the mesh"));
+}
+
 TEST_CASE("steps that jump over the peak of the adhesion are named with the steps that do not") {
   auto const found = warnings(bonded(1, 1000, 10), "the motions slide by 0.32 u0 in a step");
   REQUIRE(found.size() == 1);
