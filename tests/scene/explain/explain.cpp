@@ -205,7 +205,8 @@ TEST_CASE("a stretched surface makes the cohesive length longer") {
   at(input, "loads") =
       list({make("load.surface_stress", {{"set", text("foot.bottom")}, {"gamma", value(4000, "N/m")}})});
   CHECK_FALSE(warns(input, "will depend on the mesh"));
-  auto const& told = line(scene::explain(input), "Numbers of pair sole", "cohesive length");
+  auto const explanation = scene::explain(input);
+  auto const& told = line(explanation, "Numbers of pair sole", "cohesive length");
   CHECK(told.value == doctest::Approx(std::sqrt(2.0)));
   CHECK(contains(told.meaning, "surface stress"));
   at(input, "loads") =
