@@ -91,7 +91,7 @@ local function posed(own, start, bounds)
     end
     return { r = r }
   end
-  return { parameters = parameters, loss = "squares", known = false, enough = 1e-20, most = 5000, always = true, central = true,
+  return { parameters = parameters, loss = "squares", known = false, enough = 1e-20, most = 5000, refusals = 40, always = true, central = true,
     step = function(k, z) return space.step(parameters[k], space.values(parameters, z)[k], 1e-5) end,
     evaluate = function(points)
       local list = {}

@@ -116,10 +116,11 @@ local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
 end
 
---- {values =, free = places of the parameters that move, errors = (standard errors, nil of one at a bound), relative = (the same
---- of relative coordinates), covariance = (of relative coordinates of the free ones), correlations =, eigenvalues = (of the
---- information in relative coordinates, the largest first), directions =, fates = by place, combinations = {{error =, powers =}},
---- squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where errors are not known), runs = {by curve}}
+--- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
+--- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
+--- correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =, fates = by place,
+--- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
+--- errors are not known), runs = {by curve: the chance, or false}, rejected =}.
 --- about = {curves = {{name =, first =, last =}}, noise = (of a residual), share = (of differences)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
@@ -128,7 +129,7 @@ function judge.of(problem, found, about)
   for i, k in ipairs(free) do
     columns[i] = numeric.map(found.J[k], function(x) return x / slopes[k] end)
   end
-  local judged = { values = values, free = free, sizes = sizes, errors = {}, relative = {}, fates = {}, runs = {},
+  local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
     squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
   local floor = blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)

@@ -1,5 +1,6 @@
 -- The search for least squares: trust-region steps between bounds, derivatives by differences that are kept as long as they do.
--- Trial points that fail are steps too long. Derivatives between two differences: Broyden, Math. Comp. 19 (1965) 577.
+-- Trial points that fail are steps too long. Derivatives between two differences: Broyden, Math. Comp. 19 (1965) 577, with the
+-- projections of Gay, Schnabel (Nonlinear Programming 3, 1978, 245).
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
@@ -9,15 +10,19 @@ local space = require "stiction.fit.space"
 local search = {}
 
 local poor = 0.25 -- of what a step was to gain: less, and the derivatives are made anew
-local most_refused = 2 -- trial points without a gain before old derivatives are made anew
+local most_refused = 1 -- trial points without a gain before old derivatives are made anew
+local cut, most_cuts = 0.25, 3 -- of a step that gains nothing with new derivatives; how often
 local penalty = 100 -- times the squares of the best: what a failed case counts
+local worth = 25 -- times what is enough: a round of steps with new derivatives that gains less is the last
 local most_rounds = 40 -- of steps with one set of bounds
 local apart = 1e-3 -- in a coordinate: two minima
+local news = 0.2 -- of a step: less that is new, and the steps before it are forgotten
 local edge = 1e-12 -- coordinates so near to a bound are on it
 
 -- A problem: {parameters =, loss = name, evaluate = function(points, word) -> list of {r = residuals | failed = reason},
 -- step = function(k, z) -> size of differences, known = whether errors are known, enough = gain in squares of standard errors
--- at which it ends, most = evaluations, always = derivatives by differences at each step, central = by central ones}.
+-- at which it ends, most = evaluations, refusals = trial points in vain after new derivatives, always = derivatives by differences
+-- at each step, central = by central ones}.
 
 local Search = {}
 Search.__index = Search
@@ -93,7 +98,24 @@ end
 --- Derivatives made anew where the search stands.
 local function refresh(self)
   self.J, self.lost = differences(self, self.z, self.at)
-  self.fresh, self.refused = true, 0
+  self.fresh, self.refused, self.ways = true, 0, {}
+end
+
+--- The direction along which a step is news: without those of the steps before it since derivatives were made.
+local function news_of(self, dz)
+  local v = table.move(dz, 1, #dz, 1, {})
+  for _, way in ipairs(self.ways) do
+    local along = linear.dot(way, dz)
+    for k = 1, #v do
+      v[k] = v[k] - along * way[k]
+    end
+  end
+  local whole, left = math.sqrt(linear.dot(dz, dz)), math.sqrt(linear.dot(v, v))
+  if left < news * whole then
+    self.ways, v, left = {}, table.move(dz, 1, #dz, 1, {}), whole
+  end
+  table.insert(self.ways, numeric.map(v, function(x) return x / left end))
+  return v
 end
 
 --- Brings derivatives along to a new point.
@@ -108,10 +130,12 @@ local function follow(self, z, at)
   for i = 1, #at.r do
     predicted = predicted + (self.at.own[i] + self.at.slopes[i] * guess[i]) ^ 2
   end
-  for k = 1, square > 0 and #z or 0 do
+  local v = square > 0 and news_of(self, dz)
+  for k = 1, v and #z or 0 do
     J[k] = {}
+    local share = v[k] / linear.dot(v, dz)
     for i = 1, #at.r do
-      J[k][i] = self.J[k][i] + (at.r[i] - self.at.r[i] - guess[i]) * dz[k] / square
+      J[k][i] = self.J[k][i] + (at.r[i] - self.at.r[i] - guess[i]) * share
     end
   end
   local good = self.at.cost - at.cost >= poor * (self.at.cost - predicted)
@@ -142,14 +166,19 @@ local function columns_of(self, free)
   return linear.scaled(numeric.map(free, function(k) return self.J[k] end), self.at.slopes)
 end
 
+--- What a standard error counts in squares.
+local function unit_of(self)
+  local each = self.at.cost / math.max(1, #self.at.r - #self.z)
+  return self.problem.known and math.max(1, each) or each
+end
+
 --- Whether a whole step of the free parameters would gain no more than is worth it.
 local function is_there(self, free)
   if #free == 0 then
     return true
   end
   local _, gain = linear.step(columns_of(self, free), self.at.own, 1)
-  local unit = self.problem.known and 1 or self.at.cost / math.max(1, #self.at.r - #self.z)
-  return gain <= self.problem.enough * unit
+  return gain <= self.problem.enough * unit_of(self)
 end
 
 --- Steps with these parameters free, from where the search stands, until there is reason to look anew.
@@ -170,8 +199,8 @@ local function walk(self, free)
     end
     local answer = evaluate(self, { z }, "step")[1]
     local gained = answer.r and answer.cost <= self.at.cost
-    self.refused = gained and self.refused or self.refused + 1
-    if not gained and not self.fresh and self.refused >= most_refused then
+    self.refused, self.trial = gained and self.refused or self.refused + 1, z
+    if not gained and self.refused >= (self.fresh and problem.refusals or most_refused) then
       return nil
     elseif answer.r then
       return answer.own
@@ -192,6 +221,23 @@ local function walk(self, free)
   return select(2, engine.least_squares(start, #self.at.r, residuals, jacobian, each, problem.most))
 end
 
+--- Shorter steps towards a trial point that gained nothing; whether one gains.
+local function shorten(self)
+  local z, towards = self.z, self.trial
+  for i = 1, self.trial and most_cuts or 0 do
+    local point = {}
+    for k in ipairs(z) do
+      point[k] = z[k] + cut ^ i * (towards[k] - z[k])
+    end
+    local answer = evaluate(self, { point }, "step")[1]
+    if answer.r and answer.cost < self.at.cost then
+      follow(self, point, answer)
+      return true
+    end
+  end
+  return false
+end
+
 --- The nearest minimum from a point whose answer is known: {z =, at = (answer), J =, free =, lost = (derivatives that could
 --- not be had), ended = "there" | "stuck" | "most"}.
 local function descend(self, z, at)
@@ -206,7 +252,11 @@ local function descend(self, z, at)
     else
       local from, fresh = self.at.cost, self.fresh
       local how = walk(self, free)
-      word = self.spent and "most" or how == "stuck" and fresh and self.at.cost >= from and "stuck"
+      if fresh and self.at.cost >= from and how == "ended" and not self.spent then
+        how = shorten(self) and how or "stuck"
+      end
+      local little = from - self.at.cost <= worth * self.problem.enough * unit_of(self)
+      word = self.spent and "most" or fresh and little and (how == "stuck" or not self.problem.always) and "stuck"
     end
     if word then
       break

@@ -1,0 +1,129 @@
+-- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local judge = require "stiction.fit.judge"
+local numeric = require "stiction.numeric"
+local spec = require "stiction.fit.spec"
+local units = require "stiction.units"
+
+local verdict = {}
+
+--- A value in SI in the unit that the study wrote the parameter's bounds in, and that unit.
+function verdict.shown(own, value)
+  if not units.is_quantity(own.like) then
+    return value, ""
+  end
+  local _, unit = own.like:display()
+  local factor = own.like.si / own.like:display()
+  return own.like.si ~= 0 and value / factor or value, unit
+end
+
+--- "0.981 J/m^2"
+function verdict.words(own, value, digits)
+  local number, unit = verdict.shown(own, value)
+  return ("%%.%dg%%s"):format(digits or 4):format(number, unit ~= "" and " " .. unit or "")
+end
+
+--- {low =, high = (SI; nil: open), statistical = {low =, high =}, simulation = (half width, SI; nil: not known), by = "profile" or
+--- "covariance"}: what is claimed of the k-th parameter: never less than the simulation's own error on either side.
+function verdict.interval(fit, judged, intervals, own_error, k)
+  local own, value = fit.parameters[k], judged.values[k]
+  if not judged.errors[k] then
+    return nil
+  end
+  local result = { statistical = {} }
+  local profiled = intervals and intervals[k]
+  local half = judged.t * judged.relative[k]
+  local low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
+  local high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
+  result.by = profiled and "profile" or "covariance"
+  if profiled then
+    low, high = profiled.low, profiled.high
+  end
+  local stretch = judged.rejected and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
+  low, high = low and value - stretch * (value - low), high and value + stretch * (high - value)
+  result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
+  result.stretch = stretch > 1 and stretch or nil
+  result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
+  local doubt = result.simulation or 0
+  result.low = result.statistical.low and result.statistical.low - doubt
+  result.high = result.statistical.high and result.statistical.high + doubt
+  return result
+end
+
+local function list_words(words)
+  return #words > 1 and table.concat(words, ", ", 1, #words - 1) .. " and " .. words[#words] or words[1]
+end
+
+local function names_with(fit, judged, fate)
+  local names = {}
+  for _, k in ipairs(judged.free) do
+    names[#names + 1] = judged.fates[k] == fate and fit.parameters[k].name or nil
+  end
+  return names
+end
+
+local function on_model(fit, judged, own_error, lines)
+  local per_point = judged.squares / math.max(1, judged.degrees)
+  local coarse = 0
+  for _, variant in ipairs(own_error.variants) do
+    coarse = math.max(coarse, variant.residual)
+  end
+  local hint = coarse <= 0.3 and "" or (" (a level finer changes the curves by %.2g standard errors: refine before the model is "
+    .. "blamed)"):format(coarse)
+  if judged.chance and judged.chance < 1e-3 then
+    lines[#lines + 1] = ("MODEL REJECTED by the data: chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)%s"):format(
+      judged.squares, judged.degrees, per_point, judged.chance, hint)
+  elseif judged.chance then
+    lines[#lines + 1] = ("the model agrees with the data: chi square %.4g at %d degrees of freedom (chance %.2g)"):format(judged.squares,
+      judged.degrees, judged.chance)
+    if judged.chance > 1 - 1e-3 then
+      lines[#lines] = lines[#lines] .. "; so small a one says that the errors given are too large"
+    end
+  end
+  for i, chance in ipairs(judged.runs) do
+    if chance and chance < 1e-3 / #judged.runs then
+      lines[#lines + 1] = ("MODEL REJECTED: the residuals of %s keep their sign in long runs (chance %.2g)%s"):format(fit.curves[i].name,
+        chance, hint)
+    end
+  end
+  if not judged.rejected and not judged.chance then
+    lines[#lines + 1] = "errors of the data were not given: they are those that the residuals show, and chi square tells nothing"
+  end
+end
+
+--- Lines on the model, the parameters and the simulation's own error.
+function verdict.lines(fit, judged, own_error, found)
+  local lines = {}
+  on_model(fit, judged, own_error, lines)
+  local good, mixed = names_with(fit, judged, "determined"), names_with(fit, judged, "only in combination")
+  local lost = names_with(fit, judged, "not determined")
+  if #good > 0 then
+    lines[#lines + 1] = "determined: " .. list_words(good)
+  end
+  if #mixed > 0 then
+    local words = numeric.map(judged.combinations, function(own)
+      return ("%s to %.2g %%"):format(judge.words(fit.parameters, own.powers), 100 * own.error)
+    end)
+    lines[#lines + 1] = ("determined only in combination: %s; what these data tell is %s"):format(list_words(mixed),
+      #words > 0 and list_words(words) or "no product of powers of them alone")
+  end
+  if #lost > 0 then
+    lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)
+  end
+  for k, own in ipairs(fit.parameters) do
+    if not judged.errors[k] then
+      lines[#lines + 1] = ("%s is at its bound %s: the data would have it beyond, and no error is told"):format(own.name,
+        tostring(spec.quantity(own.like, judged.values[k])))
+    end
+  end
+  lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
+    own_error.reason) or nil
+  if found.lost > 0 then
+    lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
+  end
+  if found.ended == "most" then
+    lines[#lines + 1] = ("the search was ended after %d evaluations (fit.most); this may be no minimum"):format(fit.most)
+  end
+  return lines
+end
+
+return verdict
