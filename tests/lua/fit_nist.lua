@@ -2,10 +2,7 @@
 -- Data, starts and certified values: NIST Statistical Reference Datasets, nonlinear regression (www.itl.nist.gov/div898/strd),
 -- as they stand in GSL's tests (multifit_nlinear/test_*.c) and on its pages.
 local test, equal = ...
-local judge = require "stiction.fit.judge"
-local search = require "stiction.fit.search"
-local space = require "stiction.fit.space"
-local starts = require "stiction.fit.starts"
+local plain = require "stiction.fit.plain"
 
 local exp = math.exp
 
@@ -72,8 +69,8 @@ local problems = {
     bounds = { { 1e-4, 10 }, { 1e3, 1e6 }, { 10, 1e5 } } },
 }
 
---- The problem as a fit sees it, its parameters without bounds, or logarithmic between these.
-local function posed(own, start, bounds)
+--- The parameters without bounds, or logarithmic between these.
+local function parameters_of(start, bounds)
   local parameters = {}
   for k, value in ipairs(start) do
     parameters[k] = { name = "b" .. k, size = math.abs(value), start = value }
@@ -81,36 +78,18 @@ local function posed(own, start, bounds)
       parameters[k].from, parameters[k].to, parameters[k].log = bounds[k][1], bounds[k][2], true
     end
   end
-  local function residuals(z)
-    local b, r = space.values(parameters, z), {}
-    for i, x in ipairs(own.x) do
-      r[i] = own.f(b, x) - own.y[i]
-      if r[i] ~= r[i] or math.abs(r[i]) > 1e150 then
-        return { failed = "no number" }
-      end
-    end
-    return { r = r }
-  end
-  return { parameters = parameters, loss = "squares", known = false, enough = 1e-20, most = 5000, refusals = 40, always = true, central = true,
-    step = function(k, z) return space.step(parameters[k], space.values(parameters, z)[k], 1e-5) end,
-    evaluate = function(points)
-      local list = {}
-      for i, z in ipairs(points) do
-        list[i] = residuals(z)
-      end
-      return list
-    end }
+  return parameters
 end
 
 local function near(what, got, wanted, tolerance)
   assert(math.abs(got / wanted - 1) <= tolerance, ("%s: %.12g, certified %.12g"):format(what, got, wanted))
 end
 
-local function is_certified(own, problem, points)
-  local found = search.run(problem, points, 3)[1]
+local function is_certified(own, parameters, count)
+  local found, judged = plain.fit({ parameters = parameters, x = own.x, y = own.y, f = own.f, enough = 1e-20, most = 5000, refusals = 40,
+    always = true, central = true, share = 1e-5 }, count)
   near("sum of squares", found.at.cost, own.squares, 1e-9)
-  local judged = judge.of(problem, found, {})
-  for k, value in ipairs(space.values(problem.parameters, found.z)) do
+  for k, value in ipairs(judged.values) do
     near("b" .. k, value, own.best[k], 1e-6)
     near("its standard error", judged.errors[k], own.errors[k], 1e-4)
   end
@@ -121,8 +100,7 @@ for name, own in pairs(problems) do
   for i, start in ipairs(own.starts) do
     local several = own.bounds and i == 1 -- the first start alone leads to another minimum
     test(("%s from start %d%s"):format(name, i, several and " and points between bounds" or ""), function()
-      local problem = posed(own, start, several and own.bounds)
-      is_certified(own, problem, starts.of(problem.parameters, several and 16 or 1))
+      is_certified(own, parameters_of(start, several and own.bounds), several and 16 or 1)
     end)
   end
 end

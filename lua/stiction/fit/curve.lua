@@ -125,7 +125,7 @@ function curve.read(name, t, folder, note)
   local what = check(name, t)
   local columns, words = measured.read({ file = t.file, units = t.units }, folder, note)
   local self = setmetatable({ name = name, what = what, file = t.file, case = t.case or {}, each = t.each, own = t.own or {},
-    against = t.against, weight = t.weight or 1, x_name = t.x, y_name = t.y }, Curve)
+    against = t.against, weight = t.weight or 1, read = {}, x_name = t.x, y_name = t.y }, Curve)
   self.x, self.x_unit, self.x_word = column(t, "x", columns, words, what)
   self.y, self.y_unit, self.y_word = column(t, "y", columns, words, what)
   self.rows = {}
@@ -179,7 +179,7 @@ local function in_si(self, list, unit, axis)
   return own
 end
 
-local function series_of(self, run, name, unit)
+local function series_of(self, run, name, unit, axis)
   if name == "time" then
     return run.time, "s"
   end
@@ -187,7 +187,7 @@ local function series_of(self, run, name, unit)
   local values, word = run:series(group or name, own or "")
   local _, metre, kilogram, second = engine.parse_unit(word)
   if units.is_quantity(unit) and (unit.metre ~= metre or unit.kilogram ~= kilogram or unit.second ~= second) then
-    fault.input("%s: %s of the run is in %s, %s in the file in %s", self.what, name, word, self.y_name, tostring(unit))
+    fault.input("%s: %s of the run is in %s, %s of the file in %s", self.what, name, word, self[axis .. "_name"], self[axis .. "_word"])
   end
   return values
 end
@@ -198,7 +198,7 @@ local function points_of(self, run, p)
   if type(t) == "function" then
     return t(run, p)
   end
-  local x, y = series_of(self, run, t.x, self.x_unit), series_of(self, run, t.y, self.y_unit)
+  local x, y = series_of(self, run, t.x, self.x_unit, "x"), series_of(self, run, t.y, self.y_unit, "y")
   local after, before, xs, ys = units.si(t.after) or -math.huge, units.si(t.before) or math.huge, {}, {}
   for i, time in ipairs(run.time) do
     if time >= after and time <= before then
@@ -263,7 +263,10 @@ function Curve:model(runs, p)
     for name, value in pairs(p) do
       own[name] = value
     end
-    return own
+    return setmetatable({}, { __index = function(_, name)
+      self.read[name] = true
+      return own[name]
+    end, __pairs = function() return pairs(own) end })
   end
   if not self.each then
     return along(self, runs[1], seen_by(runs[1]))

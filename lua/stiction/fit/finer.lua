@@ -62,7 +62,7 @@ function finer.of(model, study, options, found, judged)
   if not variants then
     return { reason = "the study has neither fit.finer nor a trade", variants = {} }
   end
-  local columns, result = {}, { known = true, variants = {}, relative = {} }
+  local columns, result = {}, { known = true, variants = {}, relative = {}, changes = {} }
   for i, k in ipairs(judged.free) do
     columns[i], result.relative[k] = linear.scaled({ found.J[k] }, found.at.slopes)[1], 0
   end
@@ -75,6 +75,7 @@ function finer.of(model, study, options, found, judged)
     for i, r in ipairs(answer.r) do
       change[i] = (r - found.at.r[i]) * found.at.slopes[i]
       sum = sum + (r - found.at.r[i]) ^ 2
+      result.changes[i] = (result.changes[i] or 0) + math.abs(r - found.at.r[i])
     end
     local step = #columns > 0 and linear.step(columns, change, farthest) or {}
     for i, k in ipairs(judged.free) do

@@ -8,6 +8,7 @@ local hold = require "stiction.hold"
 local judge = require "stiction.fit.judge"
 local model_module = require "stiction.fit.model"
 local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local pictures = require "stiction.fit.pictures"
 local profile = require "stiction.fit.profile"
@@ -40,8 +41,24 @@ local function teller(fit)
   end
 end
 
+--- Bad input if nobody asks for a parameter: neither the study has it, nor does a comparison read it.
+local function check_read(fit, study)
+  for _, own in ipairs(fit.parameters) do
+    local read = own.setting
+    for _, curve in ipairs(fit.curves) do
+      read = read or curve.read[own.key] and (not own.curve or own.curve == curve.name)
+    end
+    if not read then
+      local known = numeric.map(fit.parameters, function(other) return other ~= own and other.key or "" end)
+      table.move(ordered.keys(study.given), 1, #ordered.keys(study.given), #known + 1, known)
+      table.move(ordered.keys(study.chosen), 1, #ordered.keys(study.chosen), #known + 1, known)
+      fault.input("study.fit: the study has no parameter '%s'%s, and no `against` reads it", own.key, fault.meant(own.key, known))
+    end
+  end
+end
+
 --- The first batch: starts, with the runs that tell the noise. Bad input where the study's own start fails and no other does.
-local function begin(fit, model)
+local function begin(fit, model, study)
   local starts = starts_module.of(fit.parameters, math.tointeger(fit.starts))
   local answers = model:evaluate(starts, "start")
   local good = numeric.first_where(answers, function(answer) return answer.r ~= nil end)
@@ -50,6 +67,7 @@ local function begin(fit, model)
   elseif answers[1].failed then
     report.line("the study's own start fails; the others go on")
   end
+  check_read(fit, study)
   local reason = model:set_steps(starts[good])
   if reason then
     report.line("the noise of the runs could not be measured (%s); a millionth is taken", reason:match("^[^\n]*"))
@@ -62,9 +80,9 @@ local function about(fit, model)
 end
 
 --- The lowest minimum with its judgement and profiles; all minima; the cases of the search alone.
-local function look(fit, model, options)
+local function look(fit, model, study, options)
   local problem = model:problem(enough)
-  local minima = search.run(problem, begin(fit, model), most_starts)
+  local minima = search.run(problem, begin(fit, model, study), most_starts)
   local cases = #model.points.rows
   local found, judged, intervals = minima[1], nil, nil
   for _ = 0, most_restarts do
@@ -127,9 +145,10 @@ local function run(fit, model, study, options, folder)
   report.line("%d points of %d curve%s, %d parameters", fit.count, #fit.curves, #fit.curves == 1 and "" or "s", #fit.parameters)
   provenance.keep(folder, study, fit.files)
   local result = { folder = folder }
-  local found, judged, intervals, minima, cases = look(fit, model, options)
+  local found, judged, intervals, minima, cases = look(fit, model, study, options)
   result.found, result.judged, result.profiles, result.minima, result.search_cases = found, judged, intervals, minima, cases
   result.own_error = finer.of(model, study, options, found, judged)
+  verdict.settle(judged, result.own_error, found)
   result.advice = advice.of(model, found, judged)
   result.intervals = {}
   for k in ipairs(fit.parameters) do

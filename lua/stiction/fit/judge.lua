@@ -116,6 +116,17 @@ local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
 end
 
+--- The chance of so large squares if each residual may be off by the simulation's own change too (lists); nil where it tells nothing.
+function judge.chance_with(judged, residuals, changes)
+  local sum = 0
+  for i, r in ipairs(residuals) do
+    sum = sum + r * r / (1 + changes[i] ^ 2)
+  end
+  return judged.chance and engine.beyond(sum, judged.degrees)
+end
+
+judge.doubt = doubt
+
 --- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
 --- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
 --- correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =, fates = by place,

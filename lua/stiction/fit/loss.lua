@@ -17,12 +17,13 @@ local losses = {
     return 2 * c * size - c * c, r > 0 and c or -c
   end,
   soft = function(r, c)
-    local root = math.sqrt(1 + (r / c) ^ 2)
-    return 2 * c * c * (root - 1), r / root
+    local q = (r / c) ^ 2
+    local root = math.sqrt(1 + q)
+    return 2 * c * c * q / (root + 1), r / root
   end,
   cauchy = function(r, c)
-    local q = 1 + (r / c) ^ 2
-    return c * c * math.log(q), r / q
+    local q = (r / c) ^ 2
+    return c * c * (q < 1e-5 and q - q * q / 2 or math.log(1 + q)), r / (1 + q)
   end,
 }
 

@@ -6,7 +6,8 @@ local verdict = require "stiction.fit.verdict"
 local pictures = {}
 
 local most_colours = 6
-local highest = 12 -- in squares of standard errors, that profiles are drawn to
+local margin = 0.05 -- beside the profiles
+local highest = 4 -- in standard errors, that profiles are drawn to
 
 --- What the model may be off by at each point of a curve, as the parameters are uncertain: half widths in SI.
 local function band(fit, result, curve)
@@ -87,8 +88,9 @@ local function profile_figure(fit, result, k)
   local _, unit = verdict.shown(own, 1)
   local x, y = {}, {}
   local function add(value, excess)
-    if excess <= highest then
-      x[#x + 1], y[#y + 1] = value, excess
+    local root = math.sqrt(math.max(excess, 0)) -- straight where the model is linear
+    if root <= highest then
+      x[#x + 1], y[#y + 1] = value, root
     end
   end
   local done = false
@@ -102,25 +104,27 @@ local function profile_figure(fit, result, k)
   if not done then
     add(result.judged.values[k], 0)
   end
-  local marks = {}
+  local marks, low, high = {}, x[1], x[#x]
   for _, value in ipairs { interval.statistical.low or false, interval.statistical.high or false } do
     marks[#marks + 1] = value and { x = value, label = "" } or nil
+    low, high = math.min(low, value or low), math.max(high, value or high)
   end
   local t = result.judged.t
-  return figure.lines { title = own.name, x = { label = own.name, unit = unit ~= "" and unit or "1" },
-    y = { label = "rise of squares" }, marks = marks, legend = "none",
+  return figure.lines { title = own.name, x = { label = own.name, unit = unit ~= "" and unit or "1",
+    range = { low - margin * (high - low), high + margin * (high - low) } },
+    y = { label = "root of the rise of squares" }, marks = marks, legend = "none",
     curves = { { x = x, y = y, style = "solid", colour = 0 }, { x = x, y = y, style = "points", colour = 0 },
-      { x = { x[1], x[#x] }, y = { t * t, t * t }, style = "dash", colour = 6 } } }
+      { x = { low, high }, y = { t, t }, style = "dash", colour = 6 } } }
 end
 
 local kinds = {
-  { letter = "n", label = "-1 to -0.9", colour = 1 }, { letter = "m", label = "-0.9 to -0.5", colour = 4 },
+  { letter = "N", label = "-1 to -0.9", colour = 1 }, { letter = "n", label = "-0.9 to -0.5", colour = 4 },
   { letter = "o", label = "-0.5 to 0.5", colour = 6 }, { letter = "p", label = "0.5 to 0.9", colour = 2 },
-  { letter = "q", label = "0.9 to 1", colour = 0 },
+  { letter = "P", label = "0.9 to 1", colour = 0 },
 }
 
 local function kind_of(x)
-  return x < -0.9 and "n" or x < -0.5 and "m" or x <= 0.5 and "o" or x <= 0.9 and "p" or "q"
+  return x < -0.9 and "N" or x < -0.5 and "n" or x <= 0.5 and "o" or x <= 0.9 and "p" or "P"
 end
 
 local function correlation_figure(fit, judged)
@@ -129,16 +133,17 @@ local function correlation_figure(fit, judged)
     columns[i] = fit.parameters[k].name
     local cells = numeric.map(judged.correlations[i], kind_of)
     cells[i] = "."
-    rows[i] = { group = i == 1 and "correlation" or "", label = fit.parameters[k].name, cells = table.concat(cells) }
+    rows[i] = { group = "of", label = fit.parameters[k].name, cells = table.concat(cells) }
   end
-  return figure.map { name = "correlations", title = "correlations", columns = columns, kinds = kinds, rows = rows }
+  return figure.map { name = "correlations", title = "correlations of the parameters", columns = columns,
+    kinds = kinds, rows = rows }
 end
 
 local function search_figure(fit, result)
   local curves, numbers, squares = {}, {}, {}
   local tracks = numeric.map(fit.parameters, function() return { x = {}, y = {} } end)
   for i, entry in ipairs(result.log) do
-    if entry.cost and (entry.word == "start" or entry.word == "step" or entry.word == "derivative") then
+    if entry.cost and (entry.word == "start" or entry.word == "step") then
       numbers[#numbers + 1], squares[#squares + 1] = i, entry.cost
       for k, value in ipairs(entry.values) do
         local best = result.judged.values[k]

@@ -56,6 +56,7 @@ function record.table(fit, study, options, result)
     parameters = parameters_of(fit, result),
     squares = judged.squares, degrees_of_freedom = judged.degrees, errors_known = fit.known, loss = fit.loss,
     chance_of_squares = judged.chance, runs = runs_of(fit, judged), rejected = judged.rejected,
+    misfit_of_the_simulation = judged.coarse,
     free = numeric.map(judged.free, function(k) return fit.parameters[k].name end),
     covariance = judged.covariance, correlations = judged.correlations, eigenvalues = judged.eigenvalues,
     directions = judged.directions,

@@ -6,6 +6,8 @@ local units = require "stiction.units"
 
 local verdict = {}
 
+local blur = 0.3 -- standard errors by which a finer level changes curves, where runs of signs may be of its making
+
 --- A value in SI in the unit that the study wrote the parameter's bounds in, and that unit.
 function verdict.shown(own, value)
   if not units.is_quantity(own.like) then
@@ -38,7 +40,7 @@ function verdict.interval(fit, judged, intervals, own_error, k)
   if profiled then
     low, high = profiled.low, profiled.high
   end
-  local stretch = judged.rejected and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
+  local stretch = judged.misfit and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
   low, high = low and value - stretch * (value - low), high and value + stretch * (high - value)
   result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
   result.stretch = stretch > 1 and stretch or nil
@@ -61,39 +63,56 @@ local function names_with(fit, judged, fate)
   return names
 end
 
-local function on_model(fit, judged, own_error, lines)
-  local per_point = judged.squares / math.max(1, judged.degrees)
-  local coarse = 0
+--- Whether what rejects the model is no more than one finer level of the simulation changes: then nothing is rejected yet.
+local function is_coarse(judged, own_error, found)
+  if not own_error.known then
+    return false
+  end
+  local chance = judge.chance_with(judged, found.at.r, own_error.changes)
+  local largest = 0
   for _, variant in ipairs(own_error.variants) do
-    coarse = math.max(coarse, variant.residual)
+    largest = math.max(largest, variant.residual)
   end
-  local hint = coarse <= 0.3 and "" or (" (a level finer changes the curves by %.2g standard errors: refine before the model is "
-    .. "blamed)"):format(coarse)
-  if judged.chance and judged.chance < 1e-3 then
-    lines[#lines + 1] = ("MODEL REJECTED by the data: chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)%s"):format(
-      judged.squares, judged.degrees, per_point, judged.chance, hint)
+  return chance ~= nil and chance >= judge.doubt or chance == nil and largest > blur
+end
+
+local function on_squares(judged, lines)
+  local each = judged.squares / math.max(1, judged.degrees)
+  local words = ("chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)"):format(judged.squares, judged.degrees, each,
+    judged.chance or 0)
+  if judged.chance and judged.chance < judge.doubt then
+    lines[#lines + 1] = (judged.coarse and "no agreement yet: " or "MODEL REJECTED by the data: ") .. words
   elseif judged.chance then
-    lines[#lines + 1] = ("the model agrees with the data: chi square %.4g at %d degrees of freedom (chance %.2g)"):format(judged.squares,
-      judged.degrees, judged.chance)
-    if judged.chance > 1 - 1e-3 then
-      lines[#lines] = lines[#lines] .. "; so small a one says that the errors given are too large"
-    end
-  end
-  for i, chance in ipairs(judged.runs) do
-    if chance and chance < 1e-3 / #judged.runs then
-      lines[#lines + 1] = ("MODEL REJECTED: the residuals of %s keep their sign in long runs (chance %.2g)%s"):format(fit.curves[i].name,
-        chance, hint)
-    end
-  end
-  if not judged.rejected and not judged.chance then
+    lines[#lines + 1] = "the model agrees with the data: " .. words
+      .. (judged.chance > 1 - judge.doubt and "; so little says that the errors given are too large" or "")
+  elseif not judged.rejected then
     lines[#lines + 1] = "errors of the data were not given: they are those that the residuals show, and chi square tells nothing"
   end
+end
+
+local function on_model(fit, judged, lines)
+  on_squares(judged, lines)
+  for i, chance in ipairs(judged.runs) do
+    if chance and chance < judge.doubt / #judged.runs then
+      lines[#lines + 1] = ("%sthe residuals of %s keep their sign in long runs (chance %.2g)"):format(
+        judged.coarse and "no agreement yet: " or "MODEL REJECTED: ", fit.curves[i].name, chance)
+    end
+  end
+  if judged.coarse then
+    lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
+  end
+end
+
+--- Notes whether the misfit is of the simulation's own making; `rejected` is what is left.
+function verdict.settle(judged, own_error, found)
+  judged.coarse = judged.rejected and is_coarse(judged, own_error, found)
+  judged.misfit, judged.rejected = judged.rejected, judged.rejected and not judged.coarse
 end
 
 --- Lines on the model, the parameters and the simulation's own error.
 function verdict.lines(fit, judged, own_error, found)
   local lines = {}
-  on_model(fit, judged, own_error, lines)
+  on_model(fit, judged, lines)
   local good, mixed = names_with(fit, judged, "determined"), names_with(fit, judged, "only in combination")
   local lost = names_with(fit, judged, "not determined")
   if #good > 0 then
@@ -115,6 +134,12 @@ function verdict.lines(fit, judged, own_error, found)
         tostring(spec.quantity(own.like, judged.values[k])))
     end
   end
+  local coarse = {}
+  for _, k in ipairs(judged.free) do
+    coarse[#coarse + 1] = own_error.known and own_error.relative[k] > judged.t * judged.relative[k] and fit.parameters[k].name or nil
+  end
+  lines[#lines + 1] = #coarse > 0 and ("the simulation is less sure than the data of %s: finer settings would tell more than further "
+    .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
     own_error.reason) or nil
   if found.lost > 0 then
