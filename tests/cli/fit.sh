@@ -94,7 +94,7 @@ refused nobody 's/mu = { 0.02, 0.5, start = 0.15 }/nu = { 0.02, 0.5 }, mu = { 0.
   "the study has no parameter 'nu'; did you mean 'mu'?"
 refused column 's/y_sign = -1/y_sine = -1/' "unknown key 'y_sine'; did you mean 'y_sign'?"
 refused ways 's/= at, run/= math.abs(at - 0.55), run/' "the run's time goes back and forth"
-refused units 's/s/x = "time", y = "sole/x = "sole\/force_y", y = "sole/' \
+refused units 's/{ x = "time", y = "sole/{ x = "sole\/force_y", y = "sole/' \
   "sole/force_y of the run is in N/m, time of the file in s"
 refused series 's/sole\/force_x/sole\/forse_x/' "has no series 'sole/forse_x'; did you mean"
 expect 2 "has no \`fit = { parameters =, data = }\`" "$stiction" fit "$tiny"
