@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
@@ -145,31 +146,55 @@ int least_squares(lua_State* lua) {
   return 2;
 }
 
-/// singular(columns) -> singular values of the matrix of these columns, the largest first, and the right
-/// vectors as a list of lists
-int singular(lua_State* lua) {
-  luaL_checktype(lua, 1, LUA_TTABLE);
-  auto const columns = static_cast<Eigen::Index>(luaL_len(lua, 1));
-  lua_rawgeti(lua, 1, 1);
+/// The matrix of the list of columns at `index`.
+Matrix read_columns(lua_State* lua, int index) {
+  luaL_checktype(lua, index, LUA_TTABLE);
+  auto const columns = static_cast<Eigen::Index>(luaL_len(lua, index));
+  lua_rawgeti(lua, index, 1);
   auto const rows = lua_istable(lua, -1) ? static_cast<Eigen::Index>(lua_rawlen(lua, -1)) : 0;
   lua_pop(lua, 1);
   Matrix A(rows, columns);
   for (Eigen::Index k = 0; k < columns; ++k) {
-    lua_rawgeti(lua, 1, k + 1);
+    lua_rawgeti(lua, index, k + 1);
     if (!read_list(lua, lua_gettop(lua), static_cast<std::size_t>(rows), A.col(k).data()))
       refuse("the columns are no lists of as many finite numbers");
     lua_pop(lua, 1);
   }
+  return A;
+}
+
+/// singular(columns) -> singular values of the matrix of these columns, the largest first, and the right
+/// vectors as a list of lists
+int singular(lua_State* lua) {
+  Matrix const A = read_columns(lua, 1);
   Eigen::JacobiSVD<Matrix> const svd(A, Eigen::ComputeFullV | Eigen::ComputeThinU);
-  std::vector<double> values(static_cast<std::size_t>(columns));
-  for (Eigen::Index k = 0; k < std::min(rows, columns); ++k)
+  std::vector<double> values(static_cast<std::size_t>(A.cols()));
+  for (Eigen::Index k = 0; k < std::min(A.rows(), A.cols()); ++k)
     values[static_cast<std::size_t>(k)] = svd.singularValues()(k);
   push(lua, values);
-  lua_createtable(lua, static_cast<int>(columns), 0);
-  for (Eigen::Index k = 0; k < columns; ++k) {
+  lua_createtable(lua, static_cast<int>(A.cols()), 0);
+  for (Eigen::Index k = 0; k < A.cols(); ++k) {
     push(lua, std::vector<double>(svd.matrixV().col(k).begin(), svd.matrixV().col(k).end()));
     lua_rawseti(lua, -2, k + 1);
   }
+  return 2;
+}
+
+/// regress(columns, values) -> coefficients of least squares, and the mean square of what each value is off
+/// where it is left out; nothing where the rows do not tell the columns apart
+int regress(lua_State* lua) {
+  Matrix const A = read_columns(lua, 1);
+  Eigen::VectorXd y(A.rows());
+  if (!read_list(lua, 2, static_cast<std::size_t>(A.rows()), y.data()))
+    refuse("the values are no list of as many finite numbers as the columns have");
+  Eigen::ColPivHouseholderQR<Matrix> const qr(A);
+  if (A.rows() < A.cols() || qr.rank() < A.cols())
+    return 0;
+  Eigen::VectorXd const x = qr.solve(y), off = y - A * x;
+  Matrix const Q = qr.householderQ() * Matrix::Identity(A.rows(), A.cols());
+  Eigen::ArrayXd const left = (1 - Q.rowwise().squaredNorm().array()).max(1e-12);
+  push(lua, std::vector<double>(x.begin(), x.end()));
+  push(lua, (off.array() / left).square().mean());
   return 2;
 }
 
@@ -194,6 +219,7 @@ int beyond(lua_State* lua) {
 void add_least_squares_functions(lua_State* lua) {
   add<least_squares>(lua, "least_squares");
   add<singular>(lua, "singular");
+  add<regress>(lua, "regress");
   add<quantile>(lua, "quantile");
   add<beyond>(lua, "beyond");
 }
