@@ -157,6 +157,17 @@ void Commands::add_fit() {
   flag(fit, "force", "Run finished cases again");
   flag(fit, "no-profiles", "Intervals from the covariance alone: fewer cases");
   flag(fit, "no-figures", "Draw no figures");
+  auto& sample = command(
+      "sample", "Sample uncertain parameters: spread, quantiles and shares of the variance of results");
+  study(sample)->required();
+  study_options(sample);
+  value<double>(sample, "--count", "N", "Points (more keep those there are; default: the study's)")
+      ->check(CLI::Range(2, 1000000).description(""));
+  value<double>(sample, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(sample);
+  flag(sample, "force", "Run finished cases again");
+  flag(sample, "no-figures", "Draw no figures");
 }
 
 void Commands::add_extremes() {
