@@ -5,6 +5,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local output = require "stiction.output"
 local sweep = require "stiction.sweep"
+local warnings = require "stiction.warnings"
 
 local points = {}
 
@@ -31,27 +32,50 @@ local function add(self, cases)
   return rows
 end
 
---- Runs what has not run of these new rows; nothing is told but what is wrong with the very first.
+--- Bad input if the scene of none of these can be; tells what is known against the first that can.
+local function validate(self, rows)
+  local complaint
+  for _, row in ipairs(rows) do
+    if row.computed or is_failure(row) then
+      return
+    end
+    local held, value = engine.call(campaign.validate, self.study, row.case)
+    row.case.scene = nil
+    if held then
+      warnings.show { { id = row.case.id, warnings = value } }
+      return
+    elseif value.kind == "stopped" then
+      error(value, 0)
+    end
+    complaint = complaint or value
+  end
+  error(complaint, 0)
+end
+
+--- Runs what has not run of these new rows; nothing is told but what is wrong with the very first ones.
 local function run(self, rows)
   local wanted = {}
   for _, row in ipairs(rows) do
     wanted[row.case.id] = (self.options.force or not is_failure(row)) or nil
   end
+  if not self.tried then
+    validate(self, rows)
+    self.tried = true
+  end
   local began = engine.clock()
   local plan = { study = self.study, cases = self.cases, names = self.names, folder = self.folder, options = self.options,
-    points = true, tried = self.tried, wanted = wanted }
+    points = true, tried = true, wanted = wanted }
   local stopped = campaign.run(plan, self.rows)
   self.seconds = self.seconds + engine.clock() - began
   if stopped then
     fault.run("stopped; finished cases are kept, the same command goes on from here")
   end
   for _, row in ipairs(rows) do
-    if row.fresh and row.result.bad_input and (not self.tried or row.result.kind == "changed") then
+    if row.fresh and row.result.kind == "changed" then
       fault.input("%s", row.result.reason)
     end
     self.ran = self.ran + (row.fresh and 1 or 0)
   end
-  self.tried = true
 end
 
 --- The rows (as of evaluation.row) of points, each values by name, in their order. A row that did not end well has no `done`

@@ -190,8 +190,8 @@ local function show_indices(own, found)
     report.table(rows)
   end
   if own.joint then
-    report.line("parameters of a fit depend on each other, so that no share of the variance is one of theirs; their spread here is that of the "
-      .. "data, without the simulation's own error")
+    report.line("parameters of a fit depend on each other, so that no share of the variance is one of theirs; their spread here is that "
+      .. "of the data, without the simulation's own error")
   end
 end
 

@@ -49,13 +49,15 @@ end
 --- A result over each parameter that is a number.
 local function scatter_figure(own, found, result)
   local parts = {}
-  for _, name in ipairs(parameters_of(own, found)) do
+  for place, name in ipairs(parameters_of(own, found)) do
+    local like = own.axes[place] and own.axes[place].like
     local list = numeric.map(found.values, function(values) return values[name] end)
-    local first = list[1]
+    local first = units.is_quantity(like) and like or list[1]
     if type(units.si(first)) == "number" then
       local unit = units.is_quantity(first) and select(2, first:display()) or "1"
       parts[#parts + 1] = figure.lines { legend = "none", x = { label = name, unit = unit },
-        y = { label = result.name, unit = result.unit }, curves = { { x = kept(result, numeric.map(list, units.si)), y = kept(result, result.values), style = "points", colour = 0 } } }
+        y = { label = result.name, unit = result.unit }, curves = { { style = "points", colour = 0, x = kept(result, numeric.map(list, units.si)),
+          y = kept(result, result.values) } } }
     end
   end
   return #parts > 0 and figure.panel { name = "over_" .. result.name, title = result.name .. " over the parameters",
