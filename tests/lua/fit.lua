@@ -228,6 +228,10 @@ test("what is claimed is never less than the simulation's own error", function()
   local sure = verdict.interval(fit, judged, profiles, { known = false, variants = {} }, 1)
   local coarse = verdict.interval(fit, judged, profiles, { known = true, relative = { 0.1, 0.1 }, variants = {} }, 1)
   assert(sure.simulation == nil and math.abs(coarse.simulation - 0.1 * judged.values[1]) < 1e-12)
-  assert(math.abs(coarse.high - coarse.low - (sure.high - sure.low) - 2 * coarse.simulation) < 1e-12)
+  assert(math.abs(coarse.high / sure.high - math.exp(0.1)) < 1e-12 and math.abs(coarse.low / sure.low - math.exp(-0.1)) < 1e-12)
+  parameters[1].log = false
+  local line = verdict.interval(fit, judged, profiles, { known = true, relative = { 0.1, 0.1 }, variants = {} }, 1)
+  parameters[1].log = true
+  assert(math.abs(line.high - line.low - (sure.high - sure.low) - 2 * line.simulation) < 1e-12)
   fails("speed = { values }", advice.check, { further = { 3 } })
 end)

@@ -147,6 +147,9 @@ local function run(fit, model, study, options, folder)
   local result = { folder = folder }
   local found, judged, intervals, minima, cases = look(fit, model, study, options)
   result.found, result.judged, result.profiles, result.minima, result.search_cases = found, judged, intervals, minima, cases
+  if intervals then
+    judge.decide(judged, judge.by_profiles(fit.parameters, judged, intervals))
+  end
   result.own_error = finer.of(model, study, options, found, judged)
   verdict.settle(judged, result.own_error, found)
   result.advice = advice.of(model, found, judged)

@@ -116,6 +116,52 @@ local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
 end
 
+--- The place among the free ones of the parameter that is most correlated with the i-th; nil where there is none.
+local function companion(judged, i)
+  local best
+  for j, x in ipairs(judged.correlations[i]) do
+    if j ~= i and (not best or math.abs(x) > math.abs(judged.correlations[i][best])) then
+      best = j
+    end
+  end
+  return best
+end
+
+--- Sets the fate of each parameter, of whose relative standard errors these are the ones that count, and the combinations that are
+--- determined where not all of them are.
+function judge.decide(judged, relative)
+  local mixed = {}
+  judged.combinations = {}
+  for i, k in ipairs(judged.free) do
+    judged.fates[k] = fate(relative[k], judged.alone[k])
+    mixed[#mixed + 1] = judged.fates[k] == "only in combination" and i or nil
+  end
+  if #mixed == 1 then
+    mixed[2] = companion(judged, mixed[1])
+  end
+  local list = #mixed > 1 and combinations(judged.covariance, mixed) or {}
+  for n, own in ipairs(list) do
+    local powers = {}
+    for i, x in pairs(own.powers) do
+      powers[judged.free[i]] = x
+    end
+    local good = own.error <= judge.settled and n < #list -- the last one is what leaves them open
+    judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
+  end
+end
+
+--- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
+function judge.by_profiles(parameters, judged, intervals)
+  local relative = {}
+  for _, k in ipairs(judged.free) do
+    local own = intervals[k]
+    local whole = own and own.low and own.high
+      and (parameters[k].log and math.log(own.high / own.low) or (own.high - own.low) / judged.sizes[k]) or math.huge
+    relative[k] = math.max(judged.relative[k], whole / (2 * judged.t))
+  end
+  return relative
+end
+
 --- The chance of so large squares if each residual may be off by the simulation's own change too (lists); nil where it tells nothing.
 function judge.chance_with(judged, residuals, changes)
   local sum = 0
@@ -154,24 +200,14 @@ function judge.of(problem, found, about)
     end
   end
   local errors, correlations = errors_of(matrix)
-  local alone = numeric.map(columns, function(column)
-    return math.sqrt(judged.factor) / math.max(math.sqrt(linear.dot(column, column)), floor, 1e-150)
-  end)
-  local mixed = {}
+  judged.alone = {}
   for i, k in ipairs(free) do
-    judged.relative[k], judged.errors[k], judged.fates[k] = errors[i], errors[i] * sizes[k], fate(errors[i], alone[i])
-    mixed[#mixed + 1] = judged.fates[k] == "only in combination" and i or nil
+    judged.relative[k], judged.errors[k] = errors[i], errors[i] * sizes[k]
+    judged.alone[k] = math.sqrt(judged.factor) / math.max(math.sqrt(linear.dot(columns[i], columns[i])), floor, 1e-150)
   end
   judged.covariance, judged.correlations, judged.directions = matrix, correlations, vectors
   judged.eigenvalues = numeric.map(singular, function(x) return x * x / judged.factor end)
-  judged.combinations = {}
-  for _, own in ipairs(#mixed > 1 and combinations(matrix, mixed) or {}) do
-    local powers = {}
-    for i, x in pairs(own.powers) do
-      powers[free[i]] = x
-    end
-    judged.combinations[#judged.combinations + 1] = own.error <= judge.settled and { error = own.error, powers = powers } or nil
-  end
+  judge.decide(judged, judged.relative)
   judged.chance = problem.known and problem.loss == "squares" and judged.degrees > 0
     and engine.beyond(at.cost, judged.degrees) or nil
   for i, curve in ipairs(about.curves or {}) do

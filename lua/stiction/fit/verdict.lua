@@ -45,9 +45,13 @@ function verdict.interval(fit, judged, intervals, own_error, k)
   result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
   result.stretch = stretch > 1 and stretch or nil
   result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
-  local doubt = result.simulation or 0
-  result.low = result.statistical.low and result.statistical.low - doubt
-  result.high = result.statistical.high and result.statistical.high + doubt
+  local doubt, share = result.simulation or 0, own_error.known and own_error.relative[k] or 0
+  result.low, result.high = result.statistical.low, result.statistical.high
+  if own.log then
+    result.low, result.high = result.low and result.low * math.exp(-share), result.high and result.high * math.exp(share)
+  else
+    result.low, result.high = result.low and result.low - doubt, result.high and result.high + doubt
+  end
   return result
 end
 
@@ -134,10 +138,14 @@ function verdict.lines(fit, judged, own_error, found)
         tostring(spec.quantity(own.like, judged.values[k])))
     end
   end
-  local coarse = {}
+  local coarse, open = {}, {}
   for _, k in ipairs(judged.free) do
-    coarse[#coarse + 1] = own_error.known and own_error.relative[k] > judged.t * judged.relative[k] and fit.parameters[k].name or nil
+    local share, name = own_error.known and own_error.relative[k] or 0, fit.parameters[k].name
+    coarse[#coarse + 1] = share > judged.t * judged.relative[k] and share <= judge.settled and name or nil
+    open[#open + 1] = share > judge.settled and judged.fates[k] == "determined" and name or nil
   end
+  lines[#lines + 1] = #open > 0 and ("NOT CLAIMED, whatever the data say: %s, by which the simulation's own error is more than %d %%; make its "
+    .. "settings finer"):format(list_words(open), 100 * judge.settled) or nil
   lines[#lines + 1] = #coarse > 0 and ("the simulation is less sure than the data of %s: finer settings would tell more than further "
     .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(

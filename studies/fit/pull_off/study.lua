@@ -80,5 +80,6 @@ return stiction.study {
       quick = pulled("quick.csv", 1000*um/s),
     },
     finer = { cell = 0.025*mm, steps = 300 },
+    quick = { profiles = false },
   },
 }
