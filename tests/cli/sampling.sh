@@ -37,6 +37,9 @@ expect 2 "there is no fit in out/fitted/fit/fit.json" "$stiction" sample soft/fi
 expect 0 "determined: mu and young" "$stiction" fit soft/fitted.lua --no-figures
 expect 0 "8 points of sobol|depend on each other" "$stiction" sample soft/fitted.lua --no-figures
 
+sed -i 's/"best": /"bets": /' out/fitted/fit/fit.json
+expect 2 "fit.json is damaged; run the fit again" "$stiction" sample soft/fitted.lua --no-figures
+
 # cases that fail are listed by where they lie, and the rest is told
 mkdir edge
 cp soft/* edge

@@ -6,7 +6,7 @@ local space = require "stiction.fit.space"
 
 local profile = {}
 
-local near_enough = 1.6 -- by which the rise of the squares may miss its mark: the end is then told by a parabola
+local near_enough = 1.3 -- by which the root of the rise of squares may miss its mark: the end is then told by a straight line
 local most_rounds, most_cut = 5, 4
 local reach = 0.5 -- of coordinates, by which the others are corrected
 local lower = 0.01 -- of the unit: a point so much lower than the best is another minimum
@@ -90,7 +90,7 @@ local function settle(problem, found, side, mark)
   side.points[#side.points + 1] = { z = side.z, delta = side.delta, excess = excess }
   local ratio = math.sqrt(mark / math.max(excess, 1e-3 * mark))
   if ratio <= near_enough and ratio >= 1 / near_enough then
-    side.done, side.finish = true, side.delta * ratio
+    side.done = true
   elseif side.bound and ratio > 1 then
     side.done = true
   else
@@ -101,6 +101,22 @@ local function settle(problem, found, side, mark)
     end
     side.z, side.bound = inside(problem, z, side.k)
   end
+end
+
+--- How far a side goes until the squares have risen by `mark`: by straight lines of the root of their rise; nil where they do not.
+local function finish_of(side, mark)
+  local points = table.move(side.points, 1, #side.points, 1, {})
+  table.sort(points, function(a, b) return math.abs(a.delta) < math.abs(b.delta) end)
+  local before = { delta = 0, root = 0 }
+  local level = math.sqrt(mark)
+  for _, point in ipairs(points) do
+    local own = { delta = point.delta, root = math.sqrt(math.max(point.excess, 0)) }
+    if own.root >= level then
+      return before.delta + (own.delta - before.delta) * (level - before.root) / (own.root - before.root)
+    end
+    before = own
+  end
+  return not side.bound and before.root * near_enough >= level and before.delta * level / before.root or nil
 end
 
 local function value_at(problem, found, k, z)
@@ -148,8 +164,7 @@ function profile.of(problem, found, judged)
         best = point
       end
     end
-    local last = side.points[#side.points]
-    local finish = side.finish or not side.bound and last and last.delta * math.sqrt(mark / math.max(last.excess, 1e-3 * mark))
+    local finish = finish_of(side, mark)
     if finish and sign(finish) == side.way then
       own[side.way < 0 and "low" or "high"] = value_at(problem, found, side.k, found.z[side.k] + finish / side.slope)
     end

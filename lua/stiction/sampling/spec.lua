@@ -95,13 +95,19 @@ local function axes_of_fit(study, t, options)
   if type(kept) ~= "table" or type(kept.parameters) ~= "table" or type(kept.covariance) ~= "table" then
     fault.input("study.sample.fit: there is no fit in %s; 'stiction fit' on the study makes one", path)
   end
-  local by_name, L, axes = {}, factor(kept.covariance), {}
+  local held, L = engine.call(factor, kept.covariance)
+  local by_name, axes = {}, {}
   for _, own in ipairs(kept.parameters) do
-    by_name[own.name] = own
+    by_name[type(own) == "table" and own.name or ""] = own
+  end
+  if not held or type(kept.free) ~= "table" then
+    fault.input("study.sample.fit: %s is damaged; run the fit again", path)
   end
   for i, name in ipairs(kept.free) do
     local own = by_name[name]
-    if not own.relative_error or own.relative_error > 1 then
+    if type(own) ~= "table" or type(own.best) ~= "number" or type(L[i]) ~= "table" then
+      fault.input("study.sample.fit: %s is damaged; run the fit again", path)
+    elseif type(own.relative_error) ~= "number" or own.relative_error > 1 then
       fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it", name,
         path)
     end
