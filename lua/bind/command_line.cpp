@@ -70,6 +70,7 @@ private:
   void add_run();
   void add_sharing(CLI::App& run);
   void add_trade();
+  void add_fit();
   void add_extremes();
   void add_peers();
   void add_status();
@@ -144,6 +145,29 @@ void Commands::add_trade() {
   out(trade);
   flag(trade, "force", "Run finished cases again");
   flag(trade, "no-figures", "Draw no figures");
+}
+
+void Commands::add_fit() {
+  auto& fit = command("fit", "Fit parameters of a study to measured curves, with errors and a verdict");
+  study(fit)->required();
+  study_options(fit);
+  value<double>(fit, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(fit);
+  flag(fit, "force", "Run finished cases again");
+  flag(fit, "no-profiles", "Intervals from the covariance alone: fewer cases");
+  flag(fit, "no-figures", "Draw no figures");
+  auto& sample = command(
+      "sample", "Sample uncertain parameters: spread, quantiles and shares of the variance of results");
+  study(sample)->required();
+  study_options(sample);
+  value<double>(sample, "--count", "N", "Points (more keep those there are; default: the study's)")
+      ->check(CLI::Range(2, 1000000).description(""));
+  value<double>(sample, "--jobs", "N", "Cases at a time (default: number of cores)")
+      ->check(CLI::Range(1, 4096).description(""));
+  out(sample);
+  flag(sample, "force", "Run finished cases again");
+  flag(sample, "no-figures", "Draw no figures");
 }
 
 void Commands::add_extremes() {
@@ -291,6 +315,7 @@ void Commands::add_internal() {
   one_case(one)->required();
   out(one)->required();
   flag(one, "trade", "");
+  value<std::string>(one, "--point", "JSON", "");
   flag(one, "alone", "");
   threads(one, "");
   value<std::string>(one, "--fingerprint", "HEX", "");
@@ -314,6 +339,7 @@ void Commands::add_internal() {
 void Commands::add_all() {
   add_run();
   add_trade();
+  add_fit();
   add_extremes();
   add_peers();
   add_status();

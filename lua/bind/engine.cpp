@@ -17,7 +17,7 @@ void push_engine(lua_State* lua) {
        {add_unit_functions, add_json_functions, add_file_functions, add_lock_functions, add_heart_functions,
         add_process_functions, add_terminal_functions, add_rank_functions, add_script_functions,
         add_catalog_functions, add_scene_functions, add_series_functions, add_table_functions,
-        add_solve_functions})
+        add_solve_functions, add_least_squares_functions})
     adder(lua);
 }
 

@@ -22,5 +22,6 @@ void add_series_functions(lua_State* lua);
 void add_table_functions(lua_State* lua);
 void add_solve_functions(lua_State* lua);
 void add_rank_functions(lua_State* lua);
+void add_least_squares_functions(lua_State* lua);
 
 } // namespace stiction::bind

@@ -17,7 +17,7 @@ std::string field(lua_State* lua, char const* name) {
 }
 
 /// The column on top of the stack: {name =, unit =, meaning =, numbers = list | texts = list}.
-record::TableColumn column(lua_State* lua) {
+record::TableColumn read_column(lua_State* lua) {
   record::TableColumn own{field(lua, "name"), field(lua, "unit"), field(lua, "meaning"), {}, {}};
   if (lua_getfield(lua, -1, "texts") == LUA_TTABLE) {
     own.texts = texts_at(lua, lua_gettop(lua));
@@ -44,7 +44,7 @@ int write(lua_State* lua) {
   std::vector<record::TableColumn> columns;
   for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(lua, 4)); ++i) {
     lua_rawgeti(lua, 4, i);
-    columns.push_back(column(lua));
+    columns.push_back(read_column(lua));
     lua_pop(lua, 1);
   }
   record::write_table(path, name, rows, columns);

@@ -44,7 +44,9 @@ function campaign.survey(plan)
   for i, case in ipairs(plan.cases) do
     rows[i] = evaluation.row(plan.study, plan.folder, case, not few)
   end
-  adoption.find(plan, rows)
+  if not plan.points then
+    adoption.find(plan, rows)
+  end
   engine.watch_lines(true)
   tell_unread(plan)
   return rows
@@ -60,7 +62,7 @@ local function evaluate(plan, rows, all)
       count = count + 1
     end
   end
-  if count > 0 then
+  if count > 0 and not plan.points then
     report.line("results of %d case%s made anew from %s", count, count > 1 and "s" or "",
       count > 1 and "their histories" or "its history")
   end
@@ -171,7 +173,7 @@ local function write_now(plan, rows)
   if plan.office and not engine.stopped() then -- no script runs any more
     sharing.refresh(plan, rows)
   end
-  plan.others = not plan.options.trade and (not plan.office and plan.others or summary.others(plan, rows)) or {}
+  plan.others = not (plan.options.trade or plan.points) and (not plan.office and plan.others or summary.others(plan, rows)) or {}
   summary.write(plan, rows, plan.others)
   plan.written, plan.writing = engine.clock(), engine.clock() - began
 end
@@ -265,7 +267,7 @@ function campaign.run(plan, rows)
     row_of[row.case.id] = row
   end
   local options = plan.options
-  if not options.worker or options.strict then -- cases of workers tell what is wrong with them
+  if not plan.tried and (not options.worker or options.strict) then -- cases of workers tell what is wrong with them
     warn(validate_all(plan.study, pending, plan.curves, plan.options.ranks), rows, options)
   end
   revive(plan, rows, pending)
@@ -274,7 +276,7 @@ function campaign.run(plan, rows)
     checkpoint = options.checkpoint, force = options.force,
     jobs = math.floor(options.jobs or math.max(1, engine.cores() // ((options.threads or 1) * (options.ranks or 1)))),
     threads = options.threads or (plan.office or options.trade) and 1, ranks = options.ranks,
-    fingerprints = fingerprints,
+    fingerprints = fingerprints, quiet = plan.points and not engine.terminal_width(), tolerant = plan.tried,
     worker = (claims.of(plan.folder) or {}).worker }
   local tally
   settings.tick, tally = teller(plan, #rows)

@@ -36,6 +36,9 @@ local function words_for(case, options, threads)
   if options.trade then
     words[#words + 1] = "--trade"
   end
+  if case.point then
+    words[#words + 1], words[#words + 2] = "--point", case.point
+  end
   if options.alone then
     words[#words + 1] = "--alone"
   end

@@ -58,7 +58,8 @@ local function column(rows, i, factor, path, name)
 end
 
 --- The columns of a file, from `folder` on, as lists of quantities; of plain numbers where neither `units` nor the head
---- names a unit. t: its name, or {file =, units = {column = "N/m"}}; note(path, text) is told what was read.
+--- names a unit. t: its name, or {file =, units = {column = "N/m"}}; note(path, text) is told what was read. Also
+--- the units that are named, by column.
 function measured.read(t, folder, note)
   t = type(t) == "string" and { file = t } or t
   if type(t) ~= "table" or type(t.file) ~= "string" or (t.units ~= nil and type(t.units) ~= "table") then
@@ -66,10 +67,11 @@ function measured.read(t, folder, note)
   end
   local path = (t.file:sub(1, 1) == "/" or not folder) and t.file or folder .. "/" .. t.file
   local rows, text = rows_of(path)
-  local columns, names = {}, {}
+  local columns, names, words = {}, {}, {}
   for i, head in ipairs(rows[1]) do
     local name, unit = split(head)
-    columns[name] = column(rows, i, factor_of(t.units and t.units[name] or unit, path, name), path, name)
+    words[name] = t.units and t.units[name] or unit
+    columns[name] = column(rows, i, factor_of(words[name], path, name), path, name)
     names[i] = name
   end
   for _, name in ipairs(ordered.keys(t.units or {})) do
@@ -83,7 +85,7 @@ function measured.read(t, folder, note)
   return setmetatable(columns, { __index = function(_, name)
     fault.script("%s has no column '%s'%s; columns: %s", path, tostring(name), fault.meant(name, names),
       table.concat(names, ", "))
-  end })
+  end }), words
 end
 
 return measured

@@ -14,7 +14,7 @@ local study = {}
 local keys = {
   title = "string", question = "string", given = "table", chosen = "table", sweep = "table", case_id = "function",
   scene = "function", problem = "function", results = "table", quick = "table", check = "function", figures = "function",
-  trade = "table",
+  trade = "table", fit = "table", sample = "table",
 }
 
 local function names_of(t)
@@ -156,7 +156,8 @@ function study.define(t)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
     sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene, problem = t.problem,
-    results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, definition = t,
+    results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, fit = t.fit, sample = t.sample,
+    definition = t,
   }, study_mark)
 end
 

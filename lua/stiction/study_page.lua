@@ -1,6 +1,7 @@
 -- The page on a study and what its output holds: what was asked and chosen, what came out, how far to trust it.
 local engine = require "stiction.engine"
 local html = require "stiction.html"
+local fit_page = require "stiction.fit_page"
 local jobs = require "stiction.jobs"
 local fault = require "stiction.fault"
 local numeric = require "stiction.numeric"
@@ -315,6 +316,19 @@ local function sums(outcome, held, count)
     count > 0 and ("; %d of %d checks held"):format(held, count) or "; no checks")
 end
 
+--- Sections on a fit and a sample in the output, or below or beside it, with their figures.
+local function uncertainty(outcome)
+  local parts = {}
+  for _, kind in ipairs { { "fit", "Parameters from measured curves" }, { "sample", "Uncertain parameters" } } do
+    for _, folder in ipairs { outcome.folder, outcome.folder .. "/" .. kind[1] } do
+      local body = fit_page[kind[1]](folder)
+      local own = body ~= "" and folder ~= outcome.folder and figures(folder) or ""
+      parts[#parts + 1] = section(kind[1], kind[2], body .. own)
+    end
+  end
+  return parts
+end
+
 --- The page, HTML. outcome: of outcomes.read.
 function study_page.write(outcome)
   local case, manifest = example_of(outcome)
@@ -325,6 +339,9 @@ function study_page.write(outcome)
     section("figures", "Figures", figures(outcome.folder)), section("trust", "How far to trust it", trust(outcome)),
     section("modelled", "What was modelled", modelled(manifest, case)),
     section("versions", "With what it was computed", versions(outcome, manifest)) }
+  for i, part in ipairs(uncertainty(outcome)) do
+    table.insert(parts, 1 + i, part)
+  end
   local links = {}
   for _, part in ipairs(parts) do
     local id, name = part:match('^<section id="(%w+)"><h2>(.-)</h2>')

@@ -2,6 +2,7 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local identity = require "stiction.identity"
 local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
@@ -191,7 +192,7 @@ local function check_case(names, case, values)
   end
 end
 
-local taken = { figures = true, trade = true, finer = true, source = true } -- folders beside those of cases
+local taken = { figures = true, trade = true, finer = true, source = true, fit = true, sample = true } -- folders beside those of cases
 
 local function make_case(study, names, swept, first, values, drawn_id)
   check_case(names, swept, values)
@@ -223,12 +224,12 @@ local function copy_plan(plan)
 end
 
 --- The swept values that study.trade.set must have brought down to one each, now standing with the others.
-local function settle(plan, values)
+local function settle(plan, values, words)
   for _, name in ipairs(axis_names(plan)) do
     local axes, one = plan.axes or {}, nil
     for _, case in ipairs(plan.cases or multiply(axes)) do
       if one ~= nil and one ~= case[name] then
-        fault.input("study.trade.set must give '%s' one value: the trade is measured on one scene", name)
+        fault.input("%s", words:format(name))
       end
       one = case[name]
     end
@@ -248,7 +249,7 @@ function sweep.knobs(study, options)
     end
   end
   apply_settings(plan, values, options.set or {})
-  settle(plan, values)
+  settle(plan, values, "study.trade.set must give '%s' one value: the trade is measured on one scene")
   return ladder.knobs(quick.knobs or spec.knobs or {}, values), values
 end
 
@@ -267,6 +268,42 @@ function sweep.trade(study, options)
   return cases, names, knobs
 end
 
+--- Values of a point as text, which sweep.point reads to the last bit.
+function sweep.point_text(values)
+  return engine.encode_json(identity.plain(values))
+end
+
+local function value_of(entry)
+  return type(entry) == "table" and entry.value * units.units(entry.unit) or entry
+end
+
+--- All values by name of a case in which those of `point` (by name) stand in for the study's own; what is swept has to have
+--- one value then.
+function sweep.values_at(study, options, point, word)
+  local plan, values = copy_plan(study.sweep), base_values(study)
+  if options.quick then
+    apply_quick(plan, values, study.quick)
+  end
+  apply_settings(plan, values, options.set or {})
+  for _, name in ipairs(ordered.keys(point)) do
+    set(plan, values, name, point[name], word)
+  end
+  settle(plan, values, word .. ": '%s' has several values in the study's sweep; give it one")
+  return values
+end
+
+--- The case at a point of the parameters, called by all of its values, of a text of sweep.point_text.
+function sweep.point(study, options, text)
+  local point = {}
+  for name, entry in pairs(engine.decode_json(text) or {}) do
+    point[name] = value_of(entry)
+  end
+  local names = ordered.keys(point)
+  local case = { p = setmetatable(sweep.values_at(study, options, point, "a point"), strict), point = text, swept = names }
+  case.id = "p" .. engine.hash(identity.parameters_text(case))
+  return case, names
+end
+
 local function differ(p, q)
   return numeric.first_where(ordered.keys(p), function(name) return p[name] ~= q[name] end) ~= nil
 end
@@ -278,10 +315,13 @@ function sweep.tell_quick(study, options)
   end
 end
 
---- The cases of `study` under options {quick =, set =, trade =}: list of {id =, p =}, and the names that are swept.
+--- The cases of `study` under options {quick =, set =, trade =, point =}: list of {id =, p =}, and the names that are swept.
 function sweep.cases(study, options)
   if options.trade then
     return sweep.trade(study, options)
+  elseif options.point then
+    local case, names = sweep.point(study, options, options.point)
+    return { case }, names
   end
   local plan, values = copy_plan(study.sweep), base_values(study)
   if options.quick then

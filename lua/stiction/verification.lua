@@ -100,7 +100,7 @@ local function run_group(group, place, options, told)
   local by_id, list = {}, {}
   for i, case in ipairs(group.cases) do
     local id = tostring(case.ended.case or case.name)
-    list[i], by_id[id] = { id = id }, case
+    list[i], by_id[id] = { id = id, point = type(case.ended.point) == "string" and case.ended.point or nil }, case
   end
   local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set,
     trust = options.trust, jobs = math.floor(options.jobs or engine.cores()), threads = 1, tolerant = true }

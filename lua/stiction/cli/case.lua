@@ -119,7 +119,7 @@ local function run(options, study, begin)
   if result.verdict == "finished" then
     evaluation.fill(study, case, result, answers or case_module.new(case.id, case.p, folder))
   end
-  result.run = provenance.ended(made)
+  result.run, result.point = provenance.ended(made), options.point
   if options["for"] and not claims.may_write(options.out, case.id, options["for"]) then
     return 1 -- another run does it by now: this one was taken for dead
   end

@@ -5,7 +5,7 @@ pages.overview = [[
 stiction new NAME         write a study to start from into a folder of your own
 stiction run STUDY        run a study's cases, checks and figures
 stiction help TOPIC       topics: commands, workers, new, study, results, figure, columns (of probes), units, solve, trade,
-                          peers, any part below or any of its kinds
+                          fit, sample, peers, any part below or any of its kinds
 ]]
 
 pages.commands = [[
@@ -30,6 +30,9 @@ verify OUT     compute its cases again (all, or --sample N) from the source that
 pack OUT       one archive (.tar.gz) of an output with its description as a Workflow Run RO-Crate, which verify accepts
 compare A B    two outputs (folders or studies): the parameters, settings and results that differ, and by how much
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
+fit STUDY      parameters from measured curves, with intervals, what the simulation itself may be off by, and a verdict; 'stiction
+               help fit'
+sample STUDY   spread, quantiles and shares of the variance of results under uncertain parameters; 'stiction help sample'
 explain STUDY  what a study asks, models and costs, and what to change, before anything runs
 solve FILE     solve a saved contact problem again, with any solver, and say where there is no single answer
 bench [STUDY]  time one case, phase by phase, beside what it cannot do without
@@ -264,6 +267,69 @@ errors fell with the order 0.4: mostly they fall faster, but of 46 changed scene
 more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth
 of the value is added for the solvers' tolerances. With --accuracy it is a check that the claim is within the share.
 The finer runs are kept below finer/ in the output.]]
+
+pages.fit = [[
+fit = {                                               -- a key of a study
+  parameters = {                                      -- of the study, by name: from, to
+    w = { 0.1*J/m^2, 10*J/m^2, scale = "log" },       -- scale: "linear" (default) or "log"
+    mu = { 0, 1, start = 0.3 },                       -- start: default the study's own value
+  },
+  data = {                                            -- measured curves, by name
+    slow = { file = "slow.csv",                       -- comma-separated, from the study's folder on
+      x = "height", y = "pull",                       -- its columns, "height [um]" in the head or units = { height = "um" }; x rises
+      sigma = 0.2*mN,                                 -- standard error of y, or the column that has it; relative = 0.05 as well
+      case = { speed = 1*mm/s },                      -- what this curve's case has, beside the fit's parameters
+      against = function(run, p) return xs, ys end,   -- the same of a run, SI; one way of x. Or { x = "probe/column", y =
+                                                      -- "probe/column" or "time", x_sign = -1, y_sign = -1, after = 1*s, before = 2*s }
+      own = { zero = { -5*um, 5*um } },               -- parameters of this curve alone; a name that the study does not have is
+                                                      -- there for `against` as p.zero, and costs no cases
+      weight = 1 },
+    rate = { file = "rate.csv", x = "speed", y = "pull_off", sigma = "scatter", each = { speed = "speed" },
+      against = function(run, p) return number end }, -- each: a case a row, its parameters by column
+  },
+  loss = "squares",                                   -- or "huber", "soft", "cauchy" against outliers
+  starts = 1,                                         -- 8: further ones by Sobol's points between the bounds
+  finer = { cell = 0.02*mm },                         -- settings a level finer; default: those of the study's trade
+  further = { speed = { 2*mm/s, 20*mm/s } },          -- measurements thought of, of the first curve with another value
+  noise = 1e-6, profiles = true, most = 180,          -- relative noise of runs (default: measured), intervals by profiles,
+                                                      -- evaluations at most (60 a parameter)
+  quick = { profiles = false },                       -- what --quick puts in their place
+}
+
+'stiction fit STUDY' looks for least squares of (model - data) / sigma by Levenberg and Marquardt's steps (GSL). An evaluation is one
+case a curve, kept below out/<study>/fit by its values: a fit that was killed goes on where it was, one with other data, bounds or
+curves takes what there is. Derivatives are differences, a batch of cases, whose size comes from how rough the runs are (third
+differences of four runs); between batches they are brought along. Where a case fails the step was too long. It ends within a fifth
+of a standard error, the same to the last bit whatever --jobs is.
+
+Errors that are not given are those that the residuals show. The 95 % intervals are by profile likelihood (--no-profiles: by the
+covariance), widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than
+the simulation's own error is never claimed. A parameter counts as determined up to a relative standard error of 25 %; only in
+combination if it would be so with the others known, and the product of powers that is determined is told; else not. The model is
+rejected where chi square, or the runs of like signs among residuals, have a chance below 0.001, unless one finer level changes the
+curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and
+figures; 'stiction report' makes one page. A parameter that changes the mesh is refused.]]
+
+pages.sample = [[
+sample = {                                            -- a key of a study
+  of = { mu = { uniform = { 0.1, 0.5 } },             -- uncertain parameters: uniform, log_uniform (low, high), normal (mean, standard
+    w = { log_normal = { 1*J/m^2, 0.2 } } },          -- deviation), log_normal (median, standard deviation of the logarithm)
+  fit = true,                                         -- in their place or beside them: parameters of the study's fit, which depend on
+                                                      -- each other; or the path of a fit.json
+  list = { { mu = 0.1, w = ... }, ... },              -- alone: one's own points, or a .csv file with a column for each
+  design = "sobol",                                   -- or "latin_hypercube"; "saltelli": pairs of points, count * (parameters + 2)
+  count = 64, seed = 1,                               -- --count N: more keep the points (of a hypercube: twice as many)
+  results = { "pull_off" },                           -- default: all
+  set = { speed = 1*mm/s },                           -- one value for what the study sweeps
+  quick = { count = 16 },
+}
+
+'stiction sample STUDY' runs the points, kept below out/<study>/sample, and tells of each result mean and standard deviation with their
+sampling error (as of independent points, more than Sobol's need), quantiles with intervals by order statistics, and whose its
+variance is: first (a parameter alone) and total (with all others) Sobol indices, of saltelli's pairs with errors by resampling, else
+of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. Failed cases are listed,
+with the parameters along which they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
+sample.csv and figures; 'stiction report' makes one page.]]
 
 --- What parameters do to a result, told with the kind that has them.
 pages.notes = {

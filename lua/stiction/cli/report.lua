@@ -5,8 +5,19 @@ local outcomes = require "stiction.outcomes"
 local report = require "stiction.report"
 local study_page = require "stiction.study_page"
 
+--- The folder itself, or that of a fit or a sample in it where nothing else was run.
+local function folder_of(folder)
+  for _, name in ipairs { "fit", "sample" } do
+    local own = folder .. "/" .. name
+    if not engine.kind_of_path(folder .. "/summary.csv") and engine.kind_of_path(("%s/%s.json"):format(own, name)) then
+      return own
+    end
+  end
+  return folder
+end
+
 return function(options)
-  local outcome = outcomes.read(outcomes.folder(options.study, options.out))
+  local outcome = outcomes.read(folder_of(outcomes.folder(options.study, options.out)))
   local file = options.to or outcome.folder .. "/report.html"
   if not file:find("%.html?$") then
     fault.input("--to: a page's name ends in .html, unlike %s", file)

@@ -1,0 +1,291 @@
+-- A measured curve of a fit: its values with their errors, the cases that it is compared with, and the residuals of these.
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local measured = require "stiction.measured"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
+local units = require "stiction.units"
+
+local curve = {}
+
+local keys = { file = "string", x = "string", y = "string", units = "table", against = true, case = "table", each = "table",
+  own = "table", sigma = true, relative = "number", weight = "number" }
+local against_keys = { x = "string", y = "string", x_sign = "number", y_sign = "number", after = true, before = true }
+local guess = 0.01 -- of the largest value: a noise that nothing tells, as all residuals count alike then
+local least_points = 8 -- of which the noise can be told
+local of_third_differences = 20 -- (1, 3, 3, 1) squared, summed
+local slack = 1e-9 -- of the range, by which data may go beyond a run
+
+local Curve = {}
+Curve.__index = Curve
+
+local function check_keys(t, what, allowed)
+  for _, key in ipairs(ordered.keys(t)) do
+    local kind = allowed[key]
+    if not kind then
+      fault.script("%s: unknown key '%s'%s; keys: %s", what, tostring(key), fault.meant(tostring(key), ordered.keys(allowed)),
+        table.concat(ordered.keys(allowed), ", "))
+    elseif kind ~= true and type(t[key]) ~= kind then
+      fault.script("%s: %s must be a %s, not a %s", what, key, kind, type(t[key]))
+    end
+  end
+end
+
+local function check(name, t)
+  local what = "study.fit.data." .. name
+  if type(t) ~= "table" then
+    fault.script("%s must be a table: { file =, x =, y =, against = function(run, p) ... end }", what)
+  end
+  check_keys(t, what, keys)
+  for _, key in ipairs { "file", "x", "y", "against" } do
+    if t[key] == nil then
+      fault.script("%s: %s is missing", what, key)
+    end
+  end
+  if type(t.against) == "table" then
+    check_keys(t.against, what .. ".against", against_keys)
+    for _, key in ipairs { "x", "y" } do
+      local _ = t.against[key] or fault.script("%s.against: %s is missing: \"probe/column\" or \"time\"", what, key)
+    end
+  elseif type(t.against) ~= "function" then
+    fault.script("%s: against must be function(run, p) that gives xs and ys, or { x = \"probe/column\", y = \"probe/column\" }", what)
+  end
+  if t.weight and t.weight <= 0 then
+    fault.script("%s: weight = %g; it must be above 0", what, t.weight)
+  end
+  return what
+end
+
+--- Values of a column in SI, and its unit as a quantity, or 1; bad input if no unit is named.
+local function column(t, key, columns, words, what)
+  local list, word = columns[t[key]], words[t[key]]
+  if not word then
+    fault.input("%s: %s: column '%s' names no unit; write \"%s [mm]\" in its head, or units = { %s = \"mm\" } (\"1\" for a pure number)",
+      what, t.file, t[key], t[key], t[key])
+  end
+  return numeric.map(list, units.si), list[1], word
+end
+
+local function like(value, unit)
+  if units.is_quantity(unit) then
+    return units.is_quantity(value) and units.same_dimension(value, unit)
+  end
+  return type(value) == "number"
+end
+
+--- Standard errors of the values as they are told; nil if they are not.
+local function told_errors(t, columns, y, unit, what)
+  local sigma, list = t.sigma, nil
+  if type(sigma) == "string" then
+    list = columns[sigma]
+  elseif sigma ~= nil then
+    list = numeric.map(y, function() return sigma end)
+  end
+  for i, value in ipairs(list or {}) do
+    if not like(value, unit) then
+      fault.input("%s: sigma is %s; it must be like %s: %s", what, tostring(value), t.y, tostring(unit))
+    elseif units.si(value) <= 0 then
+      fault.input("%s: sigma[%d] is %g; a standard error is above 0", what, i, units.si(value))
+    end
+  end
+  if not list and not t.relative then
+    return nil
+  end
+  local own, largest = {}, math.abs((numeric.extreme(y)))
+  for i, value in ipairs(y) do
+    local share = (t.relative or 0) * math.max(math.abs(value), guess * largest)
+    own[i] = math.sqrt((list and units.si(list[i]) or 0) ^ 2 + share ^ 2)
+  end
+  return own
+end
+
+--- The noise of values along a smooth curve, from their third differences: by the median, which jumps do not change.
+function curve.noise(y)
+  local sizes = {}
+  for i = 4, #y do
+    sizes[#sizes + 1] = math.abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3])
+  end
+  table.sort(sizes)
+  local median = #y >= least_points and sizes[(#sizes + 1) // 2] or 0
+  local noise = 1.4826 * median / math.sqrt(of_third_differences)
+  return noise > 0 and noise or guess * math.max(math.abs((numeric.extreme(y))), 1e-300)
+end
+
+local function check_rising(self)
+  for i = 2, #self.x do
+    if self.x[i] <= self.x[i - 1] then
+      fault.input("%s: %s: %s does not increase from row %d (%.6g) to row %d (%.6g), in SI; sort the rows, and give the ways there "
+        .. "and back as two curves", self.what, self.file, self.x_name, i - 1, self.x[i - 1], i, self.x[i])
+    end
+  end
+end
+
+--- The curve of that name in study.fit.data. note(path, text): told of the file that is read.
+function curve.read(name, t, folder, note)
+  local what = check(name, t)
+  local columns, words = measured.read({ file = t.file, units = t.units }, folder, note)
+  local self = setmetatable({ name = name, what = what, file = t.file, case = t.case or {}, each = t.each, own = t.own or {},
+    against = t.against, weight = t.weight or 1, read = {}, x_name = t.x, y_name = t.y }, Curve)
+  self.x, self.x_unit, self.x_word = column(t, "x", columns, words, what)
+  self.y, self.y_unit, self.y_word = column(t, "y", columns, words, what)
+  self.rows = {}
+  for parameter, head in pairs(t.each or {}) do
+    self.rows[parameter] = columns[head]
+  end
+  if not t.each then
+    check_rising(self)
+  end
+  self.sigma = told_errors(t, columns, self.y, self.y_unit, what)
+  self.told = self.sigma ~= nil
+  if not self.told then
+    local noise = t.each and guess * math.abs((numeric.extreme(self.y))) or curve.noise(self.y)
+    self.sigma = numeric.map(self.y, function() return noise end)
+  end
+  return self
+end
+
+--- The cases that the curve takes, each a table of values by name: `values` are those of the fit's parameters.
+function Curve:cases(values)
+  local list = {}
+  for i = 1, self.each and #self.y or 1 do
+    local own = {}
+    for _, source in ipairs { self.case, values } do
+      for name, value in pairs(source) do
+        own[name] = value
+      end
+    end
+    for name, column_of in pairs(self.rows) do
+      own[name] = column_of[i]
+    end
+    list[i] = own
+  end
+  return list
+end
+
+local function in_si(self, list, unit, axis)
+  if type(list) ~= "table" or units.is_quantity(list) then
+    fault.script("%s: against must give two lists, xs and ys; its %s is %s", self.what, axis, tostring(list))
+  end
+  local own = {}
+  for i, value in ipairs(list) do
+    if units.is_quantity(value) and not like(value, unit) then
+      fault.script("%s: against gives %s for %s, which is in %s in the file", self.what, tostring(value), axis, tostring(unit))
+    end
+    own[i] = units.si(value)
+    if type(own[i]) ~= "number" or own[i] ~= own[i] then
+      fault.script("%s: against gives no number: %s[%d] is %s", self.what, axis, i, tostring(value))
+    end
+  end
+  return own
+end
+
+local function series_of(self, run, name, unit, axis)
+  if name == "time" then
+    return run.time, "s"
+  end
+  local group, own = name:match("^([^/]+)/(.+)$")
+  local values, word = run:series(group or name, own or "")
+  local _, metre, kilogram, second = engine.parse_unit(word)
+  if units.is_quantity(unit) and (unit.metre ~= metre or unit.kilogram ~= kilogram or unit.second ~= second) then
+    fault.input("%s: %s of the run is in %s, %s of the file in %s", self.what, name, word, self[axis .. "_name"], self[axis .. "_word"])
+  end
+  return values
+end
+
+--- Points of the run that the curve is compared with.
+local function points_of(self, run, p)
+  local t = self.against
+  if type(t) == "function" then
+    return t(run, p)
+  end
+  local x, y = series_of(self, run, t.x, self.x_unit, "x"), series_of(self, run, t.y, self.y_unit, "y")
+  local after, before, xs, ys = units.si(t.after) or -math.huge, units.si(t.before) or math.huge, {}, {}
+  for i, time in ipairs(run.time) do
+    if time >= after and time <= before then
+      xs[#xs + 1], ys[#ys + 1] = (t.x_sign or 1) * x[i], (t.y_sign or 1) * y[i]
+    end
+  end
+  return xs, ys
+end
+
+--- The same with rising x; what goes back is bad input.
+local function rising(self, xs, ys)
+  if #xs ~= #ys or #xs < 2 then
+    fault.script("%s: against gives %d xs and %d ys; two lists of one length are wanted", self.what, #xs, #ys)
+  end
+  local sign, x, y = xs[#xs] > xs[1] and 1 or -1, {}, {}
+  for i = 1, #xs do
+    local k = sign > 0 and i or #xs + 1 - i
+    if #x > 0 and xs[k] < x[#x] then
+      fault.script("%s: the run's %s goes back and forth (%.6g after %.6g, in SI); let against give one way of it", self.what,
+        self.x_name, xs[k], x[#x])
+    elseif #x == 0 or xs[k] > x[#x] then
+      x[#x + 1], y[#y + 1] = xs[k], ys[k]
+    end
+  end
+  return x, y
+end
+
+--- What a run is at the curve's own x, in SI, by straight lines between its points; nil and why if it does not go so far.
+local function along(self, run, p)
+  local xs, ys = points_of(self, run, p)
+  xs, ys = rising(self, in_si(self, xs, self.x_unit, "x"), in_si(self, ys, self.y_unit, "y"))
+  local room, list = slack * (self.x[#self.x] - self.x[1]), {}
+  if self.x[1] < xs[1] - room or self.x[#self.x] > xs[#xs] + room then
+    return nil, ("the data go from %.6g to %.6g in %s (SI), the run from %.6g to %.6g"):format(self.x[1], self.x[#self.x], self.x_name,
+      xs[1], xs[#xs])
+  end
+  local k = 1
+  for i, x in ipairs(self.x) do
+    while k < #xs - 1 and xs[k + 1] < x do
+      k = k + 1
+    end
+    list[i] = ys[k] + (ys[k + 1] - ys[k]) * (x - xs[k]) / (xs[k + 1] - xs[k])
+  end
+  return list
+end
+
+--- The range of x, SI, that a run covers.
+function Curve:range(run, p)
+  local xs, ys = points_of(self, run, p)
+  xs = rising(self, in_si(self, xs, self.x_unit, "x"), in_si(self, ys, self.y_unit, "y"))
+  return xs[1], xs[#xs]
+end
+
+--- What the runs are at the curve's points, in SI; p: values that `against` is given with those of each run's own. nil and why
+--- if a run does not go so far.
+function Curve:model(runs, p)
+  local function seen_by(run)
+    local own = {}
+    for name, value in pairs(run.p) do
+      own[name] = value
+    end
+    for name, value in pairs(p) do
+      own[name] = value
+    end
+    return setmetatable({}, { __index = function(_, name)
+      self.read[name] = true
+      return own[name]
+    end, __pairs = function() return pairs(own) end })
+  end
+  if not self.each then
+    return along(self, runs[1], seen_by(runs[1]))
+  end
+  local list = {}
+  for i, run in ipairs(runs) do
+    list[i] = in_si(self, { (self.against(run, seen_by(run))) }, self.y_unit, "y")[1]
+      or fault.script("%s: against gives no number", self.what)
+  end
+  return list
+end
+
+--- Residuals in standard errors, weighted, of what Curve:model gives.
+function Curve:residuals(model)
+  local list, weight = {}, math.sqrt(self.weight)
+  for i, value in ipairs(model) do
+    list[i] = weight * (value - self.y[i]) / self.sigma[i]
+  end
+  return list
+end
+
+return curve

@@ -1,0 +1,90 @@
+-- The simulation's own error in a fit: what one finer level of each setting changes, carried into the parameters.
+local claim = require "stiction.trade.claim"
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local linear = require "stiction.fit.linear"
+local ordered = require "stiction.ordered"
+local space = require "stiction.fit.space"
+local spec = require "stiction.fit.spec"
+local sweep = require "stiction.sweep"
+local units = require "stiction.units"
+
+local finer = {}
+
+local farthest = 10 -- places that a step may go in a coordinate
+
+--- Settings a level finer that the study names, all at once: {settings =, factor =, words =}.
+local function of_study(fit, p)
+  local settings, factor, words = {}, 1, {}
+  for _, name in ipairs(ordered.keys(fit.finer)) do
+    local value, own = fit.finer[name], p[name]
+    if own == nil then
+      fault.input("study.fit.finer: the study has no parameter '%s'%s", name, fault.meant(name, ordered.keys(p)))
+    end
+    local a, b = units.si(value), units.si(own)
+    local ratio = type(a) == "number" and type(b) == "number" and a > 0 and b > 0 and math.max(a / b, b / a)
+    factor = math.max(factor, ratio and ratio > 1 and claim.factor(ratio) or 1)
+    settings[name], words[#words + 1] = value, ("%s = %s"):format(name, tostring(value))
+  end
+  return { { settings = settings, factor = factor, words = table.concat(words, ", ") } }
+end
+
+--- Those that the study's trade knows, one at a time.
+local function of_trade(study, p)
+  local list = {}
+  for _, variant in ipairs(claim.variants(claim.knobs(study), p)) do
+    list[#list + 1] = { settings = { [variant.knob] = variant.value }, factor = variant.factor,
+      words = ("%s = %s"):format(variant.knob, tostring(variant.value)) }
+  end
+  return list
+end
+
+--- What to run beside the best point; nil where the study names nothing.
+function finer.variants(fit, study, options)
+  local curve = fit.curves[1]
+  local values = {}
+  for k, own in ipairs(fit.parameters) do
+    values[k] = own.start
+  end
+  local p = sweep.values_at(study, options, curve:cases((spec.values_for(fit, curve, values)))[1], "study.fit")
+  if fit.finer then
+    return of_study(fit, p)
+  end
+  local held, list = engine.call(of_trade, study, p)
+  return study.trade and held and #list > 0 and list or nil
+end
+
+--- {known =, reason = (where not), variants = {{words =, residual = (rms change in standard errors)}}, relative = {by place of a
+--- parameter}}: what the parameters' relative coordinates may be off by, as a level finer moves them, times what claims of a trade
+--- allow for.
+function finer.of(model, study, options, found, judged)
+  local variants = finer.variants(model.fit, study, options)
+  if not variants then
+    return { reason = "the study has neither fit.finer nor a trade", variants = {} }
+  end
+  local columns, result = {}, { known = true, variants = {}, relative = {}, changes = {} }
+  for i, k in ipairs(judged.free) do
+    columns[i], result.relative[k] = linear.scaled({ found.J[k] }, found.at.slopes)[1], 0
+  end
+  for n, variant in ipairs(variants) do
+    local answer = model:evaluate({ found.z }, "finer", variant.settings)[1]
+    if answer.failed then
+      return { reason = ("with %s: %s"):format(variant.words, answer.failed), variants = result.variants }
+    end
+    local change, sum = {}, 0
+    for i, r in ipairs(answer.r) do
+      change[i] = (r - found.at.r[i]) * found.at.slopes[i]
+      sum = sum + (r - found.at.r[i]) ^ 2
+      result.changes[i] = (result.changes[i] or 0) + math.abs(r - found.at.r[i])
+    end
+    local step = #columns > 0 and linear.step(columns, change, farthest) or {}
+    for i, k in ipairs(judged.free) do
+      result.relative[k] = result.relative[k] + variant.factor * math.abs(step[i] * judged.slopes[k])
+    end
+    result.variants[n] = { words = variant.words, residual = math.sqrt(sum / #answer.r) }
+  end
+  result.values = space.values(model.fit.parameters, found.z)
+  return result
+end
+
+return finer

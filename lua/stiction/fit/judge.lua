@@ -1,0 +1,223 @@
+-- What data say of parameters where a fit ended: errors, correlations, what is determined and what only in combination, and whether
+-- the model is rejected. In relative coordinates: a change of 1 is by a factor e, or of a linear parameter by its own size.
+local engine = require "stiction.engine"
+local linear = require "stiction.fit.linear"
+local loss_module = require "stiction.fit.loss"
+local numeric = require "stiction.numeric"
+local space = require "stiction.fit.space"
+
+local judge = {}
+
+judge.settled = 0.25 -- relative standard error up to which a parameter or a combination counts as determined
+judge.level = 0.95 -- of intervals
+local doubt = 1e-3 -- probability below which a model is rejected
+local told = 0.05 -- exponents below are not told
+local blurred = 3 -- times the noise in derivatives: singular values below are not told from 0
+
+--- By how much the relative coordinate of each parameter grows with its own one; and what a relative one is relative to.
+function judge.scales(parameters, z)
+  local values, slopes, sizes = space.values(parameters, z), {}, {}
+  for k, own in ipairs(parameters) do
+    slopes[k] = 1 / space.step(own, values[k], 1)
+    local whole = own.from and not own.log and 0.1 * (own.to - own.from) or 0.1 * (own.size or 0)
+    sizes[k] = own.from and own.log and values[k] or math.max(math.abs(values[k]), whole)
+  end
+  return slopes, sizes, values
+end
+
+--- What the squares of standard errors are multiplied by: 1 where errors are known, else the mean square of residuals; with a
+--- robust loss as Huber has it (Robust Statistics, 1981, 7.6).
+local function factor_of(problem, at, free)
+  local n, degrees = #at.r, math.max(1, #at.r - free)
+  if problem.loss == "squares" then
+    return problem.known and 1 or at.cost / degrees
+  end
+  local squares, slope, h = 0, 0, 1e-4
+  for i, r in ipairs(at.r) do
+    local own, rise = loss_module.of(problem.loss, { r, r - h, r + h })
+    squares = squares + (own[1] * rise[1]) ^ 2
+    slope = slope + (own[3] * rise[3] - own[2] * rise[2]) / (2 * h)
+    n = i
+  end
+  return squares / degrees / (slope / n) ^ 2
+end
+
+--- Standard errors of the parameters among `of` alone, the inverse of whose information this is; and how each is correlated.
+local function errors_of(matrix)
+  local errors, correlations = {}, {}
+  for k, row in ipairs(matrix) do
+    errors[k] = math.sqrt(row[k])
+  end
+  for k, row in ipairs(matrix) do
+    correlations[k] = {}
+    for l, value in ipairs(row) do
+      correlations[k][l] = value / (errors[k] * errors[l])
+    end
+  end
+  return errors, correlations
+end
+
+--- Runs test of Wald and Wolfowitz (Ann. Math. Stat. 11 (1940) 147): the probability of no more runs of like signs than these
+--- residuals have, of which each follows another; nil where there are too few.
+function judge.runs(residuals)
+  local plus, minus, runs, last = 0, 0, 0, nil
+  for _, r in ipairs(residuals) do
+    local sign = r > 0
+    plus, minus = plus + (sign and 1 or 0), minus + (sign and 0 or 1)
+    runs, last = runs + (sign ~= last and 1 or 0), sign
+  end
+  local n = plus + minus
+  if n < 10 then
+    return nil
+  elseif plus == 0 or minus == 0 then
+    return 0.5 ^ (n - 1)
+  end
+  local mean = 2 * plus * minus / n + 1
+  local variance = (mean - 1) * (mean - 2) / (n - 1)
+  return variance > 0 and engine.beyond(-(runs + 0.5 - mean) / math.sqrt(variance)) or nil
+end
+
+--- Directions in which some of the parameters are determined together, from the covariance of these: list of {error =,
+--- powers = by place, the largest 1}, the best first.
+local function combinations(matrix, ks)
+  local own, list = {}, {}
+  for i, k in ipairs(ks) do
+    own[i] = numeric.map(ks, function(l) return matrix[k][l] end)
+  end
+  local values, vectors = engine.singular(own)
+  for i = #values, 1, -1 do
+    local powers, largest = {}, 0
+    for j, x in ipairs(vectors[i]) do
+      largest = math.abs(x) > math.abs(largest) * (1 + 1e-6) and x or largest
+      powers[ks[j]] = x
+    end
+    for k, x in pairs(powers) do
+      powers[k] = x / largest
+    end
+    list[#list + 1] = { error = math.sqrt(math.max(values[i], 0)) / math.abs(largest), powers = powers }
+  end
+  return list
+end
+
+--- "w * E^-0.5": a combination in words; `relative` where linear parameters are in it.
+function judge.words(parameters, powers)
+  local words, linear_too = {}, false
+  for k, own in ipairs(parameters) do
+    local x = powers[k]
+    if x and math.abs(x) >= told then
+      words[#words + 1] = math.abs(x - 1) < 0.005 and own.name or ("%s^%.2g"):format(own.name, x)
+      linear_too = linear_too or not own.log
+    end
+  end
+  return table.concat(words, " * ") .. (linear_too and " (near the best values)" or "")
+end
+
+local function fate(error, alone)
+  return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
+end
+
+--- The place among the free ones of the parameter that is most correlated with the i-th; nil where there is none.
+local function companion(judged, i)
+  local best
+  for j, x in ipairs(judged.correlations[i]) do
+    if j ~= i and (not best or math.abs(x) > math.abs(judged.correlations[i][best])) then
+      best = j
+    end
+  end
+  return best
+end
+
+--- Sets the fate of each parameter, of whose relative standard errors these are the ones that count, and the combinations that are
+--- determined where not all of them are.
+function judge.decide(judged, relative)
+  local mixed = {}
+  judged.combinations = {}
+  for i, k in ipairs(judged.free) do
+    judged.fates[k] = fate(relative[k], judged.alone[k])
+    mixed[#mixed + 1] = judged.fates[k] == "only in combination" and i or nil
+  end
+  if #mixed == 1 then
+    mixed[2] = companion(judged, mixed[1])
+  end
+  local list = #mixed > 1 and combinations(judged.covariance, mixed) or {}
+  for n, own in ipairs(list) do
+    local powers = {}
+    for i, x in pairs(own.powers) do
+      powers[judged.free[i]] = x
+    end
+    local good = own.error <= judge.settled and n < #list -- the last one is what leaves them open
+    judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
+  end
+end
+
+--- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
+function judge.by_profiles(parameters, judged, intervals)
+  local relative = {}
+  for _, k in ipairs(judged.free) do
+    local own = intervals[k]
+    local whole = own and own.low and own.high
+      and (parameters[k].log and math.log(own.high / own.low) or (own.high - own.low) / judged.sizes[k]) or math.huge
+    relative[k] = math.max(judged.relative[k], whole / (2 * judged.t))
+  end
+  return relative
+end
+
+--- The chance of so large squares if each residual may be off by the simulation's own change too (lists); nil where it tells nothing.
+function judge.chance_with(judged, residuals, changes)
+  local sum = 0
+  for i, r in ipairs(residuals) do
+    sum = sum + r * r / (1 + changes[i] ^ 2)
+  end
+  return judged.chance and engine.beyond(sum, judged.degrees)
+end
+
+judge.doubt = doubt
+
+--- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
+--- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
+--- correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =, fates = by place,
+--- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
+--- errors are not known), runs = {by curve: the chance, or false}, rejected =}.
+--- about = {curves = {{name =, first =, last =}}, noise = (of a residual), share = (of differences)}.
+function judge.of(problem, found, about)
+  local at, free = found.at, found.free
+  local slopes, sizes, values = judge.scales(problem.parameters, found.z)
+  local columns = {}
+  for i, k in ipairs(free) do
+    columns[i] = numeric.map(found.J[k], function(x) return x / slopes[k] end)
+  end
+  local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
+    squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
+  judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
+  local floor = blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
+  local matrix, singular, vectors = {}, {}, {}
+  if #free > 0 then
+    matrix, singular, vectors = linear.covariance(columns, floor)
+  end
+  for _, row in ipairs(matrix) do
+    for l in ipairs(row) do
+      row[l] = row[l] * judged.factor
+    end
+  end
+  local errors, correlations = errors_of(matrix)
+  judged.alone = {}
+  for i, k in ipairs(free) do
+    judged.relative[k], judged.errors[k] = errors[i], errors[i] * sizes[k]
+    judged.alone[k] = math.sqrt(judged.factor) / math.max(math.sqrt(linear.dot(columns[i], columns[i])), floor, 1e-150)
+  end
+  judged.covariance, judged.correlations, judged.directions = matrix, correlations, vectors
+  judged.eigenvalues = numeric.map(singular, function(x) return x * x / judged.factor end)
+  judge.decide(judged, judged.relative)
+  judged.chance = problem.known and problem.loss == "squares" and judged.degrees > 0
+    and engine.beyond(at.cost, judged.degrees) or nil
+  for i, curve in ipairs(about.curves or {}) do
+    judged.runs[i] = judge.runs(table.move(at.r, curve.first, curve.last, 1, {})) or false
+  end
+  judged.rejected = judged.chance and judged.chance < doubt or false
+  for _, chance in ipairs(judged.runs) do
+    judged.rejected = judged.rejected or chance and chance < doubt / #judged.runs or false
+  end
+  return judged
+end
+
+return judge

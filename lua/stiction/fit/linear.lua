@@ -1,0 +1,90 @@
+-- Linear algebra of fits: columns as lists, what a step by Gauss and Newton gains, covariances from singular values.
+local engine = require "stiction.engine"
+
+local linear = {}
+
+local least = 1e-13 -- of the largest singular value: below, nothing but rounding
+
+function linear.dot(a, b)
+  local sum = 0
+  for i = 1, #a do
+    sum = sum + a[i] * b[i]
+  end
+  return sum
+end
+
+--- Sum of columns times the numbers x, of so many rows.
+function linear.product(columns, x, rows)
+  local sum = {}
+  for i = 1, rows do
+    local own = 0
+    for k = 1, #columns do
+      own = own + columns[k][i] * x[k]
+    end
+    sum[i] = own
+  end
+  return sum
+end
+
+--- Columns whose rows are multiplied by these numbers.
+function linear.scaled(columns, factors)
+  local list = {}
+  for k, column in ipairs(columns) do
+    local own = {}
+    for i = 1, #column do
+      own[i] = column[i] * factors[i]
+    end
+    list[k] = own
+  end
+  return list
+end
+
+--- The parts of a list that the left singular vectors take, beside singular values and right vectors.
+local function parts(columns, list)
+  local values, vectors = engine.singular(columns)
+  local own = {}
+  for i, value in ipairs(values) do
+    local image = value > least * values[1] and linear.product(columns, vectors[i], #list)
+    own[i] = image and linear.dot(image, list) / value or 0
+  end
+  return own, values, vectors
+end
+
+--- The step by which columns lessen the residuals most, and by how much that lessens their squares; along no singular
+--- direction it goes farther than `reach`.
+function linear.step(columns, residuals, reach)
+  local own, values, vectors = parts(columns, residuals)
+  local step, gain = {}, 0
+  for k = 1, #columns do
+    step[k] = 0
+  end
+  for i, value in ipairs(values) do
+    if own[i] ~= 0 then
+      local along = math.max(-reach, math.min(reach, -own[i] / value))
+      gain = gain - 2 * along * value * own[i] - (along * value) ^ 2
+      for k = 1, #columns do
+        step[k] = step[k] + along * vectors[i][k]
+      end
+    end
+  end
+  return step, gain
+end
+
+--- Inverse of the matrix of products of the columns, a list of lists; singular values below `floor` count as that.
+function linear.covariance(columns, floor)
+  local values, vectors = engine.singular(columns)
+  local matrix = {}
+  for k = 1, #columns do
+    matrix[k] = {}
+    for l = 1, #columns do
+      local sum = 0
+      for i, value in ipairs(values) do
+        sum = sum + vectors[i][k] * vectors[i][l] / math.max(value, floor, 1e-150) ^ 2
+      end
+      matrix[k][l] = sum
+    end
+  end
+  return matrix, values, vectors
+end
+
+return linear

@@ -1,0 +1,197 @@
+-- The residuals of a fit at points of its parameters: batches of cases, compared with the measured curves.
+local engine = require "stiction.engine"
+local loss_module = require "stiction.fit.loss"
+local points_module = require "stiction.points"
+local space = require "stiction.fit.space"
+local spec = require "stiction.fit.spec"
+
+local model = {}
+
+local near, differences = 5e-3, 3 -- relative distance of runs whose differences tell how rough they are; how often these are taken
+local of_third = 1 / 20 -- mean square of a third difference of noise to that of the noise itself (More, Wild, SIAM J. Sci. Comput.
+-- 33 (2011) 1292: (k!)^2 / (2 k)!)
+local least_noise, least_share, most_share = 1e-12, 1e-6, 0.05
+
+local Model = {}
+Model.__index = Model
+
+--- The cases of a curve at values of the fit's parameters, other settings in `extra`; and what the comparison takes besides.
+local function cases_of(self, curve, values, extra)
+  local settings, others = spec.values_for(self.fit, curve, values)
+  local cases = curve:cases(settings)
+  for _, case in ipairs(cases) do
+    for name, value in pairs(extra or {}) do
+      case[name] = value
+    end
+  end
+  return cases, others
+end
+
+--- What the rows of a curve's cases give at its points; nil and the reason.
+local function modelled(self, curve, rows, others)
+  local runs = {}
+  for i, row in ipairs(rows) do
+    if not row.computed then
+      return nil, ("%s: %s"):format(row.case.id, points_module.reason(row))
+    end
+    runs[i] = self.points:run_of(row)
+  end
+  local held, list, reason = engine.call(curve.model, curve, runs, others)
+  if not held then
+    if list.kind == "stopped" then
+      error(list, 0)
+    end
+    return nil, tostring(list) .. (list.trace or "")
+  end
+  return list, reason and ("%s: %s"):format(curve.what, reason)
+end
+
+--- An answer at one point: {r =, curves = {model values by place} | failed =, cases = {ids}}.
+local function answer_of(self, parts)
+  local answer = { r = {}, curves = {}, cases = {} }
+  for i, part in ipairs(parts) do
+    for _, row in ipairs(part.rows) do
+      answer.cases[#answer.cases + 1] = row.case.id
+    end
+    local list, reason = modelled(self, part.curve, part.rows, part.others)
+    if not list then
+      return { failed = reason, cases = answer.cases }
+    end
+    answer.curves[i] = list
+    for _, r in ipairs(part.curve:residuals(list)) do
+      answer.r[#answer.r + 1] = r
+    end
+  end
+  return answer
+end
+
+--- Answers at points, each a list of coordinates, by one batch of cases. word: what for. extra: settings in place of the study's;
+--- curves: these alone.
+function Model:evaluate(list, word, extra, curves)
+  local wanted, parts = {}, {}
+  for n, z in ipairs(list) do
+    local values = space.values(self.fit.parameters, z)
+    parts[n] = {}
+    for i, curve in ipairs(curves or self.fit.curves) do
+      local cases, others = cases_of(self, curve, values, extra)
+      parts[n][i] = { curve = curve, others = others, first = #wanted + 1, count = #cases }
+      table.move(cases, 1, #cases, #wanted + 1, wanted)
+    end
+  end
+  local rows, answers = self.points:run(wanted), {}
+  for n, own in ipairs(parts) do
+    for _, part in ipairs(own) do
+      part.rows = table.move(rows, part.first, part.first + part.count - 1, 1, {})
+    end
+    answers[n] = answer_of(self, own)
+    self:note(list[n], word, answers[n])
+  end
+  return answers
+end
+
+--- The range of a curve's x that its run at a point covers, SI; nil if that has failed.
+function Model:range(curve, z)
+  local cases, others = cases_of(self, curve, space.values(self.fit.parameters, z))
+  local row = self.points:run(cases)[1]
+  if not row.computed or curve.each then
+    return nil
+  end
+  local p = row.case.p
+  for name, value in pairs(others) do
+    p[name] = value
+  end
+  local held, low, high = engine.call(curve.range, curve, self.points:run_of(row), p)
+  if held then
+    return low, high
+  end
+end
+
+--- Notes and tells an answer.
+function Model:note(z, word, answer)
+  local values, cost = space.values(self.fit.parameters, z), nil
+  if answer.r and #answer.r == self.fit.count then
+    cost = select(3, loss_module.of(self.fit.loss, answer.r))
+  end
+  self.log[#self.log + 1] = { word = word, values = values, z = z, cost = cost, failed = answer.failed, cases = answer.cases }
+  self.tell(self.log[#self.log], #self.log)
+end
+
+--- The noise of residuals from one run to the next near a point, root mean square, as third differences along a line tell it; nil
+--- and the reason if a run fails.
+local function measured_noise(self, z)
+  local curve, line = self.fit.curves[1], {}
+  for i = 0, differences do
+    local values = space.values(self.fit.parameters, z)
+    local other = {}
+    for k, own in ipairs(self.fit.parameters) do
+      local step = space.step(own, values[k], near * i)
+      other[k] = z[k] + (z[k] > 0.5 and -step or step)
+    end
+    line[i + 1] = other
+  end
+  local answers, sum = self:evaluate(line, "noise", nil, { curve }), 0
+  for _, answer in ipairs(answers) do
+    if answer.failed then
+      return nil, answer.failed
+    end
+  end
+  for n = 1, #answers[1].r do
+    local third = answers[4].r[n] - 3 * answers[3].r[n] + 3 * answers[2].r[n] - answers[1].r[n]
+    sum = sum + third * third
+  end
+  return math.sqrt(of_third * sum / #answers[1].r)
+end
+
+--- Measures the noise of runs near a point and sets the size of differences by it: self.noise of a residual, self.share relative.
+function Model:set_steps(z)
+  local curve, sum = self.fit.curves[1], 0
+  for i, y in ipairs(curve.y) do
+    sum = sum + curve.weight * (y / curve.sigma[i]) ^ 2
+  end
+  local size, reason = math.sqrt(sum / #curve.y), nil
+  if self.fit.noise then
+    self.noise = self.fit.noise * size
+  else
+    self.noise, reason = measured_noise(self, z)
+    self.noise = self.noise or 1e-6 * size
+  end
+  self.noise = math.max(self.noise, least_noise * size)
+  self.share = math.min(math.max(2 * math.sqrt(self.noise / size), least_share), most_share)
+  return reason
+end
+
+--- The fit as search.run wants it.
+function Model:problem(enough)
+  local parameters = self.fit.parameters
+  return { parameters = parameters, loss = self.fit.loss, known = self.fit.known, most = self.fit.most, enough = enough, refusals = 1,
+    step = function(k, z) return space.step(parameters[k], space.values(parameters, z)[k], self.share) end,
+    evaluate = function(list, word) return self:evaluate(list, word) end }
+end
+
+--- Names of all parameters that differ among the cases of a fit.
+local function names_of(fit)
+  local names, list = {}, {}
+  for _, own in ipairs(fit.parameters) do
+    names[own.key] = own.setting or nil
+  end
+  for _, curve in ipairs(fit.curves) do
+    for _, source in ipairs { curve.case, curve.each or {} } do
+      for name in pairs(source) do
+        names[name] = true
+      end
+    end
+  end
+  for name in pairs(names) do
+    list[#list + 1] = name
+  end
+  table.sort(list)
+  return list
+end
+
+--- tell(entry, number): called with every answer, {word =, values =, cost =, failed =}.
+function model.open(fit, study, options, folder, tell)
+  return setmetatable({ fit = fit, points = points_module.open(study, options, folder, names_of(fit)), log = {}, tell = tell,
+    noise = 0, share = least_share }, Model)
+end
+
+return model

@@ -1,0 +1,45 @@
+-- A fit of a function in place of cases: the same search, judgement and profiles, for proofs of them.
+local judge = require "stiction.fit.judge"
+local numeric = require "stiction.numeric"
+local profile = require "stiction.fit.profile"
+local search = require "stiction.fit.search"
+local space = require "stiction.fit.space"
+local starts = require "stiction.fit.starts"
+
+local plain = {}
+
+--- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), f = function(values, x),
+--- loss =, share = (of differences), enough =, ...}; where f gives no number the point fails.
+function plain.problem(t)
+  local count = { evaluations = 0 }
+  local function residuals(z)
+    local values, r = space.values(t.parameters, z), {}
+    for i, x in ipairs(t.x) do
+      r[i] = (t.f(values, x) - t.y[i]) / (t.sigma or 1)
+      if not numeric.is_finite(r[i]) or math.abs(r[i]) > 1e150 then
+        return { failed = "no number" }
+      end
+    end
+    return { r = r }
+  end
+  return { parameters = t.parameters, loss = t.loss or "squares", known = t.sigma ~= nil, enough = t.enough or 1e-6,
+    most = t.most or 1000, refusals = t.refusals or 1, always = t.always, central = t.central, count = count,
+    step = function(k, z) return space.step(t.parameters[k], space.values(t.parameters, z)[k], t.share or 1e-6) end,
+    evaluate = function(points)
+      count.evaluations = count.evaluations + #points
+      return numeric.map(points, residuals)
+    end }
+end
+
+--- The best minimum from `count` starts, its judgement, and its profiles if wanted; the problem.
+function plain.fit(t, count, profiled)
+  local problem = plain.problem(t)
+  local minima = search.run(problem, starts.of(t.parameters, count or 1), 3)
+  if not minima then
+    return nil
+  end
+  local judged = judge.of(problem, minima[1], { curves = { { first = 1, last = #t.x } } })
+  return minima[1], judged, profiled and profile.of(problem, minima[1], judged), problem
+end
+
+return plain

@@ -1,0 +1,308 @@
+-- The search for least squares: trust-region steps between bounds, derivatives by differences that are kept as long as they do.
+-- Trial points that fail are steps too long. Derivatives between two differences: Broyden, Math. Comp. 19 (1965) 577, with the
+-- projections of Gay, Schnabel (Nonlinear Programming 3, 1978, 245).
+local engine = require "stiction.engine"
+local linear = require "stiction.fit.linear"
+local loss_module = require "stiction.fit.loss"
+local numeric = require "stiction.numeric"
+local space = require "stiction.fit.space"
+
+local search = {}
+
+local poor = 0.25 -- of what a step was to gain: less, and the derivatives are made anew
+local most_refused = 1 -- trial points without a gain before old derivatives are made anew
+local cut, most_cuts = 0.25, 3 -- of a step that gains nothing with new derivatives; how often
+local penalty = 100 -- times the squares of the best: what a failed case counts
+local worth = 3 -- times what is enough: a round of steps with new derivatives that gains less is the last
+local most_rounds = 40 -- of steps with one set of bounds
+local apart = 1e-3 -- in a coordinate: two minima
+local news = 0.2 -- of a step: less that is new, and the steps before it are forgotten
+local edge = 1e-12 -- coordinates so near to a bound are on it
+
+-- A problem: {parameters =, loss = name, evaluate = function(points, word) -> list of {r = residuals | failed = reason},
+-- step = function(k, z) -> size of differences, known = whether errors are known, enough = gain in squares of standard errors
+-- at which it ends, most = evaluations, refusals = trial points in vain after new derivatives, always = derivatives by differences
+-- at each step, central = by central ones}.
+
+local Search = {}
+Search.__index = Search
+
+--- Evaluates points between the bounds, of which none counts twice.
+local function evaluate(self, points, word)
+  local fresh, found = {}, {}
+  for _, z in ipairs(points) do
+    local key = table.concat(numeric.map(z, function(x) return ("%a"):format(x) end), " ")
+    found[#found + 1] = key
+    if not self.seen[key] then
+      fresh[#fresh + 1], self.seen[key] = z, true
+      self.keys[#fresh] = key
+    end
+  end
+  local answers = #fresh > 0 and self.problem.evaluate(fresh, word) or {}
+  for i, answer in ipairs(answers) do
+    self.seen[self.keys[i]] = answer
+    if answer.r then
+      answer.own, answer.slopes, answer.cost = loss_module.of(self.problem.loss, answer.r)
+    end
+  end
+  self.count = self.count + #fresh
+  return numeric.map(found, function(key) return self.seen[key] end)
+end
+
+--- Columns of differences of residuals over coordinates at a point; how many could not be had.
+local function differences(self, z, at)
+  local p, old = #z, self.J
+  local steps, J, lost = {}, {}, 0
+  for k = 1, p do
+    local h = self.problem.step(k, z)
+    steps[k] = self.problem.parameters[k].from and z[k] + h > 1 and -h or h
+  end
+  local function moved(k, h)
+    local other = table.move(z, 1, p, 1, {})
+    other[k] = z[k] + h
+    return other
+  end
+  local function try(ks, sign)
+    local answers = evaluate(self, numeric.map(ks, function(k) return moved(k, sign * steps[k]) end), "derivative")
+    for i, k in ipairs(ks) do
+      local h, answer = sign * steps[k], answers[i]
+      local column = answer.r and {}
+      for n = 1, answer.r and #at.r or 0 do
+        column[n] = (answer.r[n] - at.r[n]) / h
+      end
+      local both = J[k] and column
+      for n = 1, both and #column or 0 do
+        column[n] = 0.5 * (column[n] + J[k][n])
+      end
+      J[k] = column or J[k]
+    end
+  end
+  local all, rest = {}, {}
+  for k = 1, p do
+    all[k] = k
+  end
+  try(all, 1)
+  for k = 1, p do
+    rest[#rest + 1] = (not J[k] or self.problem.central) and k or nil
+  end
+  try(rest, -1)
+  for k = 1, p do
+    if not J[k] then
+      lost = lost + 1
+      J[k] = old and old[k] or numeric.map(at.r, function() return 0 end)
+    end
+  end
+  return J, lost
+end
+
+--- Derivatives made anew where the search stands.
+local function refresh(self)
+  self.J, self.lost = differences(self, self.z, self.at)
+  self.fresh, self.refused, self.ways = true, 0, {}
+end
+
+--- The direction along which a step is news: without those of the steps before it since derivatives were made.
+local function news_of(self, dz)
+  local v = table.move(dz, 1, #dz, 1, {})
+  for _, way in ipairs(self.ways) do
+    local along = linear.dot(way, dz)
+    for k = 1, #v do
+      v[k] = v[k] - along * way[k]
+    end
+  end
+  local whole, left = math.sqrt(linear.dot(dz, dz)), math.sqrt(linear.dot(v, v))
+  if left < news * whole then
+    self.ways, v, left = {}, table.move(dz, 1, #dz, 1, {}), whole
+  end
+  table.insert(self.ways, numeric.map(v, function(x) return x / left end))
+  return v
+end
+
+--- Brings derivatives along to a new point.
+local function follow(self, z, at)
+  local dz, square = {}, 0
+  for k = 1, #z do
+    dz[k] = z[k] - self.z[k]
+    square = square + dz[k] ^ 2
+  end
+  local guess = linear.product(self.J, dz, #at.r)
+  local predicted, J = 0, {}
+  for i = 1, #at.r do
+    predicted = predicted + (self.at.own[i] + self.at.slopes[i] * guess[i]) ^ 2
+  end
+  local v = square > 0 and news_of(self, dz)
+  for k = 1, v and #z or 0 do
+    J[k] = {}
+    local share = v[k] / linear.dot(v, dz)
+    for i = 1, #at.r do
+      J[k][i] = self.J[k][i] + (at.r[i] - self.at.r[i] - guess[i]) * share
+    end
+  end
+  local good = self.at.cost - at.cost >= poor * (self.at.cost - predicted)
+  self.z, self.at = z, at
+  if square > 0 then
+    self.J, self.fresh, self.refused = J, false, 0
+  end
+  if square > 0 and (self.problem.always or not good) then
+    refresh(self)
+  end
+end
+
+--- The parameters that may move: all but those at a bound that they would leave.
+local function free_ones(self)
+  local free = {}
+  for k, own in ipairs(self.problem.parameters) do
+    local slope = 0
+    for i = 1, #self.at.own do
+      slope = slope + self.J[k][i] * self.at.slopes[i] * self.at.own[i]
+    end
+    local held = own.from and (self.z[k] <= edge and slope > 0 or self.z[k] >= 1 - edge and slope < 0)
+    free[#free + 1] = not held and k or nil
+  end
+  return free
+end
+
+local function columns_of(self, free)
+  return linear.scaled(numeric.map(free, function(k) return self.J[k] end), self.at.slopes)
+end
+
+--- What a standard error counts in squares.
+local function unit_of(self)
+  local each = self.at.cost / math.max(1, #self.at.r - #self.z)
+  return self.problem.known and math.max(1, each) or each
+end
+
+--- Whether a whole step of the free parameters would gain no more than is worth it.
+local function is_there(self, free)
+  if #free == 0 then
+    return true
+  end
+  local _, gain = linear.step(columns_of(self, free), self.at.own, 1)
+  return gain <= self.problem.enough * unit_of(self)
+end
+
+--- Steps with these parameters free, from where the search stands, until there is reason to look anew.
+local function walk(self, free)
+  local problem = self.problem
+  local function whole(x)
+    local z = table.move(self.z, 1, #self.z, 1, {})
+    for i, k in ipairs(free) do
+      z[k] = x[i]
+    end
+    return space.clipped(problem.parameters, z)
+  end
+  local function residuals(x)
+    local z = whole(x)
+    if self.count >= problem.most then
+      self.spent = true
+      return nil
+    end
+    local answer = evaluate(self, { z }, "step")[1]
+    local gained = answer.r and answer.cost <= self.at.cost
+    self.refused, self.trial = gained and self.refused or self.refused + 1, z
+    if not gained and self.refused >= (self.fresh and problem.refusals or most_refused) then
+      return nil
+    elseif answer.r then
+      return answer.own
+    end
+    local share = math.sqrt(penalty * math.max(self.at.cost, 1e-300) / #self.at.own)
+    return numeric.map(self.at.own, function() return share end)
+  end
+  local function jacobian(x)
+    local z = whole(x)
+    follow(self, z, evaluate(self, { z }, "step")[1])
+    return columns_of(self, free)
+  end
+  local function each(x)
+    local _, outside = whole(x)
+    return outside or is_there(self, free) or #free_ones(self) ~= #free
+  end
+  local start = numeric.map(free, function(k) return self.z[k] end)
+  return select(2, engine.least_squares(start, #self.at.r, residuals, jacobian, each, problem.most))
+end
+
+--- Shorter steps towards a trial point that gained nothing; whether one gains.
+local function shorten(self)
+  local z, towards = self.z, self.trial
+  for i = 1, self.trial and most_cuts or 0 do
+    local point = {}
+    for k in ipairs(z) do
+      point[k] = z[k] + cut ^ i * (towards[k] - z[k])
+    end
+    local answer = evaluate(self, { point }, "step")[1]
+    if answer.r and answer.cost < self.at.cost then
+      follow(self, point, answer)
+      return true
+    end
+  end
+  return false
+end
+
+--- The nearest minimum from a point whose answer is known: {z =, at = (answer), J =, free =, lost = (derivatives that could
+--- not be had), ended = "there" | "stuck" | "most"}.
+local function descend(self, z, at)
+  self.z, self.at, self.J = z, at, nil
+  self.spent = false
+  refresh(self)
+  local word
+  for _ = 1, most_rounds do
+    local free = free_ones(self)
+    if is_there(self, free) then
+      word = self.fresh and "there"
+    else
+      local from, fresh = self.at.cost, self.fresh
+      local how = walk(self, free)
+      if fresh and self.at.cost >= from and how == "ended" and not self.spent then
+        how = shorten(self) and how or "stuck"
+      end
+      local little = from - self.at.cost <= worth * self.problem.enough * unit_of(self)
+      word = self.spent and "most" or fresh and little and (how == "stuck" or not self.problem.always) and "stuck"
+    end
+    if word then
+      break
+    elseif not self.fresh then
+      refresh(self)
+    end
+  end
+  if not self.fresh then
+    refresh(self)
+  end
+  return { z = self.z, at = self.at, J = self.J, free = free_ones(self), lost = self.lost, ended = word or "most" }
+end
+
+local function same(one, other)
+  for k = 1, #one.z do
+    if math.abs(one.z[k] - other.z[k]) > apart then
+      return false
+    end
+  end
+  return true
+end
+
+--- Minima from these points, the lowest first, each found once; nil and the answers where every one of the points failed.
+--- few: from how many of the best points it is looked for.
+function search.run(problem, starts, few)
+  local self = setmetatable({ problem = problem, seen = {}, keys = {}, count = 0 }, Search)
+  local answers, order = evaluate(self, starts, "start"), {}
+  for i, answer in ipairs(answers) do
+    order[#order + 1] = answer.r and i or nil
+  end
+  if #order == 0 then
+    return nil, answers
+  end
+  table.sort(order, function(a, b)
+    local one, other = answers[a].cost, answers[b].cost
+    return one == other and a < b or one < other
+  end)
+  local minima = {}
+  for i = 1, math.min(few, #order) do
+    local found = descend(self, starts[order[i]], answers[order[i]])
+    local known = numeric.first_where(minima, function(other) return same(found, other) end)
+    minima[#minima + 1] = not known and found or nil
+  end
+  table.sort(minima, function(a, b) return a.at.cost < b.at.cost end)
+  minima.count = self.count
+  return minima
+end
+
+return search

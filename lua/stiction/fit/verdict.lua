@@ -1,0 +1,162 @@
+-- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local judge = require "stiction.fit.judge"
+local numeric = require "stiction.numeric"
+local spec = require "stiction.fit.spec"
+local units = require "stiction.units"
+
+local verdict = {}
+
+local blur = 0.3 -- standard errors by which a finer level changes curves, where runs of signs may be of its making
+
+--- A value in SI in the unit that the study wrote the parameter's bounds in, and that unit.
+function verdict.shown(own, value)
+  if not units.is_quantity(own.like) then
+    return value, ""
+  end
+  local _, unit = own.like:display()
+  local factor = own.like.si / own.like:display()
+  return own.like.si ~= 0 and value / factor or value, unit
+end
+
+--- "0.981 J/m^2"
+function verdict.words(own, value, digits)
+  local number, unit = verdict.shown(own, value)
+  return ("%%.%dg%%s"):format(digits or 4):format(number, unit ~= "" and " " .. unit or "")
+end
+
+--- {low =, high = (SI; nil: open), statistical = {low =, high =}, simulation = (half width, SI; nil: not known), by = "profile" or
+--- "covariance"}: what is claimed of the k-th parameter: never less than the simulation's own error on either side.
+function verdict.interval(fit, judged, intervals, own_error, k)
+  local own, value = fit.parameters[k], judged.values[k]
+  if not judged.errors[k] then
+    return nil
+  end
+  local result = { statistical = {} }
+  local profiled = intervals and intervals[k]
+  local half = judged.t * judged.relative[k]
+  local low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
+  local high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
+  result.by = profiled and "profile" or "covariance"
+  if profiled then
+    low, high = profiled.low, profiled.high
+  end
+  local stretch = judged.misfit and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
+  low, high = low and value - stretch * (value - low), high and value + stretch * (high - value)
+  result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
+  result.stretch = stretch > 1 and stretch or nil
+  result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
+  local doubt, share = result.simulation or 0, own_error.known and own_error.relative[k] or 0
+  result.low, result.high = result.statistical.low, result.statistical.high
+  if own.log then
+    result.low, result.high = result.low and result.low * math.exp(-share), result.high and result.high * math.exp(share)
+  else
+    result.low, result.high = result.low and result.low - doubt, result.high and result.high + doubt
+  end
+  return result
+end
+
+local function list_words(words)
+  return #words > 1 and table.concat(words, ", ", 1, #words - 1) .. " and " .. words[#words] or words[1]
+end
+
+local function names_with(fit, judged, fate)
+  local names = {}
+  for _, k in ipairs(judged.free) do
+    names[#names + 1] = judged.fates[k] == fate and fit.parameters[k].name or nil
+  end
+  return names
+end
+
+--- Whether what rejects the model is no more than one finer level of the simulation changes: then nothing is rejected yet.
+local function is_coarse(judged, own_error, found)
+  if not own_error.known then
+    return false
+  end
+  local chance = judge.chance_with(judged, found.at.r, own_error.changes)
+  local largest = 0
+  for _, variant in ipairs(own_error.variants) do
+    largest = math.max(largest, variant.residual)
+  end
+  return chance ~= nil and chance >= judge.doubt or chance == nil and largest > blur
+end
+
+local function on_squares(judged, lines)
+  local each = judged.squares / math.max(1, judged.degrees)
+  local words = ("chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)"):format(judged.squares, judged.degrees, each,
+    judged.chance or 0)
+  if judged.chance and judged.chance < judge.doubt then
+    lines[#lines + 1] = (judged.coarse and "no agreement yet: " or "MODEL REJECTED by the data: ") .. words
+  elseif judged.chance then
+    lines[#lines + 1] = "the model agrees with the data: " .. words
+      .. (judged.chance > 1 - judge.doubt and "; so little says that the errors given are too large" or "")
+  elseif not judged.rejected then
+    lines[#lines + 1] = "errors of the data were not given: they are those that the residuals show, and chi square tells nothing"
+  end
+end
+
+local function on_model(fit, judged, lines)
+  on_squares(judged, lines)
+  for i, chance in ipairs(judged.runs) do
+    if chance and chance < judge.doubt / #judged.runs then
+      lines[#lines + 1] = ("%sthe residuals of %s keep their sign in long runs (chance %.2g)"):format(
+        judged.coarse and "no agreement yet: " or "MODEL REJECTED: ", fit.curves[i].name, chance)
+    end
+  end
+  if judged.coarse then
+    lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
+  end
+end
+
+--- Notes whether the misfit is of the simulation's own making; `rejected` is what is left.
+function verdict.settle(judged, own_error, found)
+  judged.coarse = judged.rejected and is_coarse(judged, own_error, found)
+  judged.misfit, judged.rejected = judged.rejected, judged.rejected and not judged.coarse
+end
+
+--- Lines on the model, the parameters and the simulation's own error.
+function verdict.lines(fit, judged, own_error, found)
+  local lines = {}
+  on_model(fit, judged, lines)
+  local good, mixed = names_with(fit, judged, "determined"), names_with(fit, judged, "only in combination")
+  local lost = names_with(fit, judged, "not determined")
+  if #good > 0 then
+    lines[#lines + 1] = "determined: " .. list_words(good)
+  end
+  if #mixed > 0 then
+    local words = numeric.map(judged.combinations, function(own)
+      return ("%s to %.2g %%"):format(judge.words(fit.parameters, own.powers), 100 * own.error)
+    end)
+    lines[#lines + 1] = ("determined only in combination: %s; what these data tell is %s"):format(list_words(mixed),
+      #words > 0 and list_words(words) or "no product of powers of them alone")
+  end
+  if #lost > 0 then
+    lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)
+  end
+  for k, own in ipairs(fit.parameters) do
+    if not judged.errors[k] then
+      lines[#lines + 1] = ("%s is at its bound %s: the data would have it beyond, and no error is told"):format(own.name,
+        tostring(spec.quantity(own.like, judged.values[k])))
+    end
+  end
+  local coarse, open = {}, {}
+  for _, k in ipairs(judged.free) do
+    local share, name = own_error.known and own_error.relative[k] or 0, fit.parameters[k].name
+    coarse[#coarse + 1] = share > judged.t * judged.relative[k] and share <= judge.settled and name or nil
+    open[#open + 1] = share > judge.settled and judged.fates[k] == "determined" and name or nil
+  end
+  lines[#lines + 1] = #open > 0 and ("NOT CLAIMED, whatever the data say: %s, by which the simulation's own error is more than %d %%; make its "
+    .. "settings finer"):format(list_words(open), 100 * judge.settled) or nil
+  lines[#lines + 1] = #coarse > 0 and ("the simulation is less sure than the data of %s: finer settings would tell more than further "
+    .. "measurements"):format(list_words(coarse)) or nil
+  lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
+    own_error.reason) or nil
+  if found.lost > 0 then
+    lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
+  end
+  if found.ended == "most" then
+    lines[#lines + 1] = ("the search was ended after %d evaluations (fit.most); this may be no minimum"):format(fit.most)
+  end
+  return lines
+end
+
+return verdict

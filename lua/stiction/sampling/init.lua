@@ -1,0 +1,227 @@
+-- stiction sample: how sure results are, given how sure parameters are.
+local chaos = require "stiction.sampling.chaos"
+local copy = require "stiction.copy"
+local drawing = require "stiction.drawing"
+local engine = require "stiction.engine"
+local fit_spec = require "stiction.fit.spec"
+local hold = require "stiction.hold"
+local indices = require "stiction.sampling.indices"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
+local output = require "stiction.output"
+local pictures = require "stiction.sampling.pictures"
+local points_module = require "stiction.points"
+local record = require "stiction.sampling.record"
+local report = require "stiction.report"
+local spec = require "stiction.sampling.spec"
+local spread = require "stiction.sampling.spread"
+local study_module = require "stiction.study"
+
+local most_told = 8 -- failed points
+
+--- Values by name of each point, with those that are the same everywhere.
+local function values_of(own)
+  local list = {}
+  if own.list then
+    for i, point in ipairs(own.list) do
+      list[i] = copy(own.set)
+      for name, value in pairs(point) do
+        list[i][name] = value
+      end
+    end
+    return list
+  end
+  own.coordinates = spec.coordinates(own)
+  for i, u in ipairs(own.coordinates) do
+    list[i] = copy(own.set)
+    for k, value in ipairs(spec.values(own, u)) do
+      list[i][own.axes[k].name] = fit_spec.quantity(own.axes[k].like, value)
+    end
+  end
+  return list
+end
+
+--- What the rows give of one result, nil where a case failed.
+local function column(rows, name)
+  local list = {}
+  for i, row in ipairs(rows) do
+    local value = row.done and row.result.results[name]
+    list[i] = numeric.is_finite(value) and value or false
+  end
+  return list
+end
+
+--- Rows {a, b, {ab1, ...}} of saltelli's design without those in which one failed.
+local function saltelli_rows(values, axes)
+  local rows, size = {}, axes + 2
+  for first = 1, #values, size do
+    local row, whole = { values[first], values[first + 1], {} }, true
+    for k = 0, size - 1 do
+      whole = whole and values[first + k] ~= false
+    end
+    for k = 1, axes do
+      row[3][k] = values[first + 1 + k]
+    end
+    rows[#rows + 1] = whole and row or nil
+  end
+  return rows
+end
+
+--- The points that are independent draws, with their results: of saltelli's design A and B alone.
+local function independent(own, values)
+  local points, list, size = {}, {}, own.design == "saltelli" and #own.axes + 2 or 1
+  for i, value in ipairs(values) do
+    if value and (size == 1 or (i - 1) % size < 2) then
+      list[#list + 1] = value
+      points[#points + 1] = own.coordinates and numeric.map(own.coordinates[i], function(u) return u end)
+    end
+  end
+  return list, points
+end
+
+--- Coordinates as polynomials take them.
+local function standard(own, points)
+  return numeric.map(points, function(u)
+    local x = {}
+    for k, axis in ipairs(own.axes) do
+      x[k] = axis.kind == "normal" and engine.quantile(u[k]) or u[k]
+    end
+    return x
+  end)
+end
+
+--- What is said of one result.
+local function judge(own, entry, rows)
+  local values = column(rows, entry.name)
+  local list, points = independent(own, values)
+  local result = { name = entry.name, unit = entry.unit, meaning = entry.meaning, values = values, failed = #values, entry = entry }
+  for _, value in ipairs(values) do
+    result.failed = result.failed - (value and 1 or 0)
+  end
+  if #list < 2 then
+    return result
+  end
+  result.moments, result.quantiles = spread.moments(list), spread.quantiles(list)
+  if own.list then
+    return result
+  end
+  if own.design == "saltelli" and not own.joint then
+    local of = saltelli_rows(values, #own.axes)
+    result.indices = #of > 1 and indices.of(of, #own.axes) or nil
+  end
+  local polynomial = chaos.of(standard(own, points), list, numeric.map(own.axes, function(axis) return axis.kind end))
+  if polynomial and own.joint then
+    polynomial.first, polynomial.total = nil, nil -- of parameters that depend on each other there are none
+  end
+  result.chaos = polynomial
+  return result
+end
+
+--- Failed points: {values =, reason =}, and along which parameters they lie.
+local function failures(own, rows, values)
+  local list, coordinates = {}, {}
+  for i, row in ipairs(rows) do
+    if not row.done then
+      list[#list + 1] = { values = values[i], reason = points_module.reason(row), case = row.case.id }
+      coordinates[#coordinates + 1] = own.coordinates and own.coordinates[i]
+    end
+  end
+  return list, spread.where(coordinates)
+end
+
+local function words_of(values, own)
+  local names = own.list and ordered.keys(values) or numeric.map(own.axes, function(axis) return axis.name end)
+  return table.concat(numeric.map(names, function(name)
+    return ("%s = %s"):format(name, report.value(values[name]))
+  end), ", ")
+end
+
+local function show_failures(own, found)
+  if #found.failures == 0 then
+    return
+  end
+  report.line("%d of %d cases failed; they are in no number below, which is then of the others alone:", #found.failures, found.count)
+  for i = 1, math.min(most_told, #found.failures) do
+    report.line("  %s: %s", words_of(found.failures[i].values, own), found.failures[i].reason)
+  end
+  if #found.failures > most_told then
+    report.line("  and %d more: sample.json", #found.failures - most_told)
+  end
+  for _, place in ipairs(found.where) do
+    report.line("they lie at %s %s: between %.2g and %.2g of its distribution (chance %.2g)", place.side, own.axes[place.axis].name,
+      place.from, place.to, place.chance)
+  end
+end
+
+local function plus_minus(entry, value, error)
+  return report.in_unit(entry, value) .. " +- " .. report.in_unit(entry, error, 2)
+end
+
+local function show_results(found)
+  local rows = { { "result", "mean", "deviation", "5 %", "median", "95 %", "polynomial off by/%" } }
+  for _, own in ipairs(found.results) do
+    if own.moments then
+      local q = own.quantiles
+      rows[#rows + 1] = { report.head(own.entry), plus_minus(own.entry, own.moments.mean, own.moments.mean_error),
+        plus_minus(own.entry, own.moments.deviation, own.moments.deviation_error), report.in_unit(own.entry, q[1].value),
+        report.in_unit(own.entry, q[3].value), report.in_unit(own.entry, q[5].value),
+        own.chaos and ("%.2g"):format(100 * own.chaos.error) or "-" }
+    end
+  end
+  report.line()
+  report.table(rows)
+end
+
+--- First and total indices with what they may be off by: by Saltelli's rows where there are any, else by the polynomial.
+local function show_indices(own, found)
+  local rows = { { "share of variance", "parameter", "alone", "with others", "by" } }
+  for _, result in ipairs(found.results) do
+    local its = result.indices or result.chaos
+    for k, axis in ipairs(its and its.first and own.axes or {}) do
+      local function word(values, errors)
+        return ("%.3f"):format(values[k]) .. (errors and (" +- %.2g"):format(errors[k]) or "")
+      end
+      rows[#rows + 1] = { k == 1 and result.name or "", axis.name, word(its.first, its.first_error), word(its.total, its.total_error),
+        result.indices and "pairs of points" or "polynomial" }
+    end
+  end
+  if #rows > 1 then
+    report.line()
+    report.table(rows)
+  end
+  if own.joint then
+    report.line("parameters of a fit depend on each other, so that no share of the variance is one of theirs; their spread here is that "
+      .. "of the data, without the simulation's own error")
+  end
+end
+
+local function run(own, study, options, folder)
+  local values, names = values_of(own), {}
+  for name in pairs(values[1]) do
+    names[#names + 1] = name
+  end
+  table.sort(names)
+  local points = points_module.open(study, options, folder, names)
+  report.line("%d points of %s", #values, own.list and "a list" or own.design)
+  local found = { folder = folder, values = values, count = #values }
+  found.rows = points:run(values)
+  found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)
+  found.failures, found.where = failures(own, found.rows, values)
+  record.write(own, study, options, found)
+  show_failures(own, found)
+  show_results(found)
+  show_indices(own, found)
+  report.line("%d cases, %d of them run now, %d kept", #points.rows, points.ran, points.known)
+  local drawn = options.no_figures or drawing.draw({ figures = function() return pictures.of(own, found) end }, {}, folder)
+  report.line("output: %s", folder)
+  return drawn and #found.failures == 0 and 0 or 1
+end
+
+--- Samples a study; the exit code: 1 if a case failed.
+return function(options)
+  options = copy(options)
+  local study = study_module.load(options.study, options.trust)
+  local folder = options.out or output.folder(study, options) .. "/sample"
+  local own = spec.read(study, options)
+  return hold.folder(folder, study, "sample", run, own, study, options, folder)
+end

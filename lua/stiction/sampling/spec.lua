@@ -1,0 +1,262 @@
+-- What a study declares as its sample: uncertain parameters with distributions, or a fit's, or a list; how many points, of which design.
+local copy = require "stiction.copy"
+local csv_module = require "stiction.measured"
+local engine = require "stiction.engine"
+local fault = require "stiction.fault"
+local numeric = require "stiction.numeric"
+local ordered = require "stiction.ordered"
+local output = require "stiction.output"
+local sample = require "stiction.sample"
+local sweep = require "stiction.sweep"
+local units = require "stiction.units"
+
+local spec = {}
+
+local keys = { of = "table", fit = true, list = true, design = "string", count = "number", seed = "number", results = "table",
+  set = "table", quick = "table" }
+local designs = { sobol = true, latin_hypercube = true, saltelli = true }
+local tail = 1e-9 -- coordinates keep away so far from 0 and 1, where normal ones are infinite
+
+--- By name: {needs = words, kind = of its coordinate in polynomials, check(a, b), value(a, b, u)} in SI.
+local distributions = {
+  uniform = { needs = "{ low, high }", kind = "uniform", check = function(a, b) return a < b end,
+    value = function(a, b, u) return a + (b - a) * u end },
+  log_uniform = { needs = "{ low, high }, both above 0", kind = "uniform", check = function(a, b) return a > 0 and a < b end,
+    value = function(a, b, u) return a * (b / a) ^ u end },
+  normal = { needs = "{ mean, standard deviation }", kind = "normal", check = function(_, b) return b > 0 end,
+    value = function(a, b, u) return a + b * engine.quantile(u) end },
+  log_normal = { needs = "{ median, standard deviation of the logarithm, a pure number }", kind = "normal", pure = true,
+    check = function(a, b) return a > 0 and b > 0 end, value = function(a, b, u) return a * math.exp(b * engine.quantile(u)) end },
+}
+
+local function check_keys(t)
+  for _, key in ipairs(ordered.keys(t)) do
+    if not keys[key] then
+      fault.script("study.sample: unknown key '%s'%s; keys: %s", tostring(key), fault.meant(tostring(key), ordered.keys(keys)),
+        table.concat(ordered.keys(keys), ", "))
+    elseif keys[key] ~= true and type(t[key]) ~= keys[key] then
+      fault.script("study.sample.%s must be a %s, not a %s", key, keys[key], type(t[key]))
+    end
+  end
+end
+
+local function si_pair(entry)
+  local a, b = type(entry) == "table" and entry[1], type(entry) == "table" and entry[2]
+  return units.si(a), units.si(b), a, b
+end
+
+--- {name =, like =, kind =, value = function(u)} of one entry of study.sample.of.
+local function axis(name, entry, standing)
+  local what = "study.sample.of." .. name
+  local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
+  local own = distributions[word]
+  if not own or #ordered.keys(entry) ~= 1 then
+    fault.script("%s must be one of { uniform = { low, high } }, { log_uniform = ... }, { normal = ... }, { log_normal = ... }%s", what,
+      fault.meant(tostring(word), ordered.keys(distributions)))
+  end
+  local a, b, first, second = si_pair(entry[word])
+  local like = own.pure and not units.is_quantity(second)
+    or not own.pure and (units.same_dimension(first, second) or not units.is_quantity(first) and not units.is_quantity(second))
+  if type(a) ~= "number" or type(b) ~= "number" or not like or not own.check(a, b) then
+    fault.script("%s: %s takes %s", what, word, own.needs)
+  elseif standing == nil then
+    fault.script("%s: the study has no such parameter", what)
+  elseif units.is_quantity(standing) ~= units.is_quantity(first)
+    or units.is_quantity(first) and not units.same_dimension(standing, first) then
+    fault.script("%s is in %s, but the study's own value is %s", what, tostring(first), tostring(standing))
+  end
+  return { name = name, like = first, kind = own.kind, value = function(u) return own.value(a, b, u) end }
+end
+
+--- Lower factor of a positive definite matrix, as lists.
+local function factor(matrix)
+  local L = {}
+  for i, row in ipairs(matrix) do
+    L[i] = {}
+    for j = 1, i do
+      local sum = row[j]
+      for k = 1, j - 1 do
+        sum = sum - L[i][k] * L[j][k]
+      end
+      L[i][j] = i == j and math.sqrt(math.max(sum, 0)) or (L[j][j] > 0 and sum / L[j][j] or 0)
+    end
+  end
+  return L
+end
+
+--- Axes of a fit's parameters that its curves share: all move together, by standard normal numbers.
+local function axes_of_fit(study, t, options)
+  local path = t.fit == true and output.default_folder(study.name, study.source.file) .. "/fit/fit.json"
+    or t.fit:sub(1, 1) == "/" and t.fit or study.source.folder .. "/" .. t.fit
+  if t.fit == true and options.out then
+    path = options.out:gsub("[^/]+/*$", "") .. "fit/fit.json"
+  end
+  local kept = engine.decode_json(engine.read_file(path) or "")
+  if type(kept) ~= "table" or type(kept.parameters) ~= "table" or type(kept.covariance) ~= "table" then
+    fault.input("study.sample.fit: there is no fit in %s; 'stiction fit' on the study makes one", path)
+  end
+  local held, L = engine.call(factor, kept.covariance)
+  local by_name, axes = {}, {}
+  for _, own in ipairs(kept.parameters) do
+    by_name[type(own) == "table" and own.name or ""] = own
+  end
+  if not held or type(kept.free) ~= "table" then
+    fault.input("study.sample.fit: %s is damaged; run the fit again", path)
+  end
+  for i, name in ipairs(kept.free) do
+    local own = by_name[name]
+    if type(own) ~= "table" or type(own.best) ~= "number" or type(L[i]) ~= "table" then
+      fault.input("study.sample.fit: %s is damaged; run the fit again", path)
+    elseif type(own.relative_error) ~= "number" or own.relative_error > 1 then
+      fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it", name,
+        path)
+    end
+    local scale = own.error / own.relative_error
+    axes[i] = { name = own.key, curve = own.curve, like = own.unit == "1" and 1 or units.units(own.unit), kind = "normal", joint = true,
+      together = function(xi)
+        local sum = 0
+        for j = 1, i do
+          sum = sum + L[i][j] * xi[j]
+        end
+        return own.log and own.best * math.exp(sum) or own.best + scale * sum
+      end }
+  end
+  return axes, path
+end
+
+--- The user's own list of points, as values by name.
+local function listed(study, t)
+  local list = t.list
+  if type(list) == "string" then
+    local columns, rows = csv_module.read(list, study.source.folder), {}
+    for name, values in pairs(columns) do
+      for i, value in ipairs(values) do
+        rows[i] = rows[i] or {}
+        rows[i][name] = value
+      end
+    end
+    list = rows
+  end
+  if type(list) ~= "table" or #list < 2 then
+    fault.script("study.sample.list must be a list of two points or more, each { name = value, ... }, or the name of a .csv file")
+  end
+  return list
+end
+
+local function read_results(study, t)
+  local list = {}
+  for _, name in ipairs(t.results or numeric.map(study.results, function(entry) return entry.name end)) do
+    local at = numeric.first_where(study.results, function(entry) return entry.name == name end)
+    list[#list + 1] = at and study.results[at] or fault.input("study.sample: the study has no result '%s'%s", tostring(name),
+      fault.meant(tostring(name), numeric.map(study.results, function(entry) return entry.name end)))
+  end
+  if #list == 0 then
+    fault.input("study.sample: the study has no results to tell the spread of")
+  end
+  return list
+end
+
+local function check(t)
+  local ways = (t.of and 1 or 0) + (t.fit and 1 or 0)
+  if t.list and ways > 0 or not t.list and ways == 0 then
+    fault.script("study.sample needs of = { name = { uniform = { low, high } }, ... } or fit = true or \"fit.json\", or, alone, list = "
+      .. "{ ... }; see 'stiction help sample'")
+  elseif not designs[t.design] then
+    fault.script("study.sample: design = '%s'%s; it is one of %s", tostring(t.design), fault.meant(tostring(t.design),
+      ordered.keys(designs)), table.concat(ordered.keys(designs), ", "))
+  elseif not t.list and (math.type(t.count) ~= "integer" or t.count < 2) then
+    fault.script("study.sample: count = %s; a whole number of points, 2 or more, is wanted", tostring(t.count))
+  elseif math.type(t.seed) ~= "integer" or t.seed < 0 then
+    fault.script("study.sample: seed = %s; a whole number, which is written down, is wanted", tostring(t.seed))
+  end
+end
+
+--- Points in 0 to 1, lists by axis; of saltelli's design twice as many axes.
+local function drawn(own)
+  local axes, of, list = own.design == "saltelli" and 2 * #own.axes or #own.axes, {}, {}
+  for k = 1, axes do
+    of[("x%02d"):format(k)] = { 0, 1 }
+  end
+  local draw = own.design == "latin_hypercube" and sample.latin_hypercube or sample.sobol
+  for i, case in ipairs(draw { count = own.count, seed = own.seed, of = of }) do
+    list[i] = {}
+    for k = 1, axes do
+      list[i][k] = math.min(math.max(case[("x%02d"):format(k)], tail), 1 - tail)
+    end
+  end
+  return list
+end
+
+--- The coordinates of all points of a sample, in 0 to 1, in their order; of saltelli's design A, B and each of A with one of B, in turn.
+function spec.coordinates(own)
+  local list, points = {}, drawn(own)
+  local n = #own.axes
+  for i, point in ipairs(points) do
+    if own.design ~= "saltelli" then
+      list[i] = point
+    else
+      local A, B = table.move(point, 1, n, 1, {}), table.move(point, n + 1, 2 * n, 1, {})
+      list[#list + 1], list[#list + 2] = A, B
+      for k = 1, n do
+        local mixed = table.move(A, 1, n, 1, {})
+        mixed[k] = B[k]
+        list[#list + 1] = mixed
+      end
+    end
+  end
+  return list
+end
+
+--- Values in SI by place of the axes at coordinates in 0 to 1.
+function spec.values(own, u)
+  local xi = numeric.map(u, function(x) return engine.quantile(x) end)
+  local values = {}
+  for k, axis_of in ipairs(own.axes) do
+    values[k] = axis_of.together and axis_of.together(xi) or axis_of.value(u[k])
+  end
+  return values
+end
+
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =}.
+function spec.read(study, options)
+  local t = study.sample or fault.input("the study '%s' has no `sample = { of = { ... } }`; see 'stiction help sample'", study.name)
+  if study.problem then
+    fault.input("the study '%s' is of saved contact problems; a sample needs a scene", study.name)
+  end
+  check_keys(t)
+  t = copy(t)
+  for key, value in pairs(options.quick and t.quick or {}) do
+    t[key] = value
+  end
+  t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
+  check_keys(t)
+  check(t)
+  local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = t.set or {}, axes = {} }
+  if t.list then
+    own.list, own.design = listed(study, t), "list"
+    return own
+  end
+  if t.fit then
+    own.axes, own.source = axes_of_fit(study, t, options)
+    own.joint = true
+  end
+  local probe = copy(own.set)
+  for _, name in ipairs(ordered.keys(t.of or {})) do
+    probe[name] = nil
+  end
+  for _, name in ipairs(ordered.keys(t.of or {})) do
+    local entry = t.of[name]
+    local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
+    probe[name] = type(entry) == "table" and type(entry[word]) == "table" and entry[word][1] or nil
+  end
+  for _, own_axis in ipairs(own.axes) do
+    probe[own_axis.name] = own_axis.like
+  end
+  local standing = sweep.values_at(study, options, probe, "study.sample")
+  for _, name in ipairs(ordered.keys(t.of or {})) do
+    own.axes[#own.axes + 1] = axis(name, t.of[name], standing[name])
+  end
+  return own
+end
+
+return spec

@@ -1,0 +1,105 @@
+#!/bin/sh
+# stiction fit: what it finds and leaves, kept cases, kills, failing cases, and what is refused.
+. "$(dirname "$0")/common.sh"
+
+changed soft 's/^  quick = .*/  fit = { parameters = { young = { 0.1*MPa, 10*MPa, scale = "log", start = 3*MPa }, mu = { 0.02, 0.5, start = 0.15 } },\
+    data = { drag = { file = "drag.csv", x = "time", y = "force", sigma = "scatter",\
+        against = { x = "time", y = "sole\/force_x", y_sign = -1, after = 1*s } },\
+      press = { file = "press.csv", x = "time", y = "force", sigma = 0.1*units("N\/m"), against = function(run)\
+        local t, f = {}, {}\
+        for i, at in ipairs(run.time) do if at <= 1 then t[#t + 1], f[#f + 1] = at, run:series("sole", "force_y")[i] end end\
+        return t, f end } },\
+    finer = { cells = 8 }, further = { { descent = 0.03*mm } } },\
+  quick = { sweep = { mu = { 0.2 } }, set = { steps = 5 } },/'
+cat >soft/drag.csv <<'END'
+# made up for this test: mu = 0.1, 1 MPa
+time [s],force [N/m],scatter [N/m]
+1.1,0.53,0.02
+1.2,1.04,0.02
+1.3,1.55,0.02
+1.4,1.99,0.02
+1.5,2.33,0.02
+1.6,2.31,0.02
+1.7,2.335,0.02
+1.8,2.30,0.02
+1.9,2.34,0.02
+2.0,2.315,0.02
+END
+printf 'time [s],force [N/m]\n0.2,4.7\n0.4,9.2\n0.6,13.85\n0.8,18.7\n1.0,23.4\n' >soft/press.csv
+
+value_of() { # NAME FILE: what the first "NAME": of a fit.json is
+  sed -n "s/^ *\"$1\": \([^,]*\),*\$/\1/p" "$2" | head -n 1
+}
+between() { awk -v x="$1" -v a="$2" -v b="$3" 'BEGIN { exit !(x >= a && x <= b) }'; }
+
+expect 0 "15 points of 2 curves, 2 parameters|determined: mu and young|the model agrees|drag with descent = |output: out/soft/fit" \
+  "$stiction" fit soft --no-figures
+json=out/soft/fit/fit.json
+holds "mu is found: $(value_of best $json)" between "$(value_of best $json)" 0.099 0.101
+holds "the simulation's own error" grep -q '"simulation_error": 0.00' $json
+holds "curves with residuals" [ "$(wc -l <out/soft/fit/curves.csv)" = 16 ]
+holds "the data are kept with their content" [ "$(find out/soft/fit/source -name drag.csv | wc -l)" = 1 ]
+holds "no row of another study in the sweep" [ ! -e out/soft/summary.csv ]
+expect 0 "0 of them run now" "$stiction" fit soft --no-figures
+expect 0 "output: serial" "$stiction" fit soft --no-figures --jobs 1 --out serial
+holds "the same to the last bit, however many at a time" cmp $json serial/fit.json
+holds "and its path" cmp out/soft/fit/fit.csv serial/fit.csv
+
+expect 0 "recomputed from the kept source|0 differ too much" "$stiction" verify serial
+expect 0 "report.html" "$stiction" report soft
+holds "one page on it" grep -q 'Parameters from measured curves' out/soft/fit/report.html
+
+# killed in the middle, it goes on where it was and ends alike
+"$stiction" fit soft --no-figures --jobs 1 --out killed >/dev/null 2>&1 &
+process=$!
+await '[ "$(ls -d killed/p* 2>/dev/null | wc -l)" -ge 6 ]' 60
+kill -9 $process 2>/dev/null
+wait $process 2>/dev/null
+await '"$stiction" fit soft --no-figures --out killed >output 2>&1' 60 # its last case may still hold the folder
+holds "a killed fit ends alike" cmp $json killed/fit.json
+holds "what it had is kept: $(tail -n 2 output)" [ "$(sed -n 's/.* now, \([0-9]*\) kept/\1/p' output)" -ge 3 ]
+
+# cases that fail are data: the search retreats, and says so
+mkdir edge
+cp soft/* edge
+sed -i 's/^  scene = function(p)/&\n    if p.young < 0.95*MPa then error("too soft") end/' edge/study.lua
+expect 0 "failed, taken as too far|too soft|determined: mu and young" "$stiction" fit edge --no-figures --no-profiles
+holds "the same best values: $(value_of best out/edge/fit/fit.json)" between "$(value_of best out/edge/fit/fit.json)" 0.099 0.101
+sed -i 's/p.young < 0.95/p.young > 0.95/' edge/study.lua
+expect 2 "too soft" "$stiction" fit edge --no-figures
+
+# a wrong model is rejected
+sed 's/file = "drag.csv"/file = "wrong.csv"/' soft/study.lua >soft/wrong.lua
+sed 's/^1\.1,0.53/1.1,1.9/; s/^2.0,2.315/2.0,1.2/' soft/drag.csv >soft/wrong.csv
+expect 1 "MODEL REJECTED by the data" "$stiction" fit soft/wrong.lua --no-figures --no-profiles --out wrong
+holds "so says its file" grep -q '"rejected": true' wrong/fit.json
+
+refused() { # NAME SED-EXPRESSION "PART|PART": a copy of the study, or of its data, that is refused with this message
+  mkdir -p "$1"
+  cp soft/study.lua soft/block.lua soft/*.csv "$1"
+  sed -i "$2" "$1/study.lua" "$1"/*.csv
+  expect 2 "$3" "$stiction" fit "$1" --no-figures
+}
+refused unit 's/^time \[s\],force \[N.m\]$/time [s],force/' "column 'force' names no unit|units = { force = "
+refused order 's/^1.3,1.55/1.15,1.55/' "drag.csv: time does not increase from row 2 (1.2) to row 3 (1.15)"
+refused number 's/^1.3,1.55/1.3,nan/' "row 3, column 'force': 'nan' is no number"
+refused few '/^1.[2-9]/d; /^2.0/d; /^0.[4-8]/d; /^1.0/d' "2 measured points for 2 parameters"
+refused beyond 's/^2.0,2.315/2.5,2.315/' "the data go from 1.1 to 2.5 in time (SI), the run from 1 to 2"
+refused start 's/start = 3\*MPa/start = 30*MPa/' "begin at 30 MPa, which is not between its bounds 0.1 MPa and 10 MPa"
+refused own 's/, start = 3\*MPa//; s/{ 0.1\*MPa, 10/{ 2*MPa, 10/' "begin at 1 MPa (the study's own value)"
+refused mesh 's/mu = { 0.02, 0.5, start = 0.15 }/mu = { 0.02, 0.5, start = 0.15 }, cells = { 2, 8 }/' "'cells' changes the mesh"
+refused bounds 's/{ 0.1\*MPa, 10\*MPa/{ 10*MPa, 0.1*MPa/' "the first must be less"
+refused dimension 's/{ 0.1\*MPa, 10\*MPa/{ 0.1*mm, 10*mm/; s/start = 3\*MPa/start = 3*mm/' "the dimensions differ"
+refused sigma 's/^1.3,1.55,0.02/1.3,1.55,0/' "sigma[3] is 0"
+refused key 's/finer = {/finest = {/' "unknown key 'finest'; did you mean 'finer'?"
+refused loss 's/finer = {/loss = "hubert", finer = {/' "did you mean 'huber'?"
+refused setting 's/finer = { cells/finer = { cels/' "study.fit.finer: the study has no parameter 'cels'; did you mean 'cells'?"
+refused nobody 's/mu = { 0.02, 0.5, start = 0.15 }/nu = { 0.02, 0.5 }, mu = { 0.02, 0.5, start = 0.15 }/' \
+  "the study has no parameter 'nu'; did you mean 'mu'?"
+refused column 's/y_sign = -1/y_sine = -1/' "unknown key 'y_sine'; did you mean 'y_sign'?"
+refused ways 's/= at, run/= math.abs(at - 0.55), run/' "the run's time goes back and forth"
+refused units 's/{ x = "time", y = "sole/{ x = "sole\/force_y", y = "sole/' \
+  "sole/force_y of the run is in N/m, time of the file in s"
+refused series 's/sole\/force_x/sole\/forse_x/' "has no series 'sole/forse_x'; did you mean"
+expect 2 "has no \`fit = { parameters =, data = }\`" "$stiction" fit "$tiny"
+finish

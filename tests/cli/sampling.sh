@@ -1,0 +1,63 @@
+#!/bin/sh
+# stiction sample: numbers and files, extension, lists, a fit's covariance, failing cases, and what is refused.
+. "$(dirname "$0")/common.sh"
+
+changed soft 's/^  quick = .*/  sample = { of = { mu = { uniform = { 0.02, 0.2 } }, young = { log_normal = { 1*MPa, 0.2 } } }, count = 16 },\
+  fit = { parameters = { young = { 0.1*MPa, 10*MPa, scale = "log" }, mu = { 0.02, 0.5, start = 0.15 } }, profiles = false,\
+    data = { drag = { file = "drag.csv", x = "time", y = "force", sigma = 0.02*units("N\/m"),\
+      against = { x = "time", y = "sole\/force_x", y_sign = -1, after = 1*s } } } },\
+  quick = { sweep = { mu = { 0.2 } }, set = { steps = 5 } },/'
+printf 'time [s],force [N/m]\n1.1,0.53\n1.2,1.04\n1.3,1.55\n1.4,1.99\n1.5,2.33\n1.6,2.31\n1.8,2.30\n2.0,2.315\n' >soft/drag.csv
+
+expect 0 "16 points of sobol|force_x/(N/m)|mu  |young|polynomial|16 cases, 16 of them run now|output: out/soft/sample" \
+  "$stiction" sample soft --no-figures
+holds "a row per point" [ "$(wc -l <out/soft/sample/sample.csv)" = 17 ]
+head -n 17 out/soft/sample/sample.csv >first
+expect 0 "32 cases, 16 of them run now, 16 kept" "$stiction" sample soft --count 32 --no-figures
+holds "more points keep those there are" [ "$(head -n 17 out/soft/sample/sample.csv)" = "$(cat first)" ]
+expect 0 "0 of them run now, 16 kept" "$stiction" sample soft --no-figures
+expect 0 "output: serial" "$stiction" sample soft --no-figures --jobs 1 --out serial
+holds "the same however many at a time" cmp out/soft/sample/sample.json serial/sample.json
+
+expect 0 "report.html" "$stiction" report soft
+holds "one page on it" grep -q 'Whose the variance is' out/soft/sample/report.html
+sed 's/count = 16 }/count = 8, design = "saltelli" }/' soft/study.lua >soft/pairs.lua
+expect 0 "32 points of saltelli|pairs of points" "$stiction" sample soft/pairs.lua --no-figures --out pairs
+sed 's/count = 16 }/count = 8, design = "latin_hypercube" }/' soft/study.lua >soft/cube.lua
+expect 0 "8 points of latin_hypercube" "$stiction" sample soft/cube.lua --no-figures --out cube
+sed 's/sample = { of = .*/sample = { list = { { mu = 0.1, young = 1*MPa }, { mu = 0.2, young = 2*MPa }, { mu = 0.3, young = 1*MPa } } },/' \
+  soft/study.lua >soft/list.lua
+expect 0 "3 points of a list|3 cases, 3 of them run now" "$stiction" sample soft/list.lua --no-figures --out list
+printf 'mu,young [MPa]\n0.1,1\n0.15,1.1\n' >soft/values.csv
+sed 's/sample = { of = .*/sample = { list = "values.csv" },/' soft/study.lua >soft/file.lua
+expect 0 "2 points of a list" "$stiction" sample soft/file.lua --no-figures --out file
+
+sed 's/sample = { of = .*/sample = { fit = true, count = 8 },/' soft/study.lua >soft/fitted.lua
+expect 2 "there is no fit in out/fitted/fit/fit.json" "$stiction" sample soft/fitted.lua --no-figures
+expect 0 "determined: mu and young" "$stiction" fit soft/fitted.lua --no-figures
+expect 0 "8 points of sobol|depend on each other" "$stiction" sample soft/fitted.lua --no-figures
+
+sed -i 's/"best": /"bets": /' out/fitted/fit/fit.json
+expect 2 "fit.json is damaged; run the fit again" "$stiction" sample soft/fitted.lua --no-figures
+
+# cases that fail are listed by where they lie, and the rest is told
+mkdir edge
+cp soft/* edge
+sed -i 's/^  scene = function(p)/&\n    if p.mu < 0.065 then error("too slippery") end/; s/count = 16/count = 32/' edge/study.lua
+expect 1 "8 of 32 cases failed|too slippery|they lie at small mu: between" "$stiction" sample edge --no-figures
+holds "they are in sample.json" grep -q '"reason": "bad input: .*too slippery' out/edge/sample/sample.json
+
+refused() { # SED-EXPRESSION "PART|PART"
+  sed "$1" soft/study.lua >soft/other.lua
+  expect 2 "$2" "$stiction" sample soft/other.lua --no-figures
+}
+refused 's/uniform = { 0.02, 0.2 }/unifrom = { 0.02, 0.2 }/' "did you mean 'uniform'?"
+refused 's/uniform = { 0.02, 0.2 }/uniform = { 0.2, 0.02 }/' "uniform takes { low, high }"
+refused 's/of = { mu =/of = { nu =/' "the study has no parameter 'nu'; did you mean 'mu'?"
+refused 's/log_normal = { 1\*MPa, 0.2 }/log_normal = { 1*mm, 0.2 }/' "must be like"
+refused 's/count = 16/count = 1/' "2 or more, is wanted"
+refused 's/count = 16/design = "sobel"/' "did you mean 'sobol'?"
+refused 's/count = 16/results = { "forse_x" }/' "no result 'forse_x'; did you mean 'force_x'?"
+refused 's/sample = { of = .*/sample = { count = 3 },/' "study.sample needs of = "
+expect 2 "has no \`sample = { of = { ... } }\`" "$stiction" sample "$tiny"
+finish
