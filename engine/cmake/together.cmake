@@ -1,7 +1,7 @@
 # What makes builds quick: files of a layer are compiled together; only the layers that compute are optimized in full, and what
 # they share with others is theirs. With STICTION_SANITIZE Clang parses what most files include, and makes its templates, once a
 # target (GCC gains nothing by it).
-set(STICTION_COMPUTES linear interface solid contact dynamics)
+set(STICTION_COMPUTES linear interface solid contact dynamics halfspace)
 set(STICTION_PATIENCE 120) # s, for a test
 if(STICTION_SANITIZE)
   set(STICTION_PATIENCE 900)
