@@ -67,6 +67,10 @@ Surface::Surface(Grid const& grid, Compliance const& compliance, int components)
 
 Surface::~Surface() = default;
 
+double Surface::longest() const {
+  return symbols_.nn.tail(symbols_.nn.size() - 1).cwiseAbs().maxCoeff();
+}
+
 std::size_t Surface::memory() const {
   auto const& s = symbols_;
   Eigen::Index count = 2 * Eigen::Index{components_} * grid_.ny * stride_ +

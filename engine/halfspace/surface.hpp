@@ -30,6 +30,8 @@ public:
   [[nodiscard]] Index rows() const { return components_ * grid_.size(); }
   /// Of a point on itself, m/N.
   [[nodiscard]] Dense block() const { return symbols_.block.topLeftCorner(components_, components_); }
+  /// Largest of all compliances but that to the mean, m/N: of the longest wave.
+  [[nodiscard]] double longest() const;
   /// Products and solutions so far.
   [[nodiscard]] long products() const { return products_; }
   [[nodiscard]] long solutions() const { return solutions_; }
