@@ -35,7 +35,7 @@ function(compile_together target) # compile_together(TARGET): at most 8 files at
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   get_target_property(sources ${target} SOURCES)
-  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
+  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene explain_springs)
   set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
   list(APPEND clashing rank_factor rank_multigrid ${exercised})
   list(JOIN clashing "|" alone)

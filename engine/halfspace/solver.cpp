@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 #include "core/threads.hpp"
 #include "halfspace/krylov.hpp"
@@ -190,6 +191,7 @@ private:
     for (int k = 0; k < wanted_.iterations && !enough(); ++k) {
       if (there() && settled())
         return true;
+      reach_down();
       linearise();
       double const progress = k == 0 ? 1 : norm_ / last;
       double const part = std::clamp(0.5 * progress * progress, tightest, loosest);
@@ -212,6 +214,20 @@ private:
         return false;
     }
     return false;
+  }
+
+  /// Where a force presses and nothing touches: down by as much as the nearest point takes for it.
+  void reach_down() {
+    if (!wanted_.force || !(missing() > 0) || answer_.force.cwiseAbs().maxCoeff() > 0)
+      return;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < n_; ++i)
+      nearest = std::min(nearest, answer_.x[D * i] - problem_.points[ix(i)].shift[0]);
+    if (nearest < 0)
+      return;
+    answer_.lift -= nearest + missing() / rho_;
+    place();
+    evaluate();
   }
 
   /// x was carried along; is it still what forces make of it?
