@@ -112,6 +112,8 @@ return stiction.study {
         y = { label = "pressure", unit = "MPa" },
         curves = { { label = ("%d^2 points"):format(p.points), x = r, y = pressure, style = "points" },
           { label = "Hertz", x = x, y = y } } },
+      stiction.figure.field { name = "map", title = "Contact pressure", case = cases:find { drive = "displacement", points = 128 },
+        array = "contact_pressure", unit = "MPa" },
     }
   end,
 }
