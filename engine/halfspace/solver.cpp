@@ -21,7 +21,7 @@ template<int D> class Newton {
 public:
   Newton(Surface const& surface, contact::Problem const& problem, Wanted const& wanted)
       : surface_(surface), problem_(problem), wanted_(wanted), n_(problem.size()),
-        rho_(contact::natural_scale(problem, 0)), own_(problem.W.template block<D>(0)) {
+        natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()), own_(problem.W.template block<D>(0)) {
     double const longest = surface.longest();
     least_hold_ = 1e-3 / longest;
     governed_ = longest;
@@ -79,8 +79,8 @@ private:
         F_.segment<D>(D * i) = at.residual;
         double const area = problem_.points[ix(i)].area;
         double const pressed =
-            std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * rho_;
-        verdict.residual = std::max(verdict.residual, at.residual.norm() / area);
+            std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * natural_;
+        verdict.residual = std::max(verdict.residual, at.residual.norm() * natural_ / rho_ / area);
         verdict.scale =
             std::max({verdict.scale, answer_.force.segment<D>(D * i).norm() / area, pressed / area});
         sum += at.residual.squaredNorm();
@@ -225,7 +225,7 @@ private:
       nearest = std::min(nearest, answer_.x[D * i] - problem_.points[ix(i)].shift[0]);
     if (nearest < 0)
       return;
-    answer_.lift -= nearest + missing() / rho_;
+    answer_.lift -= nearest + missing() / natural_;
     place();
     evaluate();
   }
@@ -250,6 +250,7 @@ private:
     answer_.force = guess_;
     place();
     hold_ = 2 * steepest;
+    double most_moved = 0;
     for (int k = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
       Vector const force = answer_.force;
@@ -263,9 +264,13 @@ private:
         continue;
       }
       hold_ = std::max(0.5 * hold_, 1e-3 * steepest);
+      double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
+      most_moved = std::max(most_moved, moved);
       double const hold = std::exchange(hold_, 0);
       evaluate();
-      if (verdict_.relative() < 1e-3 && solve_from_here())
+      // where nothing pulls any more, forces are no yardstick for what is left of them
+      bool const arrived = verdict_.relative() < 1e-3 || moved < 1e-3 * most_moved;
+      if (arrived && solve_from_here())
         return;
       hold_ = hold;
       place();
@@ -307,7 +312,8 @@ private:
   contact::Problem const& problem_;
   Wanted const& wanted_;
   Index n_;
-  double rho_;
+  double natural_; ///< as the judge weighs gaps, N/m
+  double rho_;     ///< as the map does: slips of many points together follow from little force, N/m
   LocalMatrix<D> own_;
   double least_hold_ = 0, governed_ = 0;
   Answer answer_;
