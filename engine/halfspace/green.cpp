@@ -174,9 +174,8 @@ Symbols free_line(Grid const& grid, Compliance const& c, int components) {
   double const a = 0.5 * grid.dx(), far = grid.Lx, per_force = 1 / grid.area();
   auto const log_part = [far](double s) { return s == 0 ? 0 : s * (std::log(std::abs(s) / far) - 1); };
   Sums const sums(made);
-  fill(made.nn, made, grid, [&](double x, double) {
-    return -c.normal / pi * per_force * (log_part(x + a) - log_part(x - a));
-  });
+  fill(made.nn, made, grid,
+       [&](double x, double) { return -c.normal / pi * per_force * (log_part(x + a) - log_part(x - a)); });
   made.block(0, 0) = made.nn[0];
   if (components > 1) {
     made.xx = made.nn;
@@ -207,9 +206,8 @@ Symbols free_surface(Grid const& grid, Compliance const& c, int components) {
   made.block(0, 0) = even(made.nn, [&](double x, double y) { return scale * c.normal * I0(x, y); });
   if (components == 1)
     return made;
-  made.block(1, 1) = even(made.xx, [&](double x, double y) {
-    return scale * (c.normal * I0(x, y) + c.poisson() * Ix(x, y));
-  });
+  made.block(1, 1) = even(
+      made.xx, [&](double x, double y) { return scale * (c.normal * I0(x, y) + c.poisson() * Ix(x, y)); });
   made.block(2, 2) = even(made.yy, [&](double x, double y) {
     return scale * (c.normal * I0(x, y) + c.poisson() * (I0(x, y) - Ix(x, y)));
   });

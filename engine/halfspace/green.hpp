@@ -13,9 +13,9 @@ struct Elastic {
 
 /// What two half spaces give together, per shear modulus. Johnson 1985, 3.2, 3.6 and appendix 1.
 struct Compliance {
-  double normal = 0;     ///< sum of (1 - nu) / G, 1/Pa
-  double shear = 0;      ///< sum of 1 / G, 1/Pa
-  double coupling = 0;   ///< difference of (1 - 2 nu) / (2 G), of the first less the second, 1/Pa
+  double normal = 0;   ///< sum of (1 - nu) / G, 1/Pa
+  double shear = 0;    ///< sum of 1 / G, 1/Pa
+  double coupling = 0; ///< difference of (1 - 2 nu) / (2 G), of the first less the second, 1/Pa
   double mean_normal = 0, mean_shear = 0; ///< of what lies beneath a periodic surface, m/Pa
   /// counterpart: null where rigid.
   [[nodiscard]] static Compliance of(Elastic const& body, Elastic const* counterpart);

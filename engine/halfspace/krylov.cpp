@@ -210,8 +210,7 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
   return made;
 }
 
-template<int D>
-Correction Krylov<D>::solve(Vector const& right, double total, double part, long most) {
+template<int D> Correction Krylov<D>::solve(Vector const& right, double total, double part, long most) {
   if (system_->size() == 0)
     return {Vector(0), Vector::Zero(surface_->rows()), 0, 0};
   if constexpr (D == 1)

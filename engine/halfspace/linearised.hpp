@@ -1,5 +1,5 @@
-// The contact problem of a half space linearised at some forces: an equation at every point that the surface's
-// compliance matters to.
+// The contact problem of a half space linearised at some forces: an equation at every point that the
+// surface's compliance matters to.
 #pragma once
 #include <vector>
 
@@ -14,13 +14,13 @@ using contact::LocalMatrix;
 /// (a + b W) dp + b e lift = -F at those points, from the left with (a + b W_own)^-1: with B of that times b,
 /// v + B (W - W_own) v + B e lift = r. The other points have their changes of force at once.
 template<int D> struct Linearised {
-  Indices points;                   ///< that count, ascending
-  std::vector<LocalMatrix<D>> B;    ///< [points], N/m
-  std::vector<LocalMatrix<D>> left; ///< [points], (a + b W_own)^-1
+  Indices points;                              ///< that count, ascending
+  std::vector<LocalMatrix<D>> B;               ///< [points], N/m
+  std::vector<LocalMatrix<D>> left;            ///< [points], (a + b W_own)^-1
   LocalMatrix<D> own = LocalMatrix<D>::Zero(); ///< diagonal block of W, m/N
-  double softness = 0;              ///< mean of 1 / stiffness of what yields with W, m/N
-  std::vector<bool> yields;         ///< [points] does W govern it, and not its own law?
-  bool definite = true;             ///< does no point soften? Then, in one component, it is symmetric
+  double softness = 0;                         ///< mean of 1 / stiffness of what yields with W, m/N
+  std::vector<bool> yields;                    ///< [points] does W govern it, and not its own law?
+  bool definite = true; ///< does no point soften? Then, in one component, it is symmetric
   [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
 };
 

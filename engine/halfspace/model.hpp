@@ -27,16 +27,16 @@ struct Model {
 
 /// All that must survive a step. Components are (n, x, y), as many as the model has.
 struct State {
-  double t = 0;                 ///< s
-  double lift = 0;              ///< of the counterpart off where it starts, m
-  std::array<double, 2> along{}; ///< of the counterpart, along x and y, m
-  Vector force;                 ///< on the half space, [components points], N
-  Vector u;                     ///< displacements that they make, [components points], m
-  Vector gap;                   ///< [points], m
-  Vector dry;                   ///< those forces without adhesion, [components points], N
-  Vector beta;                  ///< [points]; empty without adhesion
-  Vector stretch;               ///< [2 points], m; empty without adhesion
-  Vector path;                  ///< slip since the start, [components - 1, points], m
+  double t = 0;                     ///< s
+  double lift = 0;                  ///< of the counterpart off where it starts, m
+  std::array<double, 2> along{};    ///< of the counterpart, along x and y, m
+  Vector force;                     ///< on the half space, [components points], N
+  Vector u;                         ///< displacements that they make, [components points], m
+  Vector gap;                       ///< [points], m
+  Vector dry;                       ///< those forces without adhesion, [components points], N
+  Vector beta;                      ///< [points]; empty without adhesion
+  Vector stretch;                   ///< [2 points], m; empty without adhesion
+  Vector path;                      ///< slip since the start, [components - 1, points], m
   std::vector<std::uint8_t> status; ///< [points]
   dynamics::Ledger ledger;
   template<class Archive> void visit(Archive& archive) {
@@ -46,7 +46,10 @@ struct State {
     return static_cast<interface::Status>(status[ix(i)]);
   }
   [[nodiscard]] interface::Bond bond_of(Index i) const {
-    return beta.size() == 0 ? interface::Bond{} : interface::Bond{beta[i], stretch.segment<2>(2 * i)};
+    return beta.size() == 0 ? interface::Bond {
+    } : interface::Bond {
+      beta[i], stretch.segment<2>(2 * i)
+    };
   }
 };
 

@@ -16,8 +16,8 @@ namespace stiction::halfspace {
 }
 
 struct Sphere {
-  double radius = 0;   ///< m
-  core::Numbers apex;  ///< m
+  double radius = 0;  ///< m
+  core::Numbers apex; ///< m
   [[nodiscard]] double height(double x, double y) const {
     double const u = x - coordinate(apex, 0), v = y - coordinate(apex, 1);
     return (u * u + v * v) / (2 * radius);
@@ -26,21 +26,23 @@ struct Sphere {
     static auto const made =
         core::Describe<Sphere>{"sphere", "a sphere near its apex, as a paraboloid", "Hertz 1882"}
             .number("radius", &Sphere::radius, "m", core::positive, core::Need::required, "of curvature")
-            .numbers("apex", &Sphere::apex, "m", core::Need::optional, "where it is lowest {x, y}; default the origin")
+            .numbers("apex", &Sphere::apex, "m", core::Need::optional,
+                     "where it is lowest {x, y}; default the origin")
             .build();
     return made;
   }
 };
 
 struct Cylinder {
-  double radius = 0;  ///< m
-  double apex = 0;    ///< m
+  double radius = 0; ///< m
+  double apex = 0;   ///< m
   [[nodiscard]] double height(double x, double) const { return (x - apex) * (x - apex) / (2 * radius); }
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Cylinder>{"cylinder", "a cylinder along y near its apex, as a parabola", "Hertz 1882"}
             .number("radius", &Cylinder::radius, "m", core::positive, core::Need::required, "of curvature")
-            .number("apex", &Cylinder::apex, "m", core::any_number, core::Need::optional, "x where it is lowest")
+            .number("apex", &Cylinder::apex, "m", core::any_number, core::Need::optional,
+                    "x where it is lowest")
             .build();
     return made;
   }
@@ -55,7 +57,8 @@ struct Punch {
   }
   static core::Schema const& schema() {
     static auto const made =
-        core::Describe<Punch>{"punch", "a flat punch: round in space, a strip in plane strain", "Johnson 1985, 3.4"}
+        core::Describe<Punch>{"punch", "a flat punch: round in space, a strip in plane strain",
+                              "Johnson 1985, 3.4"}
             .number("radius", &Punch::radius, "m", core::positive, core::Need::required, "or half width")
             .number("clearance", &Punch::clearance, "m", core::positive, core::Need::required,
                     "height of all that lies outside it")

@@ -21,7 +21,8 @@ template<int D> class Newton {
 public:
   Newton(Surface const& surface, contact::Problem const& problem, Wanted const& wanted)
       : surface_(surface), problem_(problem), wanted_(wanted), n_(problem.size()),
-        natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()), own_(problem.W.template block<D>(0)) {
+        natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()),
+        own_(problem.W.template block<D>(0)) {
     double const longest = surface.longest();
     least_hold_ = 1e-3 / longest;
     governed_ = longest;
@@ -132,7 +133,8 @@ private:
       LocalMatrix<D> const B = left * b;
       // how soft the stiffest direction is beside W: of one component S = 1 / B - W_own
       double const stiffest = B.cwiseAbs().maxCoeff(), soft = std::max(0.0, 1 / stiffest - own_(0, 0));
-      bool const yields = stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
+      bool const yields =
+          stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
       system_.points.push_back(i);
       system_.B.push_back(B);
       system_.left.push_back(left);
@@ -162,8 +164,8 @@ private:
     Vector right(D * system_.size());
     for (Index k = 0; k < system_.size(); ++k) {
       Index const i = system_.points[ix(k)];
-      right.segment<D>(D * k) = -system_.left[ix(k)] * F_.segment<D>(D * i) -
-                                system_.B[ix(k)] * made.motion.segment<D>(D * i);
+      right.segment<D>(D * k) =
+          -system_.left[ix(k)] * F_.segment<D>(D * i) - system_.B[ix(k)] * made.motion.segment<D>(D * i);
     }
     Krylov<D> krylov(surface_, system_, wanted_.force.has_value());
     Correction const inner = krylov.solve(right, total, part, most_inner);
@@ -243,8 +245,8 @@ private:
     double steepest = 0;
     for (auto const& point : problem_.points)
       if (point.adhesion >= 0)
-        steepest = std::max(steepest,
-                            interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
+        steepest =
+            std::max(steepest, interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
     if (steepest == 0 || wanted_.force)
       return;
     answer_.force = guess_;
@@ -278,11 +280,10 @@ private:
     hold_ = 0;
     evaluate();
   }
-  
+
   void finish() {
     answer_.verdict = contact::judge(shifted(), answer_.force, answer_.x);
-    answer_.converged =
-        !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
+    answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
     if (answer_.converged)
       return;
     answer_.reason =
@@ -317,7 +318,7 @@ private:
   LocalMatrix<D> own_;
   double least_hold_ = 0, governed_ = 0;
   Answer answer_;
-  Vector F_;    ///< N
+  Vector F_; ///< N
   Vector guess_, near_;
   double hold_ = 0, norm_ = 0; ///< N/m^3; N
   contact::Verdict verdict_;
@@ -328,8 +329,8 @@ private:
 } // namespace
 
 Answer Solver::solve(contact::Problem const& problem, Vector const& guess, Wanted const& wanted) const {
-  return contact::by_dimension(
-      problem.dim, [&]<int D>() { return Newton<D>(*surface_, problem, wanted).run(guess); });
+  return contact::by_dimension(problem.dim,
+                               [&]<int D>() { return Newton<D>(*surface_, problem, wanted).run(guess); });
 }
 
 } // namespace stiction::halfspace

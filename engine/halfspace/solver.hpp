@@ -9,8 +9,8 @@
 namespace stiction::halfspace {
 
 struct Answer {
-  Vector force, x;   ///< [components points], N and m
-  double lift = 0;   ///< of the counterpart off where the problem has it, m; 0 unless a force is asked for
+  Vector force, x; ///< [components points], N and m
+  double lift = 0; ///< of the counterpart off where the problem has it, m; 0 unless a force is asked for
   contact::Verdict verdict;
   bool converged = false;
   bool interrupted = false;
@@ -21,9 +21,10 @@ struct Answer {
 
 /// What is asked of an answer beside the problem.
 struct Wanted {
-  double tolerance = 1e-10;    ///< of the judge's residual over the largest traction
-  int iterations = 60;         ///< of Newton
-  std::optional<double> force; ///< of all points along the normal, N: the counterpart is lifted until it is so
+  double tolerance = 1e-10; ///< of the judge's residual over the largest traction
+  int iterations = 60;      ///< of Newton
+  std::optional<double>
+      force; ///< of all points along the normal, N: the counterpart is lifted until it is so
   std::function<bool()> enough = nullptr; ///< is it to be left off?
 };
 
@@ -31,7 +32,8 @@ struct Wanted {
 class Solver {
 public:
   explicit Solver(Surface const& surface) : surface_(&surface) {}
-  [[nodiscard]] Answer solve(contact::Problem const& problem, Vector const& guess, Wanted const& wanted) const;
+  [[nodiscard]] Answer solve(contact::Problem const& problem, Vector const& guess,
+                             Wanted const& wanted) const;
 
 private:
   Surface const* surface_;

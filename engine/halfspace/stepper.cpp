@@ -9,8 +9,7 @@ namespace stiction::halfspace {
 
 Stepper::Stepper(Model const& model)
     : model_(&model),
-      surface_(model.grid,
-               Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr),
+      surface_(model.grid, Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr),
                model.components()),
       solver_(surface_) {
   problem_.dim = model.components();

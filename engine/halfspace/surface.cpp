@@ -217,9 +217,8 @@ void Surface::solve(double shift, Vector const& x, Vector& force) const {
   ++solutions_;
   force.setZero();
   contact::by_dimension(components_, [&]<int D>() {
-    transform<D>(x.data(), force.data(), [this, shift](Wave const& wave, auto& value) {
-      weigh<D>(inverse<D>(wave, shift), value);
-    });
+    transform<D>(x.data(), force.data(),
+                 [this, shift](Wave const& wave, auto& value) { weigh<D>(inverse<D>(wave, shift), value); });
   });
 }
 

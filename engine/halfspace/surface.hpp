@@ -21,7 +21,8 @@ public:
 
   /// x += W p. Not by two threads at a time.
   void add_product(Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x) const;
-  /// x = (shift + W)^-1 force, of a periodic surface; nearly that, and as positive, of a free one. shift: m/N.
+  /// x = (shift + W)^-1 force, of a periodic surface; nearly that, and as positive, of a free one. shift:
+  /// m/N.
   void solve(double shift, Vector const& x, Vector& force) const;
   [[nodiscard]] contact::Delassus delassus() const;
 
@@ -62,7 +63,8 @@ private:
   int components_;
   Symbols symbols_;
   Index stride_ = 0; ///< of rows of waves
-  std::unique_ptr<Complex[], Free> waves_, buffers_; ///< [components][ny][stride_]; [pieces][components][some][py]
+  std::unique_ptr<Complex[], Free> waves_,
+      buffers_; ///< [components][ny][stride_]; [pieces][components][some][py]
   std::unique_ptr<Plans> plans_;
   mutable Vector padded_; ///< for columns of W
   mutable long products_ = 0, solutions_ = 0;

@@ -78,8 +78,7 @@ void FieldSeries::write_list() const {
                            done_.entries));
 }
 
-template<class Write>
-void FieldSeries::write_next(double time, char const* extension, Write const& write) {
+template<class Write> void FieldSeries::write_next(double time, char const* extension, Write const& write) {
   auto const name = name_of_frame(done_.count, extension);
   if (done_.count == 0)
     prepare_output(folder_ / "fields");

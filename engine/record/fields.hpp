@@ -39,10 +39,10 @@ void write_vtu(std::filesystem::path const& path, FieldFrame const& frame);
 
 /// What is drawn of the points of a regular grid, along x first.
 struct GridFrame {
-  double time = 0;           ///< s
-  Index nx = 1, ny = 1;      ///< points
-  double x = 0, y = 0;       ///< of the first, m
-  double dx = 1, dy = 1;     ///< m
+  double time = 0;       ///< s
+  Index nx = 1, ny = 1;  ///< points
+  double x = 0, y = 0;   ///< of the first, m
+  double dx = 1, dy = 1; ///< m
   std::vector<FieldArray> point_arrays;
 };
 
@@ -56,9 +56,9 @@ struct FieldMark {
   template<class Archive> void visit(Archive& archive) { archive(count, entries); }
 };
 
-/// The frames of one case: fields/000000.vtu, ... (.vti of grids) and fields.pvd, complete after every write. Frames of an
-/// earlier run in the same folder but those of `from`, to be gone on from, are removed first. Throws
-/// Unfit if one of these is missing.
+/// The frames of one case: fields/000000.vtu, ... (.vti of grids) and fields.pvd, complete after every write.
+/// Frames of an earlier run in the same folder but those of `from`, to be gone on from, are removed first.
+/// Throws Unfit if one of these is missing.
 class FieldSeries {
 public:
   explicit FieldSeries(std::filesystem::path case_folder, FieldMark from = {});

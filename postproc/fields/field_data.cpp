@@ -107,9 +107,10 @@ Grid read_regular_grid(fs::path const& file) {
     throw core::RunError(fmt::format("{}: is not a readable .vti file", file.string()));
   auto grid = quadrangles_of(*reader->GetOutput());
   if (grid->GetNumberOfCells() == 0)
-    throw core::RunError(fmt::format("{}: its points lie on a line, which has no surface to draw; draw lines of a "
-                                     "probe.contact_line",
-                                     file.string()));
+    throw core::RunError(
+        fmt::format("{}: its points lie on a line, which has no surface to draw; draw lines of a "
+                    "probe.contact_line",
+                    file.string()));
   return grid;
 }
 

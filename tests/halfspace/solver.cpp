@@ -24,8 +24,7 @@ contact::Problem problem_of(Surface const& surface, double radius, double depth)
   problem.points.resize(ix(grid.size()));
   for (Index i = 0; i < grid.size(); ++i) {
     problem.points[ix(i)].area = grid.area();
-    problem.free[problem.dim * i] =
-        (grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / (2 * radius) - depth;
+    problem.free[problem.dim * i] = (grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / (2 * radius) - depth;
   }
   return problem;
 }
@@ -105,7 +104,11 @@ TEST_CASE("contact of half spaces with each law is that of the dense problem") {
       if (setup.components > 1)
         same_as_dense(setup, {friction, {}}, name);
     for (auto const& [name, adhesion] : test::adhesions())
-      same_as_dense(setup, {setup.components > 1 ? std::optional<interface::FrictionLaw>(interface::Coulomb{0.3}) : std::nullopt, adhesion}, name);
+      same_as_dense(setup,
+                    {setup.components > 1 ? std::optional<interface::FrictionLaw>(interface::Coulomb{0.3})
+                                          : std::nullopt,
+                     adhesion},
+                    name);
   }
 }
 
@@ -116,9 +119,10 @@ TEST_CASE("hertz") {
     auto const problem = problem_of(surface, 1, 1);
     halfspace::Solver const solver(surface);
     auto const answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
-    MESSAGE(n, " force ", answer.force.sum() / (4.0 / 3) - 1, " p0 ", answer.force.maxCoeff() / grid.area() / (2 / pi)-1,
-            " rel ", answer.verdict.relative(), " newton ", answer.iterations, " krylov ", answer.krylov, " products ",
-            surface.products(), " solves ", surface.solutions(), answer.reason);
+    MESSAGE(n, " force ", answer.force.sum() / (4.0 / 3) - 1, " p0 ",
+            answer.force.maxCoeff() / grid.area() / (2 / pi) - 1, " rel ", answer.verdict.relative(),
+            " newton ", answer.iterations, " krylov ", answer.krylov, " products ", surface.products(),
+            " solves ", surface.solutions(), answer.reason);
     CHECK(answer.converged);
   }
 }

@@ -33,8 +33,8 @@ Vector product(Surface const& surface, Vector const& force) {
   return x;
 }
 
-/// Displacement (n, x, y) at (x, y) of a rigid-backed half space of Poisson's ratio nu and G = 1 under a point
-/// force: Johnson 1985, (3.75), (3.18), (3.19); n and the normal force point into it.
+/// Displacement (n, x, y) at (x, y) of a rigid-backed half space of Poisson's ratio nu and G = 1 under a
+/// point force: Johnson 1985, (3.75), (3.18), (3.19); n and the normal force point into it.
 Eigen::Matrix3d point_force(double nu, double x, double y) {
   double const r = std::hypot(x, y), c = (1 - 2 * nu) / (4 * pi * r * r);
   Eigen::Matrix3d u;
@@ -71,8 +71,7 @@ TEST_CASE("every pair of points of a free half space gives what point forces ove
     for (Index at = 0; at < grid.size(); ++at) {
       Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
       for (int k = 0; k < parts * parts && at != from; ++k)
-        sum += point_force(nu,
-                           grid.x(at) - grid.x(from) + ((k % parts + 0.5) / parts - 0.5) * grid.dx(),
+        sum += point_force(nu, grid.x(at) - grid.x(from) + ((k % parts + 0.5) / parts - 0.5) * grid.dx(),
                            grid.y(at) - grid.y(from) + ((k / parts + 0.5) / parts - 0.5) * grid.dy()) /
                (parts * parts);
       if (at != from)
@@ -127,8 +126,9 @@ struct Kind {
   Grid grid;
   int components;
 };
-Kind const kinds[] = {{{8, 6, 1, 2, false, true}, 3}, {{7, 5, 1, 2, false, true}, 3},  {{8, 6, 1, 2, false, false}, 3},
-                      {{7, 5, 1, 2, false, false}, 1}, {{16, 1, 1, 1, true, true}, 2}, {{9, 1, 1, 1, true, false}, 2},
+Kind const kinds[] = {{{8, 6, 1, 2, false, true}, 3},  {{7, 5, 1, 2, false, true}, 3},
+                      {{8, 6, 1, 2, false, false}, 3}, {{7, 5, 1, 2, false, false}, 1},
+                      {{16, 1, 1, 1, true, true}, 2},  {{9, 1, 1, 1, true, false}, 2},
                       {{8, 8, 1, 1, false, true}, 1}};
 
 TEST_CASE("compliances of half spaces are reciprocal, positive, and know their own block") {

@@ -37,8 +37,9 @@ Scene Builder::run() {
   if (!scene_.part.half_spaces.empty())
     return with_half_space();
   for (auto const& [name, part] : scene_.part.height_maps)
-    complain({"obstacles", name}, "is pressed onto a half space only; make the body one, stiction.body.half_space, "
-                                  "or give an obstacle a shape");
+    complain({"obstacles", name},
+             "is pressed onto a half space only; make the body one, stiction.body.half_space, "
+             "or give an obstacle a shape");
   scene_.model = std::make_unique<dynamics::Model>();
   auto& model = *scene_.model;
   model.kinematics = scene_.part.kinematics;

@@ -58,7 +58,8 @@ Scene Builder::with_half_space() {
 void Builder::check_half_space_alone() {
   auto const& part = scene_.part;
   refuse({"kinematics"}, part.kinematics == solid::Kinematics::axisymmetric,
-         "is \"axisymmetric\"; a half space wants \"three_dimensional\", or \"plane_strain\" for a line of points");
+         "is \"axisymmetric\"; a half space wants \"three_dimensional\", or \"plane_strain\" for a line of "
+         "points");
   refuse({"bodies"}, part.half_spaces.size() + part.bodies.size() != 1,
          fmt::format("has {} bodies beside a half space, which goes alone; leave the others out",
                      part.half_spaces.size() + part.bodies.size() - 1));
@@ -95,8 +96,9 @@ void Builder::take_half_space(std::string const& name, HalfSpacePart const& part
   for (double const length : part.size)
     if (!(length > 0))
       return complain({"bodies", name, "size"}, fmt::format("has {:g} m; give lengths > 0 m", length));
-  refuse({"bodies", name, "depth"}, part.depth > 0 && !grid.periodic,
-         "is for a periodic boundary; a free half space gives under the mean traction by itself: leave it out");
+  refuse(
+      {"bodies", name, "depth"}, part.depth > 0 && !grid.periodic,
+      "is for a periodic boundary; a free half space gives under the mean traction by itself: leave it out");
   grid.nx = static_cast<Index>(part.points[0]);
   grid.Lx = part.size[0];
   if (!grid.line) {
@@ -115,30 +117,31 @@ void Builder::take_height_map(std::string const& name, HeightMapPart const& part
   if (model.heights.size() == 0)
     complain({"obstacles", name, "surface"},
              fmt::format("has {} heights; the half space has {} points ({} x {})",
-                         std::get<halfspace::Map>(part.surface).heights.size(), model.grid.size(), model.grid.nx,
-                         model.grid.ny));
+                         std::get<halfspace::Map>(part.surface).heights.size(), model.grid.size(),
+                         model.grid.nx, model.grid.ny));
   check_no_z({"obstacles", name, "z"}, part.z);
   check_path_end({"obstacles", name, "times"}, part.times);
   char const* const normal = line ? "y" : "z";
   auto const& along_normal = line ? part.y : part.z;
   refuse({"obstacles", name, "force"}, !part.force.empty() && !along_normal.empty(),
          fmt::format("and {} cannot both be given: one follows from the other; leave one out", normal));
-  model.shift = {path_or_rest(part.times, part.x),
-                 line ? dynamics::Path{} : path_or_rest(part.times, part.y),
+  model.shift = {path_or_rest(part.times, part.x), line ? dynamics::Path{} : path_or_rest(part.times, part.y),
                  path_or_rest(part.times, along_normal)};
   if (!part.force.empty())
     model.force = path(part.times, part.force);
   auto const pulls = std::ranges::find_if(part.force, [](double force) { return force < 0; });
-  refuse({"obstacles", name, "force"}, pulls != part.force.end() && !scene_.part.pairs.begin()->second.law.adhesion,
+  refuse({"obstacles", name, "force"},
+         pulls != part.force.end() && !scene_.part.pairs.begin()->second.law.adhesion,
          fmt::format("pulls with {:g} {}, and nothing adheres; give forces >= 0, or the pair an adhesion",
                      pulls == part.force.end() ? 0 : *pulls, line ? "N/m" : "N"));
   double const lowest = along_normal.empty() ? 0 : std::ranges::min(along_normal);
   if (model.grid.periodic && model.body.depth == 0 && part.force.empty() && model.heights.size() > 0 &&
       model.heights.mean() + lowest < 0)
     complain({"obstacles", name, normal},
-             fmt::format("goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays where "
-                         "it is): no force is enough; stay above {:g} m, give a force, or the half space a depth",
-                         lowest, -(model.heights.mean() + lowest), -model.heights.mean()));
+             fmt::format(
+                 "goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays where "
+                 "it is): no force is enough; stay above {:g} m, give a force, or the half space a depth",
+                 lowest, -(model.heights.mean() + lowest), -model.heights.mean()));
 }
 
 void Builder::take_half_space_pair(std::string const& name, PairPart const& part) {
@@ -149,8 +152,9 @@ void Builder::take_half_space_pair(std::string const& name, PairPart const& part
   if (part.primary != counterpart)
     unknown_name({"pairs", name, "primary"}, "obstacle", part.primary, {counterpart});
   for (char const* key : {"discretisation", "smoothing", "reach", "direction"})
-    refuse({"pairs", name, key}, given({"pairs", name, key}),
-           "is not for half spaces, whose points lie over the heights that they meet, t1 along x; leave it out");
+    refuse(
+        {"pairs", name, key}, given({"pairs", name, key}),
+        "is not for half spaces, whose points lie over the heights that they meet, t1 along x; leave it out");
   scene_.half_space->law = part.law;
 }
 
@@ -168,7 +172,8 @@ void Builder::check_half_space_scheme() {
   if (newton != nullptr)
     scene_.half_space->tolerance = newton->tolerance;
   refuse({"control"}, given({"control"}),
-         "is of bodies with cells; the tolerance of stiction.solver.newton is all that a half space has: leave it out");
+         "is of bodies with cells; the tolerance of stiction.solver.newton is all that a half space has: "
+         "leave it out");
   refuse({"schedule", "accuracy"}, part.schedule.accuracy.has_value(),
          "does not choose the steps of half spaces yet; give stages their steps");
   refuse({"schedule", "work"}, given({"schedule", "work"}),

@@ -9,10 +9,11 @@ using core::Need;
 
 core::Schema const& HalfSpacePart::schema() {
   static auto const made =
-      Describe<HalfSpacePart>{"half_space",
-                              "a linear elastic half space below z = 0 (in plane strain y = 0), known at the points "
-                              "of its surface alone, whose middle is the origin; its set is \"surface\"",
-                              "Johnson 1985, 3"}
+      Describe<HalfSpacePart>{
+          "half_space",
+          "a linear elastic half space below z = 0 (in plane strain y = 0), known at the points "
+          "of its surface alone, whose middle is the origin; its set is \"surface\"",
+          "Johnson 1985, 3"}
           .number("young", &HalfSpacePart::young, "Pa", core::positive, Need::required, "Young's modulus")
           .number("poisson", &HalfSpacePart::poisson, "1", {-1, 0.5, true, false}, Need::required,
                   "Poisson's ratio; 0.5 is incompressible")
@@ -20,23 +21,26 @@ core::Schema const& HalfSpacePart::schema() {
                    "extent of its points {x, y}, in plane strain {x}")
           .numbers("points", &HalfSpacePart::points, "1", Need::required,
                    "how many {x, y}, in plane strain {x}; fastest as products of 2, 3 and 5")
-          .choice("boundary", &HalfSpacePart::boundary, {"periodic", "free"}, Need::optional,
-                  "periodic: repeated for ever, displacements are those about the mean of the surface; free: "
-                  "nothing acts outside the points, displacements are those against points far away (in plane "
-                  "strain as far as `size`)")
-          .number("depth", &HalfSpacePart::depth, "m", core::non_negative, Need::optional,
-                  "periodic: so much of the body gives under the mean traction too, laterally confined; 0: the "
-                  "mean of the surface stays")
+          .choice(
+              "boundary", &HalfSpacePart::boundary, {"periodic", "free"}, Need::optional,
+              "periodic: repeated for ever, displacements are those about the mean of the surface; free: "
+              "nothing acts outside the points, displacements are those against points far away (in plane "
+              "strain as far as `size`)")
+          .number(
+              "depth", &HalfSpacePart::depth, "m", core::non_negative, Need::optional,
+              "periodic: so much of the body gives under the mean traction too, laterally confined; 0: the "
+              "mean of the surface stays")
           .build();
   return made;
 }
 
 core::Schema const& HeightMapPart::schema() {
   static auto const made =
-      Describe<HeightMapPart>{"height_map",
-                              "heights that are pressed onto a half space and moved along it; they stay over the "
-                              "points where they start",
-                              ""}
+      Describe<HeightMapPart>{
+          "height_map",
+          "heights that are pressed onto a half space and moved along it; they stay over the "
+          "points where they start",
+          ""}
           .nested("surface", "surface", Need::required, "its heights over the half space at the start")
           .number("young", &HeightMapPart::young, "Pa", core::positive, Need::optional,
                   "Young's modulus; none: rigid")

@@ -32,7 +32,7 @@ std::map<std::string, Part> named(Reader& reader, char const* key, Need need, Re
 /// Entries of two kinds, each by its tag; those without one are of the first.
 template<class One, class Other>
 std::pair<std::map<std::string, One>, std::map<std::string, Other>> named_of_two(Reader& reader,
-                                                                                  char const* key, Need need) {
+                                                                                 char const* key, Need need) {
   std::map<std::string, Other> others;
   std::map<std::string, One> ones;
   auto const all = named<std::variant<One, Other>>(reader, key, need, [](Reader r) {

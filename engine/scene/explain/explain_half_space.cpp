@@ -22,8 +22,8 @@ struct GridFacts {
 };
 
 void say(Section& section, std::string name, std::string words, std::string meaning = "") {
-  section.lines.push_back({std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "",
-                           std::move(meaning)});
+  section.lines.push_back(
+      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", std::move(meaning)});
 }
 
 void count(Section& section, std::string name, double value, char const* unit, std::string meaning) {
@@ -34,8 +34,10 @@ Section describe_grid(GridFacts const& facts) {
   Section section{"Scene", {}};
   auto const& grid = facts.model.grid;
   say(section, "body " + facts.scene.bodies.front(),
-      fmt::format("half space, {} {}, {}", grid.line ? std::to_string(grid.nx) : fmt::format("{} x {}", grid.nx, grid.ny),
-                  grid.line ? "points in plane strain" : "points", grid.periodic ? "periodic" : "free around them"));
+      fmt::format("half space, {} {}, {}",
+                  grid.line ? std::to_string(grid.nx) : fmt::format("{} x {}", grid.nx, grid.ny),
+                  grid.line ? "points in plane strain" : "points",
+                  grid.periodic ? "periodic" : "free around them"));
   say(section, "counterpart " + facts.scene.part.height_maps.begin()->first,
       facts.model.counterpart ? "elastic height map" : "rigid height map");
   say(section, "drive", facts.model.force ? "by force" : "by displacement");
@@ -66,10 +68,13 @@ double rms_slope(halfspace::Model const& model) {
 Section grid_numbers(GridFacts const& facts) {
   Section section{"Numbers", {}};
   count(section, "E*", facts.modulus(), "Pa", "1 / sum of (1 - nu^2) / E");
-  count(section, "spacing", facts.spacing(), "m", "of points; contacts smaller than some of it are not resolved");
+  count(section, "spacing", facts.spacing(), "m",
+        "of points; contacts smaller than some of it are not resolved");
   count(section, "coupling", 2 * facts.compliance.coupling / facts.compliance.normal, "1",
-        "of pressure and shear, over the normal compliance: 0 for alike or incompressible sides (2 beta of Dundurs)");
-  count(section, "rms slope", rms_slope(facts.model), "1", "of the heights along x; a half space is of small slopes where it touches");
+        "of pressure and shear, over the normal compliance: 0 for alike or incompressible sides (2 beta of "
+        "Dundurs)");
+  count(section, "rms slope", rms_slope(facts.model), "1",
+        "of the heights along x; a half space is of small slopes where it touches");
   return section;
 }
 
@@ -92,14 +97,16 @@ void warn_of_range(GridFacts const& facts, std::vector<Warning>& warnings) {
   if (!law.adhesion)
     return;
   auto const scales = interface::scales(*law.adhesion);
-  constexpr double square = 1.1222; // (8 / pi) ln(1 + sqrt 2) / 2: a square's own sinking, E* u / (p h); Love 1929
+  constexpr double square =
+      1.1222; // (8 / pi) ln(1 + sqrt 2) / 2: a square's own sinking, E* u / (p h); Love 1929
   double const number = square * facts.spacing() * scales.softening / facts.modulus();
   if (!(number > 1))
     return;
   warnings.push_back(
-      {fmt::format("pair {}: adhesion falls off faster than one point of the grid follows ({:.3g} > 1 times, spacing "
-                   "{}): each point snaps by itself, and forces depend on the grid",
-                   facts.scene.pairs.front(), number, human(facts.spacing(), "m")),
+      {fmt::format(
+           "pair {}: adhesion falls off faster than one point of the grid follows ({:.3g} > 1 times, spacing "
+           "{}): each point snaps by itself, and forces depend on the grid",
+           facts.scene.pairs.front(), number, human(facts.spacing(), "m")),
        fmt::format("give points at most {} apart, or a law of longer range and the same work",
                    human(facts.spacing() / number / 2, "m"))});
 }
@@ -108,8 +115,8 @@ void warn_of_range(GridFacts const& facts, std::vector<Warning>& warnings) {
 
 Explanation explain_half_space(Scene const& scene) {
   auto const& model = *scene.half_space;
-  GridFacts const facts{scene, model,
-                    halfspace::Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr)};
+  GridFacts const facts{
+      scene, model, halfspace::Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr)};
   Explanation explanation;
   explanation.sections = {describe_grid(facts), grid_numbers(facts), grid_cost(facts)};
   warn_of_range(facts, explanation.warnings);

@@ -75,8 +75,8 @@ HalfSpaceSampler add_of(PointProbe const& probe, GridContext const& context) {
   auto const cell = [](double at, double step, Index count) {
     return std::clamp<Index>(static_cast<Index>(std::floor(at / step + 0.5 * count)), 0, count - 1);
   };
-  Index const point = cell(near(0), grid.dx(), grid.nx) +
-                      (grid.line ? 0 : grid.nx * cell(near(1), grid.dy(), grid.ny));
+  Index const point =
+      cell(near(0), grid.dx(), grid.nx) + (grid.line ? 0 : grid.nx * cell(near(1), grid.dy(), grid.ny));
   context.series.set_attribute(context.name, "X", grid.x(point));
   context.series.set_attribute(context.name, "Y", grid.y(point));
   add_quantities(context, 1);
@@ -135,16 +135,17 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
       pull = std::min(pull, at.adhesion[0]);
     }
     push_vector({model, series, name}, total_force(model, state), row);
-    row.insert(row.end(), {counts[0], counts[1], counts[2], (counts[1] + counts[2]) * model.grid.area(), beta_max,
-                           beta_sum / n, bonds, pressure, along, pull, state.gap.minCoeff(), state.gap.mean()});
+    row.insert(row.end(),
+               {counts[0], counts[1], counts[2], (counts[1] + counts[2]) * model.grid.area(), beta_max,
+                beta_sum / n, bonds, pressure, along, pull, state.gap.minCoeff(), state.gap.mean()});
   };
 }
 
 HalfSpaceSampler add_of(RigidProbe const&, GridContext const& context) {
   context.vector("u", "m", "displacement");
   context.vector("force", context.force_unit(), "force of the contact on it");
-  return [&model = context.model, &series = context.series,
-          name = context.name](GridState const& state, std::vector<double>& row) {
+  return [&model = context.model, &series = context.series, name = context.name](GridState const& state,
+                                                                                 std::vector<double>& row) {
     GridContext const at{model, series, name};
     push_vector(at, {-state.lift, state.along[0], state.along[1]}, row);
     push_vector(at, -total_force(model, state), row);
@@ -167,7 +168,8 @@ HalfSpaceSampler add_of(EnergyProbe const&, GridContext const& context) {
   };
 }
 
-template<class Probe> HalfSpaceSampler add_of(Probe const&, GridContext const&) { // refused when the scene was built
+template<class Probe>
+HalfSpaceSampler add_of(Probe const&, GridContext const&) { // refused when the scene was built
   return [](GridState const&, std::vector<double>&) {};
 }
 

@@ -339,11 +339,11 @@ void add_step_columns(Scene const& scene, record::Series& series) {
 }
 
 Columns columns_of(record::Series& series) {
-  return {[&](auto const& group, auto const& column, auto const& unit, auto const& meaning,
-              int width) { series.add(group, column, unit, meaning, width); },
-          [&](auto const& group, auto const& name, double value) {
-            series.set_attribute(group, name, value);
-          }};
+  return {
+      [&](auto const& group, auto const& column, auto const& unit, auto const& meaning, int width) {
+        series.add(group, column, unit, meaning, width);
+      },
+      [&](auto const& group, auto const& name, double value) { series.set_attribute(group, name, value); }};
 }
 
 std::vector<Sampler> add_probes(Scene const& scene, record::Series& series) {

@@ -26,7 +26,8 @@ namespace {
 record::GridFrame frame_of(halfspace::Model const& model, halfspace::State const& state) {
   auto const& grid = model.grid;
   Index const n = grid.size();
-  record::GridFrame frame{state.t, grid.nx, grid.ny, grid.x(0), grid.y(0), grid.dx(), grid.line ? 1 : grid.dy(), {}};
+  record::GridFrame frame{
+      state.t, grid.nx, grid.ny, grid.x(0), grid.y(0), grid.dx(), grid.line ? 1 : grid.dy(), {}};
   auto const add = [&](char const* name, char const* unit, int components, auto const& value) {
     record::FieldArray array{name, unit, components, {}, false};
     array.values.reserve(ix(n) * static_cast<std::size_t>(components));
@@ -40,7 +41,8 @@ record::GridFrame frame_of(halfspace::Model const& model, halfspace::State const
     to.insert(to.end(), {x, grid.line ? -down : D > 2 ? state.u[D * i + 2] : 0, grid.line ? 0 : -down});
   });
   auto const of_point = [&](char const* name, char const* unit, auto const& value) {
-    add(name, unit, 1, [&](Index i, std::vector<double>& to) { to.push_back(value(contact_state(model, state, i))); });
+    add(name, unit, 1,
+        [&](Index i, std::vector<double>& to) { to.push_back(value(contact_state(model, state, i))); });
   };
   using At = dynamics::ContactState;
   of_point("gap", "m", [](At const& at) { return at.gap; });
@@ -102,7 +104,8 @@ public:
     auto const& cost = stepper_.cost();
     result_.seconds = seconds();
     result_.iterations = cost.iterations;
-    result_.phases = {{"assembly", 0}, {"factorization", 0}, {"contact", contact_}, {"solve", 0}, {"output", output_}};
+    result_.phases = {
+        {"assembly", 0}, {"factorization", 0}, {"contact", contact_}, {"solve", 0}, {"output", output_}};
     result_.counters = {{"unknowns", stepper_.surface().rows()},
                         {"contact_unknowns", stepper_.surface().rows()},
                         {"products", static_cast<double>(cost.products)},
@@ -124,7 +127,8 @@ public:
 private:
   void begin_files(HalfSpaceMark const* from) {
     log_.emplace(options_.out, from != nullptr ? from->steps : 0,
-                 scene_.part.output.frames > 0 ? record::StepLog::Rows::all : record::StepLog::Rows::eventful);
+                 scene_.part.output.frames > 0 ? record::StepLog::Rows::all
+                                               : record::StepLog::Rows::eventful);
     fields_.emplace(options_.out, from != nullptr ? from->fields : record::FieldMark{});
     record::SeriesData before;
     if (from != nullptr)
@@ -143,7 +147,8 @@ private:
     double const nominal = (stage.until - start) / stage.steps;
     int const frames = scene_.part.output.frames;
     for (; step_ < stage.steps; ++step_) {
-      double const from = start + step_ * nominal, to = step_ + 1 == stage.steps ? stage.until : from + nominal;
+      double const from = start + step_ * nominal,
+                   to = step_ + 1 == stage.steps ? stage.until : from + nominal;
       bool const done = run_interval(from, to, nominal);
       bool const framed = static_cast<long>(step_ + 1) * frames / stage.steps >
                           static_cast<long>(step_) * frames / stage.steps;
@@ -207,7 +212,8 @@ private:
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
     if (cuts_ >= schedule.cuts)
-      result_.reason += fmt::format("; gave up, as {} attempts at one step have failed (schedule.cuts)", cuts_);
+      result_.reason +=
+          fmt::format("; gave up, as {} attempts at one step have failed (schedule.cuts)", cuts_);
     return false;
   }
 
@@ -251,7 +257,9 @@ private:
     double const limit = scene_.part.schedule.seconds;
     if (asked)
       return on_request;
-    return limit > 0 && seconds() > limit ? fmt::format("after {:g} s of the machine (schedule.seconds)", limit) : "";
+    return limit > 0 && seconds() > limit
+               ? fmt::format("after {:g} s of the machine (schedule.seconds)", limit)
+               : "";
   }
 
   bool stopped() {
@@ -281,8 +289,8 @@ private:
 
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, stage_, step_, done_, halved_, successes_, cuts_, result_.steps, result_.cuts, spent,
-            cpu, output_, contact_);
+    archive(state_, settled_, stage_, step_, done_, halved_, successes_, cuts_, result_.steps, result_.cuts,
+            spent, cpu, output_, contact_);
     if constexpr (Archive::reads) {
       stepper_.go_on(settled_);
       before_ = spent;
@@ -311,7 +319,7 @@ private:
   std::vector<double> row_;
   RunResult result_;
   std::size_t stage_ = 0;
-  int step_ = 0; ///< nominal, of the stage
+  int step_ = 0;  ///< nominal, of the stage
   long done_ = 0; ///< parts of it
   int halved_ = 0, successes_ = 0, cuts_ = 0;
   double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s

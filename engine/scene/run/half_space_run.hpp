@@ -7,7 +7,7 @@
 namespace stiction::scene {
 
 /// Runs a scene with a half space, from where its checkpoint stands.
-[[nodiscard]] RunResult run_half_space(core::Input const& input, Scene const& scene, RunOptions const& options,
-                                       Checkpoint& checkpoint, Story& story);
+[[nodiscard]] RunResult run_half_space(core::Input const& input, Scene const& scene,
+                                       RunOptions const& options, Checkpoint& checkpoint, Story& story);
 
 } // namespace stiction::scene
