@@ -1,7 +1,7 @@
 # What makes builds quick: files of a layer are compiled together; only the layers that compute are optimized in full, and what
 # they share with others is theirs. With STICTION_SANITIZE Clang parses what most files include, and makes its templates, once a
 # target (GCC gains nothing by it).
-set(STICTION_COMPUTES linear interface solid contact dynamics)
+set(STICTION_COMPUTES linear interface solid contact dynamics halfspace)
 set(STICTION_PATIENCE 120) # s, for a test
 if(STICTION_SANITIZE)
   set(STICTION_PATIENCE 900)
@@ -35,7 +35,7 @@ function(compile_together target) # compile_together(TARGET): at most 8 files at
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   get_target_property(sources ${target} SOURCES)
-  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene)
+  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene explain_springs)
   set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
   list(APPEND clashing rank_factor rank_multigrid ${exercised})
   list(JOIN clashing "|" alone)

@@ -11,15 +11,15 @@ namespace stiction::record {
 
 namespace {
 
-/// "000123.vtu": only such files are ours to remove.
+/// "000123.vtu" or .vti: only such files are ours to remove.
 bool is_frame(std::filesystem::path const& path) {
   std::string const stem = path.stem().string();
-  return path.extension() == ".vtu" && stem.size() == 6 &&
+  return (path.extension() == ".vtu" || path.extension() == ".vti") && stem.size() == 6 &&
          stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
-std::string name_of_frame(std::size_t number) {
-  return fmt::format("fields/{:06}.vtu", number);
+std::string name_of_frame(std::size_t number, char const* extension) {
+  return fmt::format("fields/{:06}{}", number, extension);
 }
 
 /// Those from `first` on.
@@ -59,9 +59,10 @@ void add_body(FieldFrame& frame, mesh::Mesh const& mesh) {
 
 FieldSeries::FieldSeries(std::filesystem::path case_folder, FieldMark from)
     : folder_(std::move(case_folder)), done_(std::move(from)) {
+  bool const grids = done_.entries.find(".vti") != std::string::npos;
   for (std::size_t k = 0; k < done_.count; ++k)
-    if (!std::filesystem::exists(folder_ / name_of_frame(k)))
-      throw Unfit(fmt::format("wants {}, which is gone", name_of_frame(k)));
+    if (auto const name = name_of_frame(k, grids ? ".vti" : ".vtu"); !std::filesystem::exists(folder_ / name))
+      throw Unfit(fmt::format("wants {}, which is gone", name));
   std::error_code ignored;
   if (done_.count > 0)
     write_list();
@@ -77,14 +78,22 @@ void FieldSeries::write_list() const {
                            done_.entries));
 }
 
-void FieldSeries::write(FieldFrame const& frame) {
-  auto const name = name_of_frame(done_.count);
+template<class Write> void FieldSeries::write_next(double time, char const* extension, Write const& write) {
+  auto const name = name_of_frame(done_.count, extension);
   if (done_.count == 0)
     prepare_output(folder_ / "fields");
-  write_vtu(folder_ / name, frame);
-  done_.entries += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", frame.time, name);
+  write(folder_ / name);
+  done_.entries += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", time, name);
   ++done_.count;
   write_list();
+}
+
+void FieldSeries::write(FieldFrame const& frame) {
+  write_next(frame.time, ".vtu", [&](std::filesystem::path const& path) { write_vtu(path, frame); });
+}
+
+void FieldSeries::write(GridFrame const& frame) {
+  write_next(frame.time, ".vti", [&](std::filesystem::path const& path) { write_vti(path, frame); });
 }
 
 } // namespace stiction::record

@@ -1,4 +1,4 @@
-// Fields over a mesh as VTK files: one .vtu a moment, and a .pvd that lists them by time.
+// Fields over a mesh or a grid as VTK files: one .vtu or .vti a moment, and a .pvd that lists them by time.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -37,6 +37,18 @@ void add_body(FieldFrame& frame, mesh::Mesh const& mesh);
 /// not fit the frame are a core::Bug; a file that cannot be written is a core::RunError.
 void write_vtu(std::filesystem::path const& path, FieldFrame const& frame);
 
+/// What is drawn of the points of a regular grid, along x first.
+struct GridFrame {
+  double time = 0;       ///< s
+  Index nx = 1, ny = 1;  ///< points
+  double x = 0, y = 0;   ///< of the first, m
+  double dx = 1, dy = 1; ///< m
+  std::vector<FieldArray> point_arrays;
+};
+
+/// Writes one frame as .vti, as `write_vtu` does.
+void write_vti(std::filesystem::path const& path, GridFrame const& frame);
+
 /// How many frames there are, and what the .pvd says of them.
 struct FieldMark {
   std::size_t count = 0;
@@ -44,18 +56,20 @@ struct FieldMark {
   template<class Archive> void visit(Archive& archive) { archive(count, entries); }
 };
 
-/// The frames of one case: fields/000000.vtu, ... and fields.pvd, complete after every write. Frames of an
-/// earlier run in the same folder but those of `from`, to be gone on from, are removed first. Throws
-/// Unfit if one of these is missing.
+/// The frames of one case: fields/000000.vtu, ... (.vti of grids) and fields.pvd, complete after every write.
+/// Frames of an earlier run in the same folder but those of `from`, to be gone on from, are removed first.
+/// Throws Unfit if one of these is missing.
 class FieldSeries {
 public:
   explicit FieldSeries(std::filesystem::path case_folder, FieldMark from = {});
   void write(FieldFrame const& frame);
+  void write(GridFrame const& frame);
   [[nodiscard]] std::size_t frames() const { return done_.count; }
   [[nodiscard]] FieldMark const& mark() const { return done_; }
 
 private:
   void write_list() const;
+  template<class Write> void write_next(double time, char const* extension, Write const& write);
 
   std::filesystem::path folder_;
   FieldMark done_;

@@ -13,7 +13,7 @@
 #include "bind/wrap.hpp"
 #include "record/manifest.hpp"
 #include "scene/explain/preview.hpp"
-#include "scene/probes/probes.hpp"
+#include "scene/probes/half_space_probes.hpp"
 #include "scene/run/run.hpp"
 
 namespace stiction::bind {
@@ -133,7 +133,7 @@ int probe_columns(lua_State* lua) {
         lua_rawseti(lua, -2, ++count);
       },
       [](auto const&, auto const&, double) {}};
-  static_cast<void>(scene::add_probes(built, columns));
+  scene::add_columns(built, columns);
   return 1;
 }
 

@@ -16,7 +16,7 @@ local contexts = { "https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro
 
 local formats = { csv = "text/csv", json = "application/json", png = "image/png", svg = "image/svg+xml",
   pdf = "application/pdf", html = "text/html", h5 = "application/x-hdf5", lua = "text/x-lua", pvd = "application/xml",
-  vtu = "application/xml", ogv = "video/ogg", msh = "model/mesh", stl = "model/stl",
+  vtu = "application/xml", vti = "application/xml", ogv = "video/ogg", msh = "model/mesh", stl = "model/stl",
   txt = "text/plain" }
 
 local function id_of(path)

@@ -9,7 +9,7 @@ local field_pictures = {}
 field_pictures.default = "von_mises"
 
 local unit_of = { von_mises = "Pa", cauchy_stress = "Pa", contact_pressure = "Pa", normal_adhesion = "Pa",
-  tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1" }
+  tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1", gap = "m", friction = "Pa" }
 
 --- The unit of a field; bad input if there is none of this name.
 function field_pictures.unit(name)
@@ -21,7 +21,15 @@ end
 --- From where a case in this folder is seen: {} if it is a solid, nil if it is plane.
 function field_pictures.view(folder)
   local scene = manifest.read(folder).scene
-  return type(scene) == "table" and scene.kinematics == "three_dimensional" and {} or nil
+  if type(scene) ~= "table" or scene.kinematics ~= "three_dimensional" then
+    return nil
+  end
+  for _, body in pairs(scene.bodies) do
+    if body.kind == "body.half_space" then
+      return nil -- its surface, seen from above
+    end
+  end
+  return {}
 end
 
 --- The index of the frames that are kept in this folder, nil if there are none.

@@ -62,7 +62,7 @@ keys.tables = {
   } },
   { "field", "figure.field{ ... }: a mesh in colours at one time", with_common {
     { "case", "whose fields are meant" },
-    { "file", "a .pvd or .vtu file instead of a case, from the output folder on" },
+    { "file", "a .pvd, .vtu or .vti file instead of a case, from the output folder on" },
     { "time", "a time, the nearest frame to it; or \"last\" (default)" },
     { "show_time", "false: without the time of the frame at the top right" },
     { "array", "displacement, velocity, cauchy_stress, von_mises, beta, contact_pressure, normal_adhesion, "

@@ -2,6 +2,7 @@
 local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local half_space = require "stiction.half_space"
 local ordered = require "stiction.ordered"
 
 local files_of = setmetatable({}, { __mode = "k" }) -- the files that a part names, by the part
@@ -18,6 +19,36 @@ local function place_files(part, names, folder)
   end
 end
 
+local meta_of = setmetatable({}, { __mode = "k" }) -- the metatable of each part
+
+local function is(part, tag)
+  return meta_of[part] and meta_of[part].tag == tag
+end
+
+--- The part with another value for `key`; the other stays as it is, as other scenes may hold it.
+local function with(part, key, value)
+  local meta = meta_of[part]
+  local changed = copy(part)
+  changed[key] = value
+  meta_of[changed] = meta
+  return setmetatable(changed, meta)
+end
+
+--- Heights that are functions of x and y as numbers at the points of the scene's half space.
+local function sample_heights(scene)
+  for _, body in pairs(type(scene.bodies) == "table" and scene.bodies or {}) do
+    if is(body, "body.half_space") then
+      for name, map in pairs(type(scene.obstacles) == "table" and scene.obstacles or {}) do
+        if is(map, "obstacle.height_map") and is(map.surface, "surface.map") and type(map.surface.heights) == "function" then
+          local surface = with(map.surface, "heights", half_space.sample(map.surface.heights, body))
+          scene.obstacles = copy(scene.obstacles)
+          scene.obstacles[name] = with(map, "surface", surface)
+        end
+      end
+    end
+  end
+end
+
 --- kind: {tag =, files = names of the parameters that name files}
 local function construct(kind, t, folder)
   if type(t) ~= "table" or getmetatable(t) ~= nil then
@@ -27,7 +58,11 @@ local function construct(kind, t, folder)
   if folder then
     place_files(part, kind.files, folder)
   end
-  return setmetatable(part, { tag = kind.tag, place = engine.where(), __metatable = "part" })
+  if kind.tag == "scene.scene" then
+    sample_heights(part)
+  end
+  meta_of[part] = { tag = kind.tag, place = engine.where(), __metatable = "part" }
+  return setmetatable(part, meta_of[part])
 end
 
 local function names_of(list)
@@ -55,15 +90,15 @@ local function category_table(category, folder)
       return construct(made, t, folder)
     end
   end
-  local alone = #kinds == 1 and kinds[1] == category.name
+  local own = constructors[category.name] -- what stiction.body{ ... } makes, of several kinds
   return setmetatable(constructors, {
     __index = function(_, kind)
       fault.script("there is no %s.%s%s; kinds: %s", category.name, tostring(kind), fault.meant(kind, kinds),
         table.concat(kinds, ", "))
     end,
     __call = function(_, t)
-      if alone then
-        return constructors[category.name](t)
+      if own then
+        return own(t)
       end
       fault.script("%s needs a kind, e.g. %s.%s{ ... }; kinds: %s", category.name, category.name, tostring(kinds[1]),
         table.concat(kinds, ", "))

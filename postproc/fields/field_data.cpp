@@ -2,6 +2,7 @@
 #include "fields/field_data.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkExtractEdges.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
 #include <vtkNew.h>
@@ -19,6 +21,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkWarpVector.h>
 #include <vtkXMLDataElement.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUtilities.h>
 
@@ -72,8 +75,49 @@ Step step_file(fs::path const& index, std::optional<double> time) {
                            [&](Step const& a, Step const& b) { return distance(a) < distance(b); });
 }
 
+/// A regular grid as the quadrangles between its points, which are drawn like those of a mesh.
+Grid quadrangles_of(vtkImageData& image) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(image.GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image.GetNumberOfPoints(); ++i)
+    points->SetPoint(i, image.GetPoint(i));
+  auto grid = Grid::New();
+  grid->SetPoints(points);
+  auto const* const count = image.GetDimensions();
+  for (vtkIdType j = 0; j + 1 < count[1]; ++j)
+    for (vtkIdType i = 0; i + 1 < count[0]; ++i) {
+      vtkIdType const first = j * count[0] + i;
+      std::array<vtkIdType, 4> const corners{first, first + 1, first + 1 + count[0], first + count[0]};
+      grid->InsertNextCell(VTK_QUAD, 4, corners.data());
+    }
+  grid->GetPointData()->ShallowCopy(image.GetPointData());
+  grid->GetFieldData()->ShallowCopy(image.GetFieldData());
+  return grid;
+}
+
+Grid read_regular_grid(fs::path const& file) {
+  vtkNew<vtkXMLImageDataReader> reader;
+  bool const readable = reader->CanReadFile(file.c_str()) != 0;
+  if (readable) {
+    reader->SetFileName(file.c_str());
+    reader->Update();
+  }
+  if (!readable || reader->GetErrorCode() != 0)
+    throw core::RunError(fmt::format("{}: is not a readable .vti file", file.string()));
+  auto grid = quadrangles_of(*reader->GetOutput());
+  if (grid->GetNumberOfCells() == 0)
+    throw core::RunError(
+        fmt::format("{}: its points lie on a line, which has no surface to draw; draw lines of a "
+                    "probe.contact_line",
+                    file.string()));
+  return grid;
+}
+
 Grid read_grid(fs::path const& file) {
   check_exists(file);
+  if (file.extension() == ".vti")
+    return read_regular_grid(file);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   bool const readable = reader->CanReadFile(file.c_str()) != 0;
   if (readable) {

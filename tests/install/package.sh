@@ -9,7 +9,7 @@ cpack -G DEB -B "$work" >"$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit
 package=$(ls "$work"/stiction_*.deb)
 ranks=$(ls "$work"/stiction-ranks_*.deb 2>/dev/null || true) # where PETSc was there to build with
 depends=$(dpkg-deb -f "$package" Depends)
-for needed in libcholmod libhdf5 fonts-dejavu-core; do
+for needed in libcholmod libfftw3 libhdf5 fonts-dejavu-core; do
   case $depends in *$needed*) ;; *) echo "the package does not depend on $needed: $depends"; exit 1 ;; esac
 done
 case $depends in *petsc* | *mpi*) echo "the package depends on what ranks alone need: $depends"; exit 1 ;; esac

@@ -4,21 +4,15 @@
 namespace stiction::contact {
 
 Index Delassus::rows() const {
-  return static_cast<Index>(std::visit(
-      [](auto const& kind) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, Dense>)
-          return kind.rows();
-        else
-          return kind.blocks.rows();
-      },
-      kind_));
+  auto const* matrix = std::get_if<Dense>(&kind_);
+  return matrix != nullptr ? static_cast<Index>(matrix->rows()) : std::get<ByProduct>(kind_).rows();
 }
 
 double Delassus::diagonal(Index row) const {
   if (auto const* matrix = std::get_if<Dense>(&kind_))
     return (*matrix)(row, row);
-  auto const& blocks = std::get<ByProduct>(kind_).blocks;
-  return blocks(row, row % blocks.cols());
+  auto const& product = std::get<ByProduct>(kind_);
+  return product.blocks(product.first_of(row), row % product.blocks.cols());
 }
 
 void Delassus::add_product(Vector const& force, Vector& x) const {
@@ -31,13 +25,13 @@ void Delassus::add_product(Vector const& force, Vector& x) const {
 Dense const& Delassus::dense() const {
   if (auto const* matrix = std::get_if<Dense>(&kind_))
     return *matrix;
-  auto const& [blocks, product, together, entries] = std::get<ByProduct>(kind_);
-  if (entries)
-    return *entries;
-  entries = Dense::Zero(blocks.rows(), blocks.rows());
+  auto const& by = std::get<ByProduct>(kind_);
+  if (by.entries)
+    return *by.entries;
+  by.entries = Dense::Zero(by.rows(), by.rows());
   for (Index j = 0; j < rows(); ++j)
-    product(j, Vector::Ones(1), entries->col(j));
-  return *entries;
+    by.product(j, Vector::Ones(1), by.entries->col(j));
+  return *by.entries;
 }
 
 Delassus::Delassus(Dense blocks, linear::CoupledBulk& together)

@@ -24,6 +24,9 @@ public:
   /// blocks: the diagonal ones, one below the other, [dim n, dim].
   Delassus(Dense blocks, Product product)
       : kind_(ByProduct{std::move(blocks), std::move(product), nullptr, {}}) {}
+  /// The same diagonal block [dim, dim] for so many points.
+  Delassus(Index points, Dense block, Product product)
+      : kind_(ByProduct{std::move(block), std::move(product), nullptr, {}, points}) {}
   /// Of so many points that neither columns nor entries are to be asked for; the blocks are about those.
   /// together: outlives this.
   Delassus(Dense blocks, linear::CoupledBulk& together);
@@ -57,6 +60,13 @@ private:
     Product product;
     linear::CoupledBulk* together = nullptr;
     mutable std::optional<Dense> entries;
+    Index alike = 0; ///< points with the one block that there is; 0: each has its own
+    [[nodiscard]] Index rows() const {
+      return static_cast<Index>(alike > 0 ? alike * blocks.cols() : blocks.rows());
+    }
+    [[nodiscard]] Index first_of(Index row) const {
+      return alike > 0 ? row % static_cast<Index>(blocks.cols()) : row;
+    }
   };
   std::variant<Dense, ByProduct> kind_;
 };
@@ -64,7 +74,8 @@ private:
 template<int D> interface::LocalMatrix<D> Delassus::block(Index point) const {
   if (auto const* matrix = std::get_if<Dense>(&kind_))
     return matrix->block<D, D>(D * point, D* point);
-  return std::get<ByProduct>(kind_).blocks.middleRows<D>(D * point);
+  auto const& product = std::get<ByProduct>(kind_);
+  return product.blocks.middleRows<D>(product.first_of(D * point));
 }
 
 template<int D>

@@ -11,9 +11,6 @@
 
 namespace stiction::scene {
 
-namespace {
-
-/// What stands under "name", or under "name[k]" in a list; nothing if there is no such part.
 core::Input const* part_of(core::Input const& input, std::string const& key) {
   auto const bracket = key.find('[');
   auto const* table = input.table();
@@ -27,8 +24,6 @@ core::Input const* part_of(core::Input const& input, std::string const& key) {
   return list != nullptr && number >= 1 && number <= list->size() ? &(*list)[number - 1] : nullptr;
 }
 
-} // namespace
-
 dynamics::Path path(Numbers const& times, Numbers const& values) {
   if (values.empty())
     return {};
@@ -39,6 +34,12 @@ Scene Builder::run() {
   core::Reader reader(*input_, "", complaints_);
   scene_.part = reader.record<ScenePart>();
   settle();
+  if (!scene_.part.half_spaces.empty())
+    return with_half_space();
+  for (auto const& [name, part] : scene_.part.height_maps)
+    complain({"obstacles", name},
+             "is pressed onto a half space only; make the body one, stiction.body.half_space, "
+             "or give an obstacle a shape");
   scene_.model = std::make_unique<dynamics::Model>();
   auto& model = *scene_.model;
   model.kinematics = scene_.part.kinematics;
@@ -74,6 +75,8 @@ Scene Builder::run() {
 }
 
 std::string unfit_for_ranks(Scene const& scene) {
+  if (scene.half_space)
+    return "a half space is one process's";
   if (scene.part.output.problems_every > 0)
     return "contact problems are to be written (output.problems_every)";
   return dynamics::unfit_for_ranks(*scene.model);

@@ -1,6 +1,7 @@
 // From a script's table to a model: names resolved, geometry made, every contradiction reported.
 #pragma once
 #include "core/input.hpp"
+#include "halfspace/model.hpp"
 #include "scene/description/parts.hpp"
 
 namespace stiction::scene {
@@ -11,7 +12,8 @@ struct Scene {
   std::vector<std::string> bodies; ///< names, in the order of model.bodies
   std::vector<std::string> pairs;  ///< names, in the order of model.pairs
   std::vector<double> moved;       ///< [constraints] how far a tie has moved a node that follows, m
-  std::unique_ptr<dynamics::Model> model;
+  std::unique_ptr<dynamics::Model> model; ///< null where there is a half space in its place
+  std::unique_ptr<halfspace::Model> half_space;
 
   /// A set "body.set" with model node numbers; nothing if there is none.
   [[nodiscard]] std::optional<Indices> nodes_of(std::string const& set) const;

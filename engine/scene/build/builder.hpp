@@ -12,6 +12,9 @@ namespace stiction::scene {
 
 using Where = std::vector<std::string>; ///< keys from the scene's table down, "name" or "name[k]"
 
+/// What stands under "name", or under "name[k]" in a list; null if there is no such part.
+[[nodiscard]] core::Input const* part_of(core::Input const& input, std::string const& key);
+
 /// An empty path where no values are given.
 [[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
 
@@ -35,6 +38,17 @@ private:
   [[nodiscard]] std::optional<Indices> resolve(Where const& where, std::string const& name);
   void unknown_name(Where const& where, char const* what, std::string const& name,
                     std::vector<std::string> const& known);
+
+  // build_half_space.cpp
+  [[nodiscard]] Scene with_half_space();
+  void check_half_space_alone();
+  void refuse(Where const& where, bool given, std::string const& why);
+  [[nodiscard]] bool given(Where const& where) const;
+  void take_half_space(std::string const& name, HalfSpacePart const& part);
+  void take_height_map(std::string const& name, HeightMapPart const& part);
+  void take_half_space_pair(std::string const& name, PairPart const& part);
+  void check_half_space_scheme();
+  void check_half_space_probe(std::string const& name, ProbePart const& part);
 
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);

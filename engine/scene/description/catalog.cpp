@@ -20,7 +20,7 @@ template<class Choice> std::vector<core::Schema> schemas() {
 std::vector<Category> const& catalog() {
   static std::vector<Category> const made = {
       {"scene", "everything a run needs", {ScenePart::schema()}},
-      {"body", "a deformable body", {BodyPart::schema()}},
+      {"body", "a deformable body", {BodyPart::schema(), HalfSpacePart::schema()}},
       {"mesh", "where a body's mesh comes from", mesh::generator_schemas()},
       {"edge", "an edge of an outline for gmsh", {mesh::Edge::schema()}},
       {"outline", "a hole in a region for gmsh", {mesh::Outline::schema()}},
@@ -29,8 +29,9 @@ std::vector<Category> const& catalog() {
       {"remesh", "a mesh made anew until it is fine enough", {RemeshPart::schema()}},
       {"damping", "viscosity beside the bulk law", {material::KelvinVoigt::schema()}},
       {"prony", "a term of relaxation beside the bulk law", {material::PronyTerm::schema()}},
-      {"obstacle", "a rigid obstacle on its path", {ObstaclePart::schema()}},
+      {"obstacle", "a rigid obstacle on its path", {ObstaclePart::schema(), HeightMapPart::schema()}},
       {"rigid", "shapes of rigid obstacles", schemas<contact::Obstacle>()},
+      {"surface", "heights of what is pressed onto a half space", schemas<halfspace::Shape>()},
       {"pair", "two surfaces that may touch", {PairPart::schema()}},
       {"friction", "friction laws", schemas<interface::FrictionLaw>()},
       {"adhesion", "adhesion laws", schemas<interface::AdhesionLaw>()},

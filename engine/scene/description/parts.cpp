@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <tuple>
 
 #include "scene/description/check_path.hpp"
 
@@ -26,6 +27,24 @@ std::map<std::string, Part> named(Reader& reader, char const* key, Need need, Re
   for (auto const& name : table.keys())
     parts.emplace(name, read(table.child(name)));
   return parts;
+}
+
+/// Entries of two kinds, each by its tag; those without one are of the first.
+template<class One, class Other>
+std::pair<std::map<std::string, One>, std::map<std::string, Other>> named_of_two(Reader& reader,
+                                                                                 char const* key, Need need) {
+  std::map<std::string, Other> others;
+  std::map<std::string, One> ones;
+  auto const all = named<std::variant<One, Other>>(reader, key, need, [](Reader r) {
+    return r.tag().ends_with("." + Other::schema().name) ? std::variant<One, Other>(r.record<Other>())
+                                                         : std::variant<One, Other>(r.record<One>());
+  });
+  for (auto const& [name, part] : all)
+    if (auto const* one = std::get_if<One>(&part))
+      ones.emplace(name, *one);
+    else
+      others.emplace(name, std::get<Other>(part));
+  return {std::move(ones), std::move(others)};
 }
 
 template<class Part> Part nested_record(Reader& reader, char const* key) {
@@ -349,9 +368,9 @@ void ScenePart::read_nested(Reader& reader) {
   if (!gravity.empty() && gravity.size() != static_cast<std::size_t>(dim()))
     reader.complain_at("gravity", fmt::format("has {} numbers; {} are wanted", gravity.size(),
                                               dim() == 2 ? "two" : "three"));
-  bodies = named<BodyPart>(reader, "bodies", Need::required, [](Reader r) { return r.record<BodyPart>(); });
-  obstacles = named<ObstaclePart>(reader, "obstacles", Need::optional,
-                                  [](Reader r) { return r.record<ObstaclePart>(); });
+  std::tie(bodies, half_spaces) = named_of_two<BodyPart, HalfSpacePart>(reader, "bodies", Need::required);
+  std::tie(obstacles, height_maps) =
+      named_of_two<ObstaclePart, HeightMapPart>(reader, "obstacles", Need::optional);
   pairs = named<PairPart>(reader, "pairs", Need::optional, [](Reader r) { return r.record<PairPart>(); });
   springs =
       named<SpringPart>(reader, "springs", Need::optional, [](Reader r) { return r.record<SpringPart>(); });

@@ -10,6 +10,7 @@
 #include "dynamics/adaptivity/accuracy.hpp"
 #include "dynamics/scheme/scheme.hpp"
 #include "dynamics/step/stepper.hpp"
+#include "halfspace/shapes.hpp"
 #include "interface/law.hpp"
 #include "material/material.hpp"
 #include "mesh/source/source.hpp"
@@ -51,6 +52,27 @@ struct BodyPart {
 
 private:
   void read_relaxing(core::Reader& reader);
+};
+
+enum class Boundary { periodic, free };
+
+/// A body that is nothing but the elastic surface of a half space: its points are a regular grid.
+struct HalfSpacePart {
+  double young = 0, poisson = 0; ///< Pa, 1
+  Numbers size, points;          ///< m, 1: {x [, y]}
+  Boundary boundary = Boundary::periodic;
+  double depth = 0; ///< m
+  static core::Schema const& schema();
+};
+
+/// What is pressed onto a half space: heights, on a rigid body or on another half space.
+struct HeightMapPart {
+  halfspace::Shape surface;
+  double young = 0, poisson = 0; ///< Pa, 1; young = 0: rigid
+  Numbers times, x, y, z;        ///< s, m: of its displacement
+  Numbers force;                 ///< N, at those times, in place of z
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
 };
 
 /// A rigid obstacle and where it goes: along paths, or, with a mass, where the forces take it.
@@ -259,7 +281,9 @@ struct ScenePart {
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;
   Numbers gravity; ///< m/s^2; empty: none
   std::map<std::string, BodyPart> bodies;
+  std::map<std::string, HalfSpacePart> half_spaces; ///< those of `bodies` that are
   std::map<std::string, ObstaclePart> obstacles;
+  std::map<std::string, HeightMapPart> height_maps; ///< those of `obstacles` that are
   std::map<std::string, PairPart> pairs;
   std::vector<MotionPart> motions;
   std::vector<ConstraintPart> constraints;

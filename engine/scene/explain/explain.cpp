@@ -1,11 +1,14 @@
 // The parts of an explanation in their order.
 #include "scene/explain/explain.hpp"
 
+#include "scene/explain/explain_half_space.hpp"
 #include "scene/explain/facts.hpp"
 
 namespace stiction::scene {
 
 Explanation explain(Scene const& scene) {
+  if (scene.half_space)
+    return explain_half_space(scene);
   dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
   auto const start = stepper.initial();
   auto const facts = facts_of(scene, start);

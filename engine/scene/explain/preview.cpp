@@ -1,8 +1,9 @@
 // Asks the probes for their columns and explain for its warnings; nothing is assembled or written.
 #include "scene/explain/preview.hpp"
 
+#include "scene/explain/explain_half_space.hpp"
 #include "scene/explain/facts.hpp"
-#include "scene/probes/probes.hpp"
+#include "scene/probes/half_space_probes.hpp"
 
 namespace stiction::scene {
 
@@ -12,17 +13,25 @@ std::vector<Warning> warnings_of(Scene const& scene, dynamics::State const& star
   return std::move(explanation.warnings);
 }
 
+std::vector<Warning> warnings_of(Scene const& scene) {
+  return explain_half_space(scene).warnings;
+}
+
 Preview preview(core::Input const& input) {
   auto const scene = build(input);
   record::Series series; // no file
   add_step_columns(scene, series);
-  static_cast<void>(add_probes(scene, series));
+  add_columns(scene, columns_of(series));
   Preview preview;
   for (auto const& [name, width] : series.names())
     preview.columns.push_back({name, width});
   preview.end = scene.part.schedule.stages.back().until;
-  dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
   preview.unfit_for_ranks = unfit_for_ranks(scene);
+  if (scene.half_space) {
+    preview.warnings = warnings_of(scene);
+    return preview;
+  }
+  dynamics::Stepper stepper(*scene.model, dynamics::Purpose::beginning);
   preview.warnings = warnings_of(scene, stepper.initial());
   return preview;
 }

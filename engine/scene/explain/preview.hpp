@@ -20,5 +20,7 @@ struct Preview {
 
 /// Those that explain shows.
 [[nodiscard]] std::vector<Warning> warnings_of(Scene const& scene, dynamics::State const& start);
+/// Of a scene with a half space.
+[[nodiscard]] std::vector<Warning> warnings_of(Scene const& scene);
 
 } // namespace stiction::scene

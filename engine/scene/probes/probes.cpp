@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "scene/probes/point_quantities.hpp"
+
 namespace stiction::scene {
 
 using dynamics::ContactState;
@@ -26,46 +28,6 @@ struct Context {
     series.add(name, column, unit, meaning, width);
   }
 };
-
-/// One recorded quantity of a contact point.
-struct PointQuantity {
-  char const *name, *unit, *meaning; ///< no unit: that of areas
-  double (*value)(ContactState const&);
-  bool space = false; ///< only in 3D
-};
-
-constexpr PointQuantity point_quantities[] = {
-    {"gap", "m", "x_n; the radius of the search where nothing is near",
-     [](ContactState const& c) { return c.gap; }},
-    {"slip", "m", "signed slip since the start", [](ContactState const& c) { return c.path[0]; }},
-    {"slip_2", "m", "slip since the start along t2", [](ContactState const& c) { return c.path[1]; }, true},
-    {"stretch", "m", "bond stretch x_t", [](ContactState const& c) { return c.bond.stretch[0]; }},
-    {"stretch_2", "m", "bond stretch along t2", [](ContactState const& c) { return c.bond.stretch[1]; },
-     true},
-    {"beta", "1", "bond intensity", [](ContactState const& c) { return c.bond.beta; }},
-    {"pressure", "Pa", "dry normal reaction rbar_n", [](ContactState const& c) { return c.dry[0]; }},
-    {"friction", "Pa", "dry tangential reaction rbar_t", [](ContactState const& c) { return c.dry[1]; }},
-    {"friction_2", "Pa", "dry tangential reaction along t2", [](ContactState const& c) { return c.dry[2]; },
-     true},
-    {"adhesion_n", "Pa", "normal adhesion rtilde_n", [](ContactState const& c) { return c.adhesion[0]; }},
-    {"adhesion_t", "Pa", "tangential adhesion rtilde_t", [](ContactState const& c) { return c.adhesion[1]; }},
-    {"adhesion_t2", "Pa", "tangential adhesion along t2", [](ContactState const& c) { return c.adhesion[2]; },
-     true},
-    {"status", "1", "0 open, 1 stick, 2 slip",
-     [](ContactState const& c) { return static_cast<double>(c.status); }},
-    {"area", nullptr,
-     "area in the reference that the tractions act on: traction times area is the point's force",
-     [](ContactState const& c) { return c.area; }},
-};
-
-/// Those of the scene's dimension.
-std::vector<PointQuantity> quantities(int dim) {
-  std::vector<PointQuantity> chosen;
-  for (auto const& quantity : point_quantities)
-    if (dim == 3 || !quantity.space)
-      chosen.push_back(quantity);
-  return chosen;
-}
 
 /// Name of a component: "force" with "x", "y" or "z".
 std::string component(char const* name, int c) {
@@ -376,13 +338,16 @@ void add_step_columns(Scene const& scene, record::Series& series) {
   series.add("step", "events", "1", "points that touch or separate, betas that reach or leave an end");
 }
 
+Columns columns_of(record::Series& series) {
+  return {
+      [&](auto const& group, auto const& column, auto const& unit, auto const& meaning, int width) {
+        series.add(group, column, unit, meaning, width);
+      },
+      [&](auto const& group, auto const& name, double value) { series.set_attribute(group, name, value); }};
+}
+
 std::vector<Sampler> add_probes(Scene const& scene, record::Series& series) {
-  return add_probes(scene,
-                    Columns{[&](auto const& group, auto const& column, auto const& unit, auto const& meaning,
-                                int width) { series.add(group, column, unit, meaning, width); },
-                            [&](auto const& group, auto const& name, double value) {
-                              series.set_attribute(group, name, value);
-                            }});
+  return add_probes(scene, columns_of(series));
 }
 
 std::vector<Sampler> add_probes(Scene const& scene, Columns const& series) {

@@ -20,6 +20,9 @@ struct Columns {
       add;
   std::function<void(std::string const&, std::string const&, double)> set_attribute;
 };
+/// The columns of a series, which outlives them.
+[[nodiscard]] Columns columns_of(record::Series& series);
+
 [[nodiscard]] std::vector<Sampler> add_probes(Scene const& scene, Columns const& columns);
 
 /// Adds the columns of every probe of the scene, in the order of their names, and returns their samplers.

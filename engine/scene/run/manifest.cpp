@@ -124,7 +124,34 @@ template<class Choice> json describe(Choice const& choice) {
       choice);
 }
 
+/// Laws of the pairs.
+void add_pairs(Scene const& scene, json& settings) {
+  for (auto const& [name, pair] : scene.part.pairs) {
+    auto& laws = settings["pairs"][name];
+    laws["pair"] = record::describe(&pair, PairPart::schema());
+    if (pair.law.friction)
+      laws.update(describe(*pair.law.friction));
+    if (pair.law.adhesion)
+      laws.update(describe(*pair.law.adhesion));
+  }
+}
+
+json settings_of_half_space(Scene const& scene) {
+  json settings;
+  settings["scheme"] = describe(scene.part.scheme);
+  settings["solver"] = describe(scene.part.solver);
+  for (auto const& [name, body] : scene.part.half_spaces)
+    settings["bodies"][name] = record::describe(&body, HalfSpacePart::schema());
+  for (auto const& [name, map] : scene.part.height_maps)
+    settings["obstacles"][name] = record::describe(&map, HeightMapPart::schema());
+  add_pairs(scene, settings);
+  settings["unknowns"] = scene.half_space->components() * scene.half_space->grid.size();
+  return settings;
+}
+
 json settings_of(Scene const& scene) {
+  if (scene.half_space)
+    return settings_of_half_space(scene);
   json settings;
   settings["scheme"] = describe(scene.part.scheme);
   settings["solver"] = describe(scene.part.solver);
@@ -142,14 +169,7 @@ json settings_of(Scene const& scene) {
     if (body.remesh)
       settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
   }
-  for (auto const& [name, pair] : scene.part.pairs) {
-    auto& laws = settings["pairs"][name];
-    laws["pair"] = record::describe(&pair, PairPart::schema());
-    if (pair.law.friction)
-      laws.update(describe(*pair.law.friction));
-    if (pair.law.adhesion)
-      laws.update(describe(*pair.law.adhesion));
-  }
+  add_pairs(scene, settings);
   for (auto const& body : scene.model->bodies)
     settings["meshes"][body->name] = quality_of(body->mesh);
   settings["unknowns"] = scene.model->dofs();

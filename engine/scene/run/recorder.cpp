@@ -13,7 +13,13 @@ namespace stiction::scene {
 
 namespace {
 
-/// What cannot be read is no series to go on from.
+/// Where no fields are asked for, a case that runs as it should leaves histories and manifest, nothing else.
+record::StepLog::Rows rows_of(Scene const& scene) {
+  return scene.part.output.frames > 0 ? record::StepLog::Rows::all : record::StepLog::Rows::eventful;
+}
+
+} // namespace
+
 record::SeriesData series_in(std::filesystem::path const& folder) {
   try {
     return record::read_series(folder / "series.h5");
@@ -22,12 +28,6 @@ record::SeriesData series_in(std::filesystem::path const& folder) {
   }
 }
 
-/// Where no fields are asked for, a case that runs as it should leaves histories and manifest, nothing else.
-record::StepLog::Rows rows_of(Scene const& scene) {
-  return scene.part.output.frames > 0 ? record::StepLog::Rows::all : record::StepLog::Rows::eventful;
-}
-
-/// Contact problems of an earlier run, which are not those of this.
 void remove_problems(std::filesystem::path const& folder) {
   std::error_code ignored; // what cannot be removed is overwritten or reported when written
   std::vector<std::filesystem::path> old;
@@ -38,8 +38,6 @@ void remove_problems(std::filesystem::path const& folder) {
     std::filesystem::remove(file, ignored);
   std::filesystem::remove(folder, ignored); // if nothing is left in it
 }
-
-} // namespace
 
 Recorder::Recorder(Scene const& scene, std::filesystem::path const& folder, RecordMark const* from)
     : scene_(&scene), folder_(folder),

@@ -24,6 +24,12 @@ struct RecordMark {
   }
 };
 
+/// The histories in a folder, to be gone on from. Throws Unfit where they cannot be read.
+[[nodiscard]] record::SeriesData series_in(std::filesystem::path const& folder);
+
+/// Contact problems of an earlier run, which are not those of this.
+void remove_problems(std::filesystem::path const& folder);
+
 class Recorder {
 public:
   /// Into this folder, which exists. The scene must outlive it. from: what there is to go on from, or null.

@@ -1,0 +1,38 @@
+// The contact problem of a half space linearised at some forces: an equation at every point that the
+// surface's compliance matters to.
+#pragma once
+#include <vector>
+
+#include "contact/problem/problem.hpp"
+#include "halfspace/surface.hpp"
+
+namespace stiction::halfspace {
+
+using contact::Local;
+using contact::LocalMatrix;
+
+/// (a + b W) dp + b e lift = -F at those points, from the left with (a + b W_own)^-1: with B of that times b,
+/// v + B (W - W_own) v + B e lift = r. The other points have their changes of force at once.
+template<int D> struct Linearised {
+  Indices points;                              ///< that count, ascending
+  std::vector<LocalMatrix<D>> B;               ///< [points], N/m
+  std::vector<LocalMatrix<D>> left;            ///< [points], (a + b W_own)^-1
+  LocalMatrix<D> own = LocalMatrix<D>::Zero(); ///< diagonal block of W, m/N
+  double softness = 0;                         ///< mean of 1 / stiffness of what yields with W, m/N
+  std::vector<bool> yields;                    ///< [points] does W govern it, and not its own law?
+  bool definite = true; ///< does no point soften? Then, in one component, it is symmetric
+  [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
+};
+
+/// Values at points that count, [points, D], among all.
+template<int D> void scatter(Indices const& points, Vector const& few, Vector& all) {
+  all.setZero();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    all.segment<D>(D * points[k]) = few.segment<D>(D * static_cast<Index>(k));
+}
+template<int D> void gather(Indices const& points, Vector const& all, Vector& few) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    few.segment<D>(D * static_cast<Index>(k)) = all.segment<D>(D * points[k]);
+}
+
+} // namespace stiction::halfspace

@@ -1,0 +1,336 @@
+// The natural map over all points, its linearisation, steps along it, and small ones where that fails.
+#include "halfspace/solver.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "core/threads.hpp"
+#include "halfspace/krylov.hpp"
+
+namespace stiction::halfspace {
+
+namespace {
+
+constexpr Index least_piece = 1024; ///< points that a thread takes at a time
+
+template<int D> class Newton {
+public:
+  Newton(Surface const& surface, contact::Problem const& problem, Wanted const& wanted)
+      : surface_(surface), problem_(problem), wanted_(wanted), n_(problem.size()),
+        natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()),
+        own_(problem.W.template block<D>(0)) {
+    double const longest = surface.longest();
+    least_hold_ = 1e-3 / longest;
+    governed_ = longest;
+  }
+
+  Answer run(Vector const& guess) {
+    answer_.force = guess;
+    guess_ = guess;
+    place();
+    evaluate();
+    if (!solve_from_here())
+      solve_by_small_moves();
+    finish();
+    return std::move(answer_);
+  }
+
+private:
+  [[nodiscard]] bool enough() {
+    answer_.interrupted = answer_.interrupted || (wanted_.enough && wanted_.enough());
+    return answer_.interrupted;
+  }
+
+  /// x = free + lift + W p.
+  void place() {
+    answer_.x = problem_.free;
+    for (Index i = 0; answer_.lift != 0 && i < n_; ++i)
+      answer_.x[D * i] += answer_.lift;
+    surface_.add_product(answer_.force, answer_.x);
+  }
+
+  [[nodiscard]] contact::PointState<D> state(Index i) const {
+    Local<D> p = answer_.force.segment<D>(D * i);
+    Local<D> const x = answer_.x.segment<D>(D * i);
+    double const hold = held(i);
+    if (hold > 0)
+      p += hold * (x - near_.segment<D>(D * i));
+    auto state = contact::evaluate<D>(problem_, i, p, x, rho_);
+    state.adhesion_by_x.diagonal().array() -= hold;
+    return state;
+  }
+  /// Stiffness that holds a point with adhesion near where it was, N/m.
+  [[nodiscard]] double held(Index i) const {
+    return hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 ? hold_ * problem_.points[ix(i)].area : 0;
+  }
+
+  /// Residuals of all points, and how large they are.
+  void evaluate() {
+    F_.resize(D * n_);
+    std::array<contact::Verdict, core::most_pieces> verdicts;
+    double const squares = core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+      double sum = 0;
+      auto& verdict = verdicts[ix(core::piece_of(n_, least_piece, first))];
+      for (Index i = first; i < last; ++i) {
+        auto const at = state(i);
+        F_.segment<D>(D * i) = at.residual;
+        double const area = problem_.points[ix(i)].area;
+        double const pressed =
+            std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * natural_;
+        verdict.residual = std::max(verdict.residual, at.residual.norm() * natural_ / rho_ / area);
+        verdict.scale =
+            std::max({verdict.scale, answer_.force.segment<D>(D * i).norm() / area, pressed / area});
+        sum += at.residual.squaredNorm();
+      }
+      return sum;
+    });
+    verdict_ = {};
+    for (auto const& one : verdicts) {
+      verdict_.residual = std::max(verdict_.residual, one.residual);
+      verdict_.scale = std::max(verdict_.scale, one.scale);
+    }
+    norm_ = std::sqrt(squares + std::pow(missing() / std::sqrt(double(n_)), 2));
+  }
+
+  /// Of the force that is asked for, N.
+  [[nodiscard]] double missing() const {
+    if (!wanted_.force)
+      return 0;
+    double const sum = core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+      double part = 0;
+      for (Index i = first; i < last; ++i)
+        part += answer_.force[D * i];
+      return part;
+    });
+    return *wanted_.force - sum;
+  }
+  [[nodiscard]] bool balanced() const {
+    return !wanted_.force || std::abs(missing()) <= wanted_.tolerance * std::abs(*wanted_.force) ||
+           std::abs(missing()) <= wanted_.tolerance * answer_.force.cwiseAbs().maxCoeff();
+  }
+  [[nodiscard]] bool there() const { return verdict_.relative() <= wanted_.tolerance && balanced(); }
+
+  /// The points at which W counts; forces of the others change at once.
+  void linearise() {
+    system_.points.clear();
+    system_.B.clear();
+    system_.left.clear();
+    system_.yields.clear();
+    system_.own = own_;
+    system_.definite = true;
+    double softness = 0;
+    Index yielding = 0;
+    for (Index i = 0; i < n_; ++i) {
+      auto const at = state(i);
+      LocalMatrix<D> const a = at.residual_by_dry, b = at.residual_by_x - a * at.adhesion_by_x;
+      if (b.cwiseAbs().maxCoeff() < least_hold_)
+        continue;
+      LocalMatrix<D> const left = (a + b * own_).inverse();
+      LocalMatrix<D> const B = left * b;
+      // how soft the stiffest direction is beside W: of one component S = 1 / B - W_own
+      double const stiffest = B.cwiseAbs().maxCoeff(), soft = std::max(0.0, 1 / stiffest - own_(0, 0));
+      bool const yields =
+          stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
+      system_.points.push_back(i);
+      system_.B.push_back(B);
+      system_.left.push_back(left);
+      system_.yields.push_back(yields);
+      system_.definite = system_.definite && B(0, 0) > 0 && B(0, 0) * own_(0, 0) <= 1 + 1e-9;
+      if (yields) {
+        softness += D == 1 ? soft : 0;
+        ++yielding;
+      }
+    }
+    system_.softness = yielding > 0 ? softness / yielding : 0;
+  }
+
+  /// Frees the forces that are none of W's business, and solves for the others.
+  Correction correct(double part) {
+    Vector others = -F_;
+    for (Index const point : system_.points)
+      others.segment<D>(D * point).setZero();
+    bool const any = others.cwiseAbs().maxCoeff() > 0;
+    Correction made{others, Vector::Zero(D * n_), 0, 0};
+    if (any)
+      surface_.add_product(others, made.motion);
+    double total = missing();
+    if (any && wanted_.force)
+      for (Index i = 0; i < n_; ++i)
+        total -= others[D * i];
+    Vector right(D * system_.size());
+    for (Index k = 0; k < system_.size(); ++k) {
+      Index const i = system_.points[ix(k)];
+      right.segment<D>(D * k) =
+          -system_.left[ix(k)] * F_.segment<D>(D * i) - system_.B[ix(k)] * made.motion.segment<D>(D * i);
+    }
+    Krylov<D> krylov(surface_, system_, wanted_.force.has_value());
+    Correction const inner = krylov.solve(right, total, part, most_inner);
+    for (Index k = 0; k < system_.size(); ++k)
+      made.force.segment<D>(D * system_.points[ix(k)]) += inner.force.segment<D>(D * k);
+    made.motion += inner.motion;
+    made.lift = inner.lift;
+    answer_.krylov += inner.iterations;
+    for (Index i = 0; made.lift != 0 && i < n_; ++i)
+      made.motion[D * i] += made.lift;
+    return made;
+  }
+
+  void move(Correction const& step, double length) {
+    answer_.force += length * step.force;
+    answer_.x += length * step.motion;
+    answer_.lift += length * step.lift;
+  }
+
+  /// Newton's iterations, each as long as the residual allows; false where they lead nowhere.
+  bool solve_from_here() {
+    bool const dry = problem_.adhesions.empty() && D == 1;
+    double last = norm_, best = norm_;
+    int vain = 0;
+    for (int k = 0; k < wanted_.iterations && !enough(); ++k) {
+      if (there() && settled())
+        return true;
+      reach_down();
+      linearise();
+      double const progress = k == 0 ? 1 : norm_ / last;
+      double const part = std::clamp(0.5 * progress * progress, tightest, loosest);
+      last = norm_;
+      auto const step = correct(part);
+      ++answer_.iterations;
+      move(step, 1);
+      evaluate();
+      double length = 1;
+      while (!dry && !(norm_ < 2 * last) && length > shortest) {
+        move(step, -0.5 * length);
+        length *= 0.5;
+        evaluate();
+      }
+      if (!std::isfinite(norm_))
+        return false;
+      vain = norm_ < 0.99 * best ? 0 : vain + 1;
+      best = std::min(best, norm_);
+      if (vain > most_vain)
+        return false;
+    }
+    return false;
+  }
+
+  /// Where a force presses and nothing touches: down by as much as the nearest point takes for it.
+  void reach_down() {
+    if (!wanted_.force || !(missing() > 0) || answer_.force.cwiseAbs().maxCoeff() > 0)
+      return;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < n_; ++i)
+      nearest = std::min(nearest, answer_.x[D * i] - problem_.points[ix(i)].shift[0]);
+    if (nearest < 0)
+      return;
+    answer_.lift -= nearest + missing() / natural_;
+    place();
+    evaluate();
+  }
+
+  /// x was carried along; is it still what forces make of it?
+  bool settled() {
+    place();
+    evaluate();
+    return there();
+  }
+
+  /// Where a bond snaps or forms at once: points are held near where they are, less and less, so that the
+  /// energy falls from answer to answer until none is held.
+  void solve_by_small_moves() {
+    double steepest = 0;
+    for (auto const& point : problem_.points)
+      if (point.adhesion >= 0)
+        steepest =
+            std::max(steepest, interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
+    if (steepest == 0 || wanted_.force)
+      return;
+    answer_.force = guess_;
+    place();
+    hold_ = 2 * steepest;
+    double most_moved = 0;
+    for (int k = 0; k < most_moves && !enough(); ++k) {
+      near_ = answer_.x;
+      Vector const force = answer_.force;
+      evaluate();
+      if (!solve_from_here()) {
+        hold_ *= 4;
+        answer_.force = force;
+        answer_.x = near_;
+        if (hold_ > 1e6 * steepest)
+          break;
+        continue;
+      }
+      hold_ = std::max(0.5 * hold_, 1e-3 * steepest);
+      double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
+      most_moved = std::max(most_moved, moved);
+      double const hold = std::exchange(hold_, 0);
+      evaluate();
+      // where nothing pulls any more, forces are no yardstick for what is left of them
+      bool const arrived = verdict_.relative() < 1e-3 || moved < 1e-3 * most_moved;
+      if (arrived && solve_from_here())
+        return;
+      hold_ = hold;
+      place();
+    }
+    hold_ = 0;
+    evaluate();
+  }
+
+  void finish() {
+    answer_.verdict = contact::judge(shifted(), answer_.force, answer_.x);
+    answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
+    if (answer_.converged)
+      return;
+    answer_.reason =
+        answer_.interrupted
+            ? "it was left off"
+            : fmt::format("contact is solved to {:.1e} of the largest traction only, not to {:.1e}, after {} "
+                          "iterations",
+                          answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
+    if (!answer_.interrupted && !balanced())
+      answer_.reason = fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
+  }
+  /// With the lift in its free gaps, which set the yardstick.
+  [[nodiscard]] contact::Problem const& shifted() {
+    if (answer_.lift == 0)
+      return problem_;
+    lifted_ = problem_;
+    for (Index i = 0; i < n_; ++i)
+      lifted_.free[D * i] += answer_.lift;
+    return lifted_;
+  }
+
+  static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
+  static constexpr int most_vain = 8, most_moves = 200;
+  static constexpr long most_inner = 200;
+
+  Surface const& surface_;
+  contact::Problem const& problem_;
+  Wanted const& wanted_;
+  Index n_;
+  double natural_; ///< as the judge weighs gaps, N/m
+  double rho_;     ///< as the map does: slips of many points together follow from little force, N/m
+  LocalMatrix<D> own_;
+  double least_hold_ = 0, governed_ = 0;
+  Answer answer_;
+  Vector F_; ///< N
+  Vector guess_, near_;
+  double hold_ = 0, norm_ = 0; ///< N/m^3; N
+  contact::Verdict verdict_;
+  Linearised<D> system_;
+  contact::Problem lifted_;
+};
+
+} // namespace
+
+Answer Solver::solve(contact::Problem const& problem, Vector const& guess, Wanted const& wanted) const {
+  return contact::by_dimension(problem.dim,
+                               [&]<int D>() { return Newton<D>(*surface_, problem, wanted).run(guess); });
+}
+
+} // namespace stiction::halfspace

@@ -1,0 +1,235 @@
+// Transforms by rows, then by columns, where waves are weighed, and back.
+#include "halfspace/surface.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <fftw3.h>
+
+#include "contact/problem/problem.hpp"
+#include "core/error.hpp"
+#include "core/threads.hpp"
+
+namespace stiction::halfspace {
+
+namespace {
+
+constexpr Index together = 4; ///< columns at a time: a line of the cache
+
+fftw_complex* raw(std::complex<double>* data) {
+  return reinterpret_cast<fftw_complex*>(data);
+}
+
+std::complex<double>* allocate(Eigen::Index count) {
+  auto* data = fftw_alloc_complex(static_cast<std::size_t>(count));
+  if (data == nullptr)
+    throw core::RunError("not enough memory for the transforms of a half space");
+  return reinterpret_cast<std::complex<double>*>(data);
+}
+
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, void (*)(fftw_plan)>;
+
+Plan held(fftw_plan plan) {
+  core::expect(plan != nullptr, "FFTW to have a plan for every length");
+  return {plan, fftw_destroy_plan};
+}
+
+/// Pieces of columns that threads share: as many whatever the number of threads.
+Index pieces(Index columns) {
+  return std::min<Index>(core::most_pieces, (columns + together - 1) / together);
+}
+
+} // namespace
+
+void Surface::Free::operator()(Complex* data) const {
+  fftw_free(data);
+}
+
+/// Of single rows and columns, in place. Estimated, not measured: the same on every run.
+struct Surface::Plans {
+  Plan row, row_back, column, column_back;
+};
+
+Surface::Surface(Grid const& grid, Compliance const& compliance, int components)
+    : grid_(grid), components_(components), symbols_(symbols(grid, compliance, components)),
+      stride_(symbols_.rows) {
+  waves_.reset(allocate(Eigen::Index{components} * grid.ny * stride_));
+  buffers_.reset(allocate(Eigen::Index{pieces(symbols_.rows)} * components * together * symbols_.py));
+  auto* const wave = raw(waves_.get());
+  auto* const number = reinterpret_cast<double*>(wave);
+  auto* const buffer = raw(buffers_.get());
+  plans_ = std::make_unique<Plans>(
+      Plans{held(fftw_plan_dft_r2c_1d(symbols_.px, number, wave, FFTW_ESTIMATE)),
+            held(fftw_plan_dft_c2r_1d(symbols_.px, wave, number, FFTW_ESTIMATE)),
+            held(fftw_plan_dft_1d(symbols_.py, buffer, buffer, FFTW_FORWARD, FFTW_ESTIMATE)),
+            held(fftw_plan_dft_1d(symbols_.py, buffer, buffer, FFTW_BACKWARD, FFTW_ESTIMATE))});
+}
+
+Surface::~Surface() = default;
+
+double Surface::longest() const {
+  return symbols_.nn.tail(symbols_.nn.size() - 1).cwiseAbs().maxCoeff();
+}
+
+std::size_t Surface::memory() const {
+  auto const& s = symbols_;
+  Eigen::Index count = 2 * Eigen::Index{components_} * grid_.ny * stride_ +
+                       2 * Eigen::Index{pieces(s.rows)} * components_ * together * s.py + padded_.size();
+  for (auto const* table : {&s.nn, &s.xx, &s.yy, &s.xy, &s.nx, &s.ny})
+    count += table->size();
+  return static_cast<std::size_t>(count);
+}
+
+template<int D> void Surface::forward_rows(double const* in, Index first, Index last) const {
+  for (int c = 0; c < D; ++c)
+    for (Index j = first; j < last; ++j) {
+      auto* const numbers = reinterpret_cast<double*>(row(c, j));
+      double const* const from = in + Eigen::Index{j} * grid_.nx * D + c;
+      for (Index i = 0; i < grid_.nx; ++i)
+        numbers[i] = from[Eigen::Index{i} * D];
+      std::fill(numbers + grid_.nx, numbers + symbols_.px, 0.0);
+      fftw_execute_dft_r2c(plans_->row.get(), numbers, raw(row(c, j)));
+    }
+}
+
+template<int D> void Surface::backward_rows(double* out, Index first, Index last) const {
+  double const scale = 1 / (double{1} * symbols_.px * symbols_.py);
+  for (int c = 0; c < D; ++c)
+    for (Index j = first; j < last; ++j) {
+      auto* const numbers = reinterpret_cast<double*>(row(c, j));
+      fftw_execute_dft_c2r(plans_->row_back.get(), raw(row(c, j)), numbers);
+      double* const to = out + Eigen::Index{j} * grid_.nx * D + c;
+      for (Index i = 0; i < grid_.nx; ++i)
+        to[Eigen::Index{i} * D] += scale * numbers[i];
+    }
+}
+
+/// The piece's columns forward, act(wave, values) for each of their waves, and back.
+template<int D, class Act> void Surface::columns(Index piece, Act const& act) const {
+  Index const count = pieces(symbols_.rows), width = (symbols_.rows + count - 1) / count, py = symbols_.py;
+  auto* const buffer = buffers_.get() + Eigen::Index{piece} * D * together * py;
+  auto const column = [&](int c, Index k) { return buffer + (Eigen::Index{c} * together + k) * py; };
+  Index const end = std::min(symbols_.rows, (piece + 1) * width);
+  for (Index a = piece * width; a < end; a += together) {
+    Index const some = std::min(together, end - a);
+    for (int c = 0; c < D; ++c) {
+      for (Index j = 0; j < grid_.ny; ++j)
+        for (Index k = 0; k < some; ++k)
+          column(c, k)[j] = row(c, j)[a + k];
+      for (Index k = 0; k < some; ++k) {
+        std::fill(column(c, k) + grid_.ny, column(c, k) + py, Complex{});
+        fftw_execute_dft(plans_->column.get(), raw(column(c, k)), raw(column(c, k)));
+      }
+    }
+    for (Index k = 0; k < some; ++k)
+      for (Index j = 0; j < py; ++j) {
+        Eigen::Matrix<Complex, D, 1> value;
+        for (int c = 0; c < D; ++c)
+          value[c] = column(c, k)[j];
+        bool const back = 2 * j > py;
+        act(Wave{a + k, back ? py - j : j, back ? -1.0 : 1.0}, value);
+        for (int c = 0; c < D; ++c)
+          column(c, k)[j] = value[c];
+      }
+    for (int c = 0; c < D; ++c) {
+      for (Index k = 0; k < some; ++k)
+        fftw_execute_dft(plans_->column_back.get(), raw(column(c, k)), raw(column(c, k)));
+      for (Index j = 0; j < grid_.ny; ++j)
+        for (Index k = 0; k < some; ++k)
+          row(c, j)[a + k] = column(c, k)[j];
+    }
+  }
+}
+
+template<int D, class Act> void Surface::transform(double const* in, double* out, Act const& act) const {
+  constexpr Index least = 4;
+  core::each_piece(grid_.ny, least, [&](Index first, Index last) { forward_rows<D>(in, first, last); });
+  core::each(pieces(symbols_.rows), [&](Index piece) { columns<D>(piece, act); });
+  core::each_piece(grid_.ny, least, [&](Index first, Index last) { backward_rows<D>(out, first, last); });
+}
+
+template<int D> Eigen::Matrix<double, D, D> Surface::symbol(Wave const& wave) const {
+  auto const at = Eigen::Index{wave.a} * symbols_.columns + wave.b;
+  Eigen::Matrix<double, D, D> W;
+  W(0, 0) = symbols_.nn[at];
+  if constexpr (D > 1) {
+    W(1, 1) = symbols_.xx[at];
+    W(0, 1) = W(1, 0) = symbols_.nx[at];
+  }
+  if constexpr (D > 2) {
+    W(2, 2) = symbols_.yy[at];
+    W(0, 2) = W(2, 0) = wave.sign * symbols_.ny[at];
+    W(1, 2) = W(2, 1) = wave.sign * symbols_.xy[at];
+  }
+  return W;
+}
+
+namespace {
+
+/// The waves that are real in the tables: the normal component turned by a quarter.
+template<int D, class Value> void weigh(Eigen::Matrix<double, D, D> const& by, Value& value) {
+  using Complex = std::complex<double>;
+  if constexpr (D == 1) {
+    value[0] *= by(0, 0);
+  } else {
+    value[0] = Complex(value[0].imag(), -value[0].real());
+    Value const old = value;
+    for (int i = 0; i < D; ++i) {
+      value[i] = by(i, 0) * old[0];
+      for (int j = 1; j < D; ++j)
+        value[i] += by(i, j) * old[j];
+    }
+    value[0] = Complex(-value[0].imag(), value[0].real());
+  }
+}
+
+} // namespace
+
+/// Of the mean, where it meets no compliance, that of the longest wave; what a free surface's padding has
+/// left indefinite without what couples, by sizes.
+template<int D> Eigen::Matrix<double, D, D> Surface::inverse(Wave const& wave, double shift) const {
+  bool const mean = wave.a + wave.b == 0 && symbols_.nn[0] <= 0;
+  Wave const longest{symbols_.rows > 1 ? 1 : 0, symbols_.rows > 1 ? 0 : 1, 1};
+  Eigen::Matrix<double, D, D> W = symbol<D>(mean ? longest : wave);
+  double const least = 1e-3 * symbols_.block(0, 0) / std::max(symbols_.px, symbols_.py);
+  if constexpr (D == 1) {
+    W(0, 0) = 1 / (shift + std::max(std::abs(W(0, 0)), least));
+    return W;
+  } else {
+    W.diagonal().array() += shift;
+    Eigen::LLT<Eigen::Matrix<double, D, D>> const factor(W);
+    if (factor.info() == Eigen::Success && !mean)
+      return W.inverse();
+    Eigen::Matrix<double, D, 1> const sizes = W.diagonal().cwiseAbs().array().max(least);
+    return sizes.cwiseInverse().asDiagonal();
+  }
+}
+
+void Surface::add_product(Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x) const {
+  ++products_;
+  contact::by_dimension(components_, [&]<int D>() {
+    transform<D>(force.data(), x.data(),
+                 [this](Wave const& wave, auto& value) { weigh<D>(symbol<D>(wave), value); });
+  });
+}
+
+void Surface::solve(double shift, Vector const& x, Vector& force) const {
+  ++solutions_;
+  force.setZero();
+  contact::by_dimension(components_, [&]<int D>() {
+    transform<D>(x.data(), force.data(),
+                 [this, shift](Wave const& wave, auto& value) { weigh<D>(inverse<D>(wave, shift), value); });
+  });
+}
+
+contact::Delassus Surface::delassus() const {
+  return {grid_.size(), block(), [this](Index first, auto const& force, auto x) {
+            if (force.size() == rows())
+              return add_product(force, x);
+            padded_.setZero(rows());
+            padded_.segment(first, force.size()) = force;
+            add_product(padded_, x);
+          }};
+}
+
+} // namespace stiction::halfspace

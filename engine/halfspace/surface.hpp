@@ -1,0 +1,73 @@
+// The compliance of a half space's surface as a product, and what nearly undoes it.
+#pragma once
+#include <complex>
+#include <memory>
+
+#include "contact/problem/delassus.hpp"
+#include "halfspace/green.hpp"
+
+namespace stiction::halfspace {
+
+/// Forces p on the points, N, to displacements x, m: contact by contact, (n [, x [, y]]). A product is two
+/// transforms a component; rows and columns of the grid are shared by threads, and give the same bits however
+/// many there are. Rows of padding are neither kept nor transformed.
+class Surface {
+public:
+  /// components: 1, 2 (on a line) or 3.
+  Surface(Grid const& grid, Compliance const& compliance, int components);
+  ~Surface();
+  Surface(Surface const&) = delete;
+  Surface& operator=(Surface const&) = delete;
+
+  /// x += W p. Not by two threads at a time.
+  void add_product(Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x) const;
+  /// x = (shift + W)^-1 force, of a periodic surface; nearly that, and as positive, of a free one. shift:
+  /// m/N.
+  void solve(double shift, Vector const& x, Vector& force) const;
+  [[nodiscard]] contact::Delassus delassus() const;
+
+  [[nodiscard]] Grid const& grid() const { return grid_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] Index rows() const { return components_ * grid_.size(); }
+  /// Of a point on itself, m/N.
+  [[nodiscard]] Dense block() const { return symbols_.block.topLeftCorner(components_, components_); }
+  /// Largest of all compliances but that to the mean, m/N: of the longest wave.
+  [[nodiscard]] double longest() const;
+  /// Products and solutions so far.
+  [[nodiscard]] long products() const { return products_; }
+  [[nodiscard]] long solutions() const { return solutions_; }
+  /// Numbers that it keeps.
+  [[nodiscard]] std::size_t memory() const;
+
+private:
+  using Complex = std::complex<double>;
+  struct Plans;
+  struct Wave {
+    Index a, b;      ///< in the tables
+    double sign = 1; ///< of what is odd along y
+  };
+  template<int D, class Act> void transform(double const* in, double* out, Act const& act) const;
+  template<int D> void forward_rows(double const* in, Index first, Index last) const;
+  template<int D> void backward_rows(double* out, Index first, Index last) const;
+  template<int D, class Act> void columns(Index piece, Act const& act) const;
+  template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> symbol(Wave const& wave) const;
+  template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> inverse(Wave const& wave, double shift) const;
+  [[nodiscard]] Complex* row(int component, Index j) const {
+    return waves_.get() + (Eigen::Index{component} * grid_.ny + j) * stride_;
+  }
+
+  struct Free {
+    void operator()(Complex* data) const;
+  };
+  Grid grid_;
+  int components_;
+  Symbols symbols_;
+  Index stride_ = 0; ///< of rows of waves
+  std::unique_ptr<Complex[], Free> waves_,
+      buffers_; ///< [components][ny][stride_]; [pieces][components][some][py]
+  std::unique_ptr<Plans> plans_;
+  mutable Vector padded_; ///< for columns of W
+  mutable long products_ = 0, solutions_ = 0;
+};
+
+} // namespace stiction::halfspace

@@ -1,0 +1,126 @@
+// Numbers of a half space before its first step.
+#include "scene/explain/explain_half_space.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+struct GridFacts {
+  Scene const& scene;
+  halfspace::Model const& model;
+  halfspace::Compliance compliance;
+  [[nodiscard]] double modulus() const { return 1 / compliance.plane(); }
+  [[nodiscard]] double spacing() const {
+    auto const& grid = model.grid;
+    return grid.line ? grid.dx() : std::max(grid.dx(), grid.dy());
+  }
+};
+
+void say(Section& section, std::string name, std::string words, std::string meaning = "") {
+  section.lines.push_back(
+      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", std::move(meaning)});
+}
+
+void count(Section& section, std::string name, double value, char const* unit, std::string meaning) {
+  section.lines.push_back({std::move(name), human(value, unit), value, unit, std::move(meaning)});
+}
+
+Section describe_grid(GridFacts const& facts) {
+  Section section{"Scene", {}};
+  auto const& grid = facts.model.grid;
+  say(section, "body " + facts.scene.bodies.front(),
+      fmt::format("half space, {} {}, {}",
+                  grid.line ? std::to_string(grid.nx) : fmt::format("{} x {}", grid.nx, grid.ny),
+                  grid.line ? "points in plane strain" : "points",
+                  grid.periodic ? "periodic" : "free around them"));
+  say(section, "counterpart " + facts.scene.part.height_maps.begin()->first,
+      facts.model.counterpart ? "elastic height map" : "rigid height map");
+  say(section, "drive", facts.model.force ? "by force" : "by displacement");
+  auto const& law = facts.model.law;
+  say(section, "pair " + facts.scene.pairs.front(),
+      fmt::format("{} force{} a point", facts.model.components(), facts.model.components() > 1 ? "s" : ""),
+      law.tangential() ? "along the normal and the surface" : "nothing acts along the surface");
+  long steps = 0;
+  for (auto const& stage : facts.scene.part.schedule.stages)
+    steps += stage.steps;
+  count(section, "steps", static_cast<double>(steps), "1", "nominal");
+  return section;
+}
+
+/// Slopes of heights between neighbouring points along x, root mean square.
+double rms_slope(halfspace::Model const& model) {
+  double sum = 0;
+  auto const& grid = model.grid;
+  Index pairs = 0;
+  for (Index i = 0; i + 1 < grid.size(); ++i)
+    if (i % grid.nx + 1 < grid.nx) {
+      sum += std::pow((model.heights[i + 1] - model.heights[i]) / grid.dx(), 2);
+      ++pairs;
+    }
+  return pairs > 0 ? std::sqrt(sum / pairs) : 0;
+}
+
+Section grid_numbers(GridFacts const& facts) {
+  Section section{"Numbers", {}};
+  count(section, "E*", facts.modulus(), "Pa", "1 / sum of (1 - nu^2) / E");
+  count(section, "spacing", facts.spacing(), "m",
+        "of points; contacts smaller than some of it are not resolved");
+  count(section, "coupling", 2 * facts.compliance.coupling / facts.compliance.normal, "1",
+        "of pressure and shear, over the normal compliance: 0 for alike or incompressible sides (2 beta of "
+        "Dundurs)");
+  count(section, "rms slope", rms_slope(facts.model), "1",
+        "of the heights along x; a half space is of small slopes where it touches");
+  return section;
+}
+
+Section grid_cost(GridFacts const& facts) {
+  Section section{"Cost", {}};
+  auto const& grid = facts.model.grid;
+  int const D = facts.model.components();
+  double const pad = grid.periodic ? 1 : 2, n = grid.size();
+  // tables of waves, half of the transforms, and what problem, state and solver keep of each point
+  double const numbers = n * (pad * D + (D == 1 ? 1 : 2 * D) * (grid.periodic ? 0.25 : 1) + 12.0 * D + 16);
+  count(section, "memory", 8 * numbers, "B", "about");
+  count(section, "transform", 5 * D * pad * pad * n * std::log2(std::max(2.0, pad * pad * n)), "1",
+        "operations of one, of which a product takes two");
+  return section;
+}
+
+/// Bonds whose pull falls off within less than a point can follow: each point snaps by itself.
+void warn_of_range(GridFacts const& facts, std::vector<Warning>& warnings) {
+  auto const& law = facts.model.law;
+  if (!law.adhesion)
+    return;
+  auto const scales = interface::scales(*law.adhesion);
+  constexpr double square =
+      1.1222; // (8 / pi) ln(1 + sqrt 2) / 2: a square's own sinking, E* u / (p h); Love 1929
+  double const number = square * facts.spacing() * scales.softening / facts.modulus();
+  if (!(number > 1))
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: adhesion falls off faster than one point of the grid follows ({:.3g} > 1 times, spacing "
+           "{}): each point snaps by itself, and forces depend on the grid",
+           facts.scene.pairs.front(), number, human(facts.spacing(), "m")),
+       fmt::format("give points at most {} apart, or a law of longer range and the same work",
+                   human(facts.spacing() / number / 2, "m"))});
+}
+
+} // namespace
+
+Explanation explain_half_space(Scene const& scene) {
+  auto const& model = *scene.half_space;
+  GridFacts const facts{
+      scene, model, halfspace::Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr)};
+  Explanation explanation;
+  explanation.sections = {describe_grid(facts), grid_numbers(facts), grid_cost(facts)};
+  warn_of_range(facts, explanation.warnings);
+  return explanation;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,374 @@
+// Stages, steps and their halves, as bodies with cells have them.
+#include "scene/run/half_space_run.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <optional>
+#include <utility>
+
+#include "dynamics/bulk/timer.hpp"
+#include "dynamics/step/visit.hpp"
+#include "halfspace/stepper.hpp"
+#include "record/fields.hpp"
+#include "record/file.hpp"
+#include "record/step_log.hpp"
+#include "scene/explain/preview.hpp"
+#include "scene/probes/half_space_probes.hpp"
+#include "scene/run/manifest.hpp"
+#include "scene/run/recorder.hpp"
+#include "scene/run/resources.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+/// Fields over the grid, as those of bodies are called.
+record::GridFrame frame_of(halfspace::Model const& model, halfspace::State const& state) {
+  auto const& grid = model.grid;
+  Index const n = grid.size();
+  record::GridFrame frame{
+      state.t, grid.nx, grid.ny, grid.x(0), grid.y(0), grid.dx(), grid.line ? 1 : grid.dy(), {}};
+  auto const add = [&](char const* name, char const* unit, int components, auto const& value) {
+    record::FieldArray array{name, unit, components, {}, false};
+    array.values.reserve(ix(n) * static_cast<std::size_t>(components));
+    for (Index i = 0; i < n; ++i)
+      value(i, array.values);
+    frame.point_arrays.push_back(std::move(array));
+  };
+  int const D = model.components();
+  add("displacement", "m", 3, [&](Index i, std::vector<double>& to) {
+    double const x = D > 1 ? state.u[D * i + 1] : 0, down = state.u[D * i];
+    to.insert(to.end(), {x, grid.line ? -down : D > 2 ? state.u[D * i + 2] : 0, grid.line ? 0 : -down});
+  });
+  auto const of_point = [&](char const* name, char const* unit, auto const& value) {
+    add(name, unit, 1,
+        [&](Index i, std::vector<double>& to) { to.push_back(value(contact_state(model, state, i))); });
+  };
+  using At = dynamics::ContactState;
+  of_point("gap", "m", [](At const& at) { return at.gap; });
+  of_point("contact_pressure", "Pa", [](At const& at) { return at.dry[0]; });
+  of_point("status", "1", [](At const& at) { return static_cast<double>(at.status); });
+  if (D > 1)
+    of_point("friction", "Pa", [](At const& at) { return at.dry.tail<2>().norm(); });
+  if (!model.law.adhesion)
+    return frame;
+  of_point("beta", "1", [](At const& at) { return at.bond.beta; });
+  of_point("normal_adhesion", "Pa", [](At const& at) { return at.adhesion[0]; });
+  of_point("tangential_adhesion", "Pa", [](At const& at) { return at.adhesion.tail<2>().norm(); });
+  return frame;
+}
+
+struct HalfSpaceMark {
+  record::SeriesMark series;
+  record::FieldMark fields;
+  std::uintmax_t steps = 0;
+  template<class Archive> void visit(Archive& archive) { archive(series, fields, steps); }
+};
+
+class HalfSpaceRun {
+  using Clock = std::chrono::steady_clock;
+
+public:
+  HalfSpaceRun(Scene const& scene, RunOptions const& options, Checkpoint& checkpoint, Story const& story)
+      : scene_(scene), model_(*scene.half_space), options_(options), checkpoint_(checkpoint), story_(story),
+        stepper_(model_), state_(stepper_.initial()) {
+    stepper_.interrupt_when([this] { return !stop_reason().empty(); });
+    if (!story.under_way) {
+      begin_files(nullptr);
+      return;
+    }
+    auto rest = checkpoint.rest();
+    HalfSpaceMark mark;
+    rest(mark);
+    visit(rest);
+    begin_files(&mark);
+  }
+
+  RunResult go() {
+    if (!story_.under_way) {
+      record(0, 0);
+      if (scene_.part.output.frames > 0)
+        fields_->write(frame_of(model_, state_));
+    }
+    result_.verdict = "finished";
+    auto const& stages = scene_.part.schedule.stages;
+    for (; stage_ < stages.size(); ++stage_)
+      if (!run_stage(stages[stage_], stage_ > 0 ? stages[stage_ - 1].until : 0))
+        break;
+    series_->flush();
+    log_->write();
+    return finish();
+  }
+
+  RunResult finish() {
+    auto const& cost = stepper_.cost();
+    result_.seconds = seconds();
+    result_.iterations = cost.iterations;
+    result_.phases = {
+        {"assembly", 0}, {"factorization", 0}, {"contact", contact_}, {"solve", 0}, {"output", output_}};
+    result_.counters = {{"unknowns", stepper_.surface().rows()},
+                        {"contact_unknowns", stepper_.surface().rows()},
+                        {"products", static_cast<double>(cost.products)},
+                        {"preconditionings", static_cast<double>(cost.solutions)},
+                        {"krylov_iterations", static_cast<double>(cost.krylov)},
+                        {"contact_iterations", static_cast<double>(cost.iterations)},
+                        {"solves", static_cast<double>(cost.products + cost.solutions)},
+                        {"cells", 0},
+                        {"cells_evaluated", 0},
+                        {"surface_bytes", 8 * static_cast<double>(stepper_.surface().memory())},
+                        {"cpu_seconds", cpu_before_ + cpu_seconds()},
+                        {"peak_memory", peak_memory()}};
+    return result_;
+  }
+  [[nodiscard]] double time() const { return state_.t; }
+  [[nodiscard]] long steps() const { return result_.steps; }
+  [[nodiscard]] bool kept() const { return checkpoint_.stands(); }
+
+private:
+  void begin_files(HalfSpaceMark const* from) {
+    log_.emplace(options_.out, from != nullptr ? from->steps : 0,
+                 scene_.part.output.frames > 0 ? record::StepLog::Rows::all
+                                               : record::StepLog::Rows::eventful);
+    fields_.emplace(options_.out, from != nullptr ? from->fields : record::FieldMark{});
+    record::SeriesData before;
+    if (from != nullptr)
+      before = series_in(options_.out);
+    else
+      remove_problems(options_.out / "problems");
+    series_.emplace(options_.out / "series.h5");
+    add_step_columns(scene_, *series_);
+    samplers_ = add_half_space_probes(scene_, columns_of(*series_));
+    if (from != nullptr)
+      series_->take_up(before, from->series);
+  }
+
+  /// On from its place, which is its start unless it was begun.
+  bool run_stage(StagePart const& stage, double start) {
+    double const nominal = (stage.until - start) / stage.steps;
+    int const frames = scene_.part.output.frames;
+    for (; step_ < stage.steps; ++step_) {
+      double const from = start + step_ * nominal,
+                   to = step_ + 1 == stage.steps ? stage.until : from + nominal;
+      bool const done = run_interval(from, to, nominal);
+      bool const framed = static_cast<long>(step_ + 1) * frames / stage.steps >
+                          static_cast<long>(step_) * frames / stage.steps;
+      if (frames > 0 && (framed || !done)) {
+        dynamics::Timer const timer(output_);
+        fields_->write(frame_of(model_, state_));
+      }
+      if (!done)
+        return false;
+    }
+    step_ = 0;
+    return true;
+  }
+
+  /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
+  bool run_interval(double from, double to, double nominal) {
+    long const whole = 1L << scene_.part.schedule.halvings;
+    while (done_ < whole) {
+      settled_ = stepper_.cost();
+      if (checkpoint_.due())
+        keep();
+      if (stopped())
+        return false;
+      long const size = whole >> halved_;
+      double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
+      auto outcome = attempt(dt);
+      if (!outcome.converged) {
+        if (stopped() || !halve(outcome, dt))
+          return false;
+        continue;
+      }
+      done_ += size;
+      outcome.state.t =
+          done_ == whole ? to : from + (to - from) * static_cast<double>(done_) / static_cast<double>(whole);
+      accept(std::move(outcome), dt);
+      if (halved_ > 0 && ++successes_ >= 2 && done_ % (2 * size) == 0) {
+        --halved_;
+        successes_ = 0;
+        log_->add({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
+      }
+    }
+    done_ = 0;
+    cuts_ = 0;
+    return true;
+  }
+
+  halfspace::Outcome attempt(double dt) {
+    dynamics::Timer const timer(contact_);
+    return stepper_.step(state_, dt);
+  }
+
+  bool halve(halfspace::Outcome const& outcome, double dt) {
+    ++result_.cuts;
+    ++cuts_;
+    successes_ = 0;
+    log_->add({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, ""});
+    auto const& schedule = scene_.part.schedule;
+    if (++halved_ <= schedule.halvings && cuts_ < schedule.cuts)
+      return true;
+    result_.verdict = "not converged";
+    result_.reason =
+        fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    if (cuts_ >= schedule.cuts)
+      result_.reason +=
+          fmt::format("; gave up, as {} attempts at one step have failed (schedule.cuts)", cuts_);
+    return false;
+  }
+
+  void accept(halfspace::Outcome outcome, double dt) {
+    state_ = std::move(outcome.state);
+    ++result_.steps;
+    log_->add({state_.t, dt, dt, "step", "", "", ""});
+    dynamics::Timer const timer(output_);
+    record(dt, outcome.iterations);
+    report(dt, outcome.iterations);
+  }
+
+  void record(double dt, long iterations) {
+    row_.assign({dt, static_cast<double>(iterations)});
+    for (auto const& sampler : samplers_)
+      sampler(state_, row_);
+    series_->append(state_.t, row_);
+  }
+
+  void report(double dt, long iterations) {
+    if (!options_.progress || std::chrono::duration<double>(Clock::now() - reported_).count() < 0.1)
+      return;
+    reported_ = Clock::now();
+    Progress progress;
+    progress.time = state_.t;
+    progress.end_time = scene_.part.schedule.stages.back().until;
+    progress.dt = dt;
+    progress.step = result_.steps;
+    progress.iterations = iterations;
+    for (auto const one : state_.status)
+      ++(one == 0 ? progress.open : one == 1 ? progress.stick : progress.slip);
+    progress.seconds = seconds();
+    progress.seconds_left = progress.seconds * (progress.end_time / progress.time - 1);
+    options_.progress(progress);
+  }
+
+  /// Empty while there is none.
+  [[nodiscard]] std::string stop_reason() {
+    bool const asked = (options_.stop != nullptr && options_.stop->load()) ||
+                       (options_.stop_after > 0 && ++asked_ >= options_.stop_after);
+    double const limit = scene_.part.schedule.seconds;
+    if (asked)
+      return on_request;
+    return limit > 0 && seconds() > limit
+               ? fmt::format("after {:g} s of the machine (schedule.seconds)", limit)
+               : "";
+  }
+
+  bool stopped() {
+    auto const reason = stop_reason();
+    if (reason.empty())
+      return false;
+    result_.verdict = "stopped";
+    result_.reason = fmt::format("stopped {} at t = {:g} s", reason, state_.t);
+    result_.goes_on = reason == on_request && keep();
+    if (result_.goes_on)
+      result_.reason += "; the next run of the case goes on from there";
+    return true;
+  }
+
+  /// Keeps where the run stood before the present attempt; whether that could be written.
+  bool keep() {
+    if (!checkpoint_.wanted())
+      return false;
+    HalfSpaceMark mark{series_->mark(), fields_->mark(), log_->mark()};
+    auto story = story_;
+    story.under_way = true;
+    return checkpoint_.keep(story, [&](auto& archive) {
+      archive(mark);
+      visit(archive);
+    });
+  }
+
+  template<class Archive> void visit(Archive& archive) {
+    double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
+    archive(state_, settled_, stage_, step_, done_, halved_, successes_, cuts_, result_.steps, result_.cuts,
+            spent, cpu, output_, contact_);
+    if constexpr (Archive::reads) {
+      stepper_.go_on(settled_);
+      before_ = spent;
+      cpu_before_ = cpu;
+    }
+  }
+
+  [[nodiscard]] double seconds() const {
+    return before_ + std::chrono::duration<double>(Clock::now() - began_).count();
+  }
+
+  static constexpr char const* on_request = "on request";
+
+  Scene const& scene_;
+  halfspace::Model const& model_;
+  RunOptions const& options_;
+  Checkpoint& checkpoint_;
+  Story const& story_;
+  halfspace::Stepper stepper_;
+  halfspace::State state_;
+  halfspace::Cost settled_; ///< before the present attempt
+  std::optional<record::StepLog> log_;
+  std::optional<record::FieldSeries> fields_;
+  std::optional<record::Series> series_;
+  std::vector<HalfSpaceSampler> samplers_;
+  std::vector<double> row_;
+  RunResult result_;
+  std::size_t stage_ = 0;
+  int step_ = 0;  ///< nominal, of the stage
+  long done_ = 0; ///< parts of it
+  int halved_ = 0, successes_ = 0, cuts_ = 0;
+  double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s
+  long asked_ = 0;
+  Clock::time_point began_ = Clock::now(), reported_{};
+};
+
+} // namespace
+
+RunResult run_half_space(core::Input const& input, Scene const& scene, RunOptions const& options,
+                         Checkpoint& checkpoint, Story& story) {
+  record::prepare_output(options.out);
+  std::optional<HalfSpaceRun> running;
+  try {
+    running.emplace(scene, options, checkpoint, story);
+  } catch (record::Unfit const& unfit) {
+    checkpoint.refuse(unfit.what());
+    story = Story::anew();
+    running.emplace(scene, options, checkpoint, story);
+  }
+  if (story.under_way)
+    story.go_on(running->time(), running->steps(), checkpoint);
+  auto manifest = manifest_of(input, scene, options);
+  auto const warnings = warnings_of(scene);
+  manifest["started"] = story.started;
+  if (!story.continued.empty())
+    manifest["continued"] = story.continuations();
+  auto& told = manifest["warnings"] = nlohmann::json::array();
+  for (auto const& warning : warnings)
+    told.push_back({{"text", warning.text}, {"change", warning.change}});
+  record::write_manifest(options.out / "manifest.json", manifest);
+  RunResult result;
+  try {
+    result = running->go();
+  } catch (core::RunError const& error) {
+    result = running->finish();
+    result.verdict = "output failed";
+    result.reason = error.what();
+    result.goes_on = checkpoint.stands();
+    return result;
+  }
+  result.warnings = warnings;
+  result.continued = static_cast<long>(story.continued.size());
+  story.add_remarks(result.remarks);
+  if (!result.remarks.empty())
+    manifest["remarks"] = result.remarks;
+  manifest["ended"] = record::utc_now();
+  record::write_manifest(options.out / "manifest.json", manifest);
+  return result;
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,130 @@
+// Contact of half spaces: Hertz, counts of products, and answers against the solvers of dense problems.
+#include "halfspace/solver.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+#include "interface/laws.hpp"
+
+namespace {
+
+using namespace stiction;
+using halfspace::Compliance;
+using halfspace::Grid;
+using halfspace::Surface;
+using std::numbers::pi;
+
+contact::Problem problem_of(Surface const& surface, double radius, double depth) {
+  auto const& grid = surface.grid();
+  contact::Problem problem;
+  problem.dim = surface.components();
+  problem.W = surface.delassus();
+  problem.free = Vector::Zero(surface.rows());
+  problem.points.resize(ix(grid.size()));
+  for (Index i = 0; i < grid.size(); ++i) {
+    problem.points[ix(i)].area = grid.area();
+    problem.free[problem.dim * i] = (grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / (2 * radius) - depth;
+  }
+  return problem;
+}
+
+struct Setup {
+  Grid grid;
+  int components;
+};
+Setup const setups[] = {{{8, 7, 0.4, 0.35, false, false}, 3}, {{8, 7, 0.4, 0.35, false, true}, 3},
+                        {{8, 7, 0.4, 0.35, false, false}, 1}, {{24, 1, 0.4, 1, true, false}, 2},
+                        {{24, 1, 0.4, 1, true, true}, 2},     {{24, 1, 0.4, 1, true, true}, 1}};
+
+/// A sphere or cylinder pressed on and moved along, its law the same at all points.
+contact::Problem pressed(Surface const& surface, interface::Law const& law, double depth) {
+  auto problem = problem_of(surface, 1, depth);
+  for (Index i = 0; i < problem.size(); ++i) {
+    auto& point = problem.points[ix(i)];
+    point.mu = law.mu();
+    point.friction = law.mu_follows() ? 0 : -1;
+    point.bond.dt = 0.01;
+    point.bond.closed = problem.free[problem.dim * i] < 0;
+    if (law.adhesion) {
+      point.adhesion = 0;
+      point.bond.old = interface::initial_bond(*law.adhesion, std::max(0.0, problem.free[problem.dim * i]));
+    }
+    if (problem.dim > 1)
+      problem.free[problem.dim * i + 1] = -2e-3;
+  }
+  if (law.mu_follows())
+    problem.frictions.push_back(*law.friction);
+  if (law.adhesion)
+    problem.adhesions.push_back(*law.adhesion);
+  return problem;
+}
+
+double normal(Vector const& force, int components) {
+  double sum = 0;
+  for (Index i = 0; i < force.size(); i += components)
+    sum += force[i];
+  return sum;
+}
+
+/// The same answer by its force, from another height of the counterpart.
+void by_force(Surface const& surface, contact::Problem problem, halfspace::Answer const& known) {
+  double const lift = -1.5e-3, wanted = normal(known.force, problem.dim);
+  for (Index i = 0; i < problem.size(); ++i)
+    problem.free[problem.dim * i] -= lift;
+  halfspace::Wanted asked;
+  asked.force = wanted;
+  auto const mine = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), asked);
+  CHECK_MESSAGE(mine.converged, mine.reason);
+  CHECK(normal(mine.force, problem.dim) == doctest::Approx(wanted).epsilon(1e-9));
+  CHECK(mine.lift == doctest::Approx(lift).epsilon(1e-6));
+  CHECK((known.force - mine.force).norm() <= 1e-6 * mine.force.norm());
+}
+
+void same_as_dense(Setup const& setup, interface::Law const& law, std::string const& name) {
+  CAPTURE(name);
+  CAPTURE(setup.components);
+  CAPTURE(setup.grid.periodic);
+  Surface const surface(setup.grid, Compliance::of({1e4, 0.2, 0.1}, nullptr), setup.components);
+  auto const problem = pressed(surface, law, 6e-3);
+  auto const mine = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), {});
+  CHECK_MESSAGE(mine.converged, mine.reason);
+  auto dense = problem;
+  dense.W = contact::Delassus(problem.W.dense());
+  CHECK(contact::judge(dense, mine.force).relative() <= 1.1e-10);
+  auto const theirs = contact::BipotentialNewton{}.make()->solve(dense, Vector::Zero(surface.rows()));
+  CHECK((theirs.force - mine.force).norm() <= 1e-8 * mine.force.norm());
+  by_force(surface, problem, mine);
+}
+
+TEST_CASE("contact of half spaces with each law is that of the dense problem") {
+  for (auto const& setup : setups) {
+    same_as_dense(setup, {}, "dry");
+    for (auto const& [name, friction] : test::frictions())
+      if (setup.components > 1)
+        same_as_dense(setup, {friction, {}}, name);
+    for (auto const& [name, adhesion] : test::adhesions())
+      same_as_dense(setup,
+                    {setup.components > 1 ? std::optional<interface::FrictionLaw>(interface::Coulomb{0.3})
+                                          : std::nullopt,
+                     adhesion},
+                    name);
+  }
+}
+
+TEST_CASE("hertz") {
+  for (Index n : {64, 128, 256, 512, 1024}) {
+    Grid const grid{n, n, 4, 4, false, false};
+    Surface const surface(grid, Compliance::of({0.75, 0.5, 0}, nullptr), 1);
+    auto const problem = problem_of(surface, 1, 1);
+    halfspace::Solver const solver(surface);
+    auto const answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
+    MESSAGE(n, " force ", answer.force.sum() / (4.0 / 3) - 1, " p0 ",
+            answer.force.maxCoeff() / grid.area() / (2 / pi) - 1, " rel ", answer.verdict.relative(),
+            " newton ", answer.iterations, " krylov ", answer.krylov, " products ", surface.products(),
+            " solves ", surface.solutions(), answer.reason);
+    CHECK(answer.converged);
+  }
+}
+
+} // namespace
