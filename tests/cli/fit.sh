@@ -65,6 +65,11 @@ cp soft/* edge
 sed -i 's/^  scene = function(p)/&\n    if p.young < 0.95*MPa then error("too soft") end/' edge/study.lua
 expect 0 "failed, taken as too far|too soft|determined: mu and young" "$stiction" fit edge --no-figures --no-profiles
 holds "the same best values: $(value_of best out/edge/fit/fit.json)" between "$(value_of best out/edge/fit/fit.json)" 0.099 0.101
+mkdir crushed # where cases do not converge; that is kept as well
+cp soft/* crushed
+sed -i 's/y = { 0\*mm, -p.descent, -p.descent }/y = { 0*mm, (p.young < 0.95*MPa and -60 or -1) * p.descent, -p.descent }/' crushed/study.lua
+expect 0 "failed, taken as too far|not converged|determined: mu and young" "$stiction" fit crushed --no-figures --no-profiles
+expect 0 "0 of them run now|failed, taken as too far" "$stiction" fit crushed --no-figures --no-profiles
 sed -i 's/p.young < 0.95/p.young > 0.95/' edge/study.lua
 expect 2 "too soft" "$stiction" fit edge --no-figures
 
