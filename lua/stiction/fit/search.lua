@@ -1,6 +1,6 @@
 -- The search for least squares: trust-region steps between bounds, derivatives by differences that are kept as long as they do.
--- Trial points that fail are steps too long. Derivatives between two differences: Broyden, Math. Comp. 19 (1965) 577, with the
--- projections of Gay, Schnabel (Nonlinear Programming 3, 1978, 245).
+-- Trial points that fail are steps too long. Derivatives between two differences: Broyden (1965), with the projections of
+-- Gay (1978).
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
