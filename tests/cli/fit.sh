@@ -73,6 +73,19 @@ expect 0 "0 of them run now|failed, taken as too far" "$stiction" fit crushed --
 sed -i 's/p.young < 0.95/p.young > 0.95/' edge/study.lua
 expect 2 "too soft" "$stiction" fit edge --no-figures
 
+# a parameter of one curve's comparison alone, further starts, an outlier under a robust loss, errors that are not told
+cp soft/study.lua soft/own.lua
+sed -i 's/start = 0.15 } },/start = 0.4 } }, starts = 6, loss = "cauchy",/; s/file = "drag.csv", x = "time", y = "force", sigma = "scatter",/file = "off.csv",\
+  x = "time", y = "force", own = { zero = { -1*units("N\/m"), 1*units("N\/m") } },/; s/sigma = 0.1\*units("N\/m"),/weight = 2,/
+  s/against = { x = "time", y = "sole.force_x", y_sign = -1, after = 1\*s } },/against = function(run, p)\
+    local t, f = {}, {}\
+    for i, at in ipairs(run.time) do if at >= 1 then t[#t + 1], f[#f + 1] = at, p.zero.si - run:series("sole", "force_x")[i] end end\
+    return t, f end },/' soft/own.lua
+sed 's/^1.3,1.55/1.3,1.85/' soft/drag.csv >soft/off.csv
+expect 0 "6  start|determined: mu, young and drag.zero|errors of the data were not given" "$stiction" fit soft/own.lua --no-figures \
+  --no-profiles --out own
+holds "mu is found all the same: $(value_of best own/fit.json)" between "$(value_of best own/fit.json)" 0.095 0.105
+
 # a wrong model is rejected
 sed 's/file = "drag.csv"/file = "wrong.csv"/' soft/study.lua >soft/wrong.lua
 sed 's/^1\.1,0.53/1.1,1.9/; s/^2.0,2.315/2.0,1.2/' soft/drag.csv >soft/wrong.csv
