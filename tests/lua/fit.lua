@@ -50,8 +50,8 @@ test("95 % intervals cover the truth 90 to 99 % of the time, without bias", func
   local covered, tighter, sum, repeats = { 0, 0 }, 0, { 0, 0 }, 400
   for i = 1, repeats do
     local y = measured(rising, { 2, 1.5 }, x, 0.1, dice(100 + i))
-    local _, judged, profiles = plain.fit({ parameters = parameters, x = x, y = y, sigma = 0.1, f = rising, share = 1e-4, enough = 1e-4 }, 1,
-      true)
+    local _, judged, profiles = plain.fit({ parameters = parameters, x = x, y = y, sigma = 0.1, f = rising, share = 1e-4,
+      enough = 1e-4 }, 1, true)
     for k, truth in ipairs { 2, 1.5 } do
       local own = profiles[k]
       covered[k] = covered[k] + (own.low < truth and truth < own.high and 1 or 0)
@@ -64,6 +64,48 @@ test("95 % intervals cover the truth 90 to 99 % of the time, without bias", func
     assert(math.abs(sum[k]) < 0.1 * 2 * 1.96, "bias " .. sum[k])
   end
   assert(tighter > 0.9 * repeats, "the profile of a length is wider above")
+end)
+
+test("at the ends of a profile the squares have risen by what they should, the others at their best", function()
+  local short = range(0.05, 0.9, 30) -- nearly a straight line: a and l go together
+  local wide = { log("a", 0.2, 50, 1), log("l", 0.2, 50, 1) }
+  local y = measured(rising, { 2, 1.5 }, short, 0.01, dice(21))
+  local found, judged, profiles = plain.fit({ parameters = wide, x = short, y = y, sigma = 0.01, f = rising, enough = 1e-8 }, 1, true)
+  local function least(l) -- of all a, in closed form
+    local ff, fy, sum = 0, 0, 0
+    for i, at in ipairs(short) do
+      local f = rising({ 1, l }, at)
+      ff, fy = ff + f * f, fy + f * y[i]
+    end
+    for i, at in ipairs(short) do
+      sum = sum + ((fy / ff * rising({ 1, l }, at) - y[i]) / 0.01) ^ 2
+    end
+    return sum
+  end
+  for _, l in ipairs { profiles[2].low, profiles[2].high } do
+    local rise = math.sqrt(least(l) - found.at.cost)
+    assert(math.abs(rise / judged.t - 1) < 0.05, ("%.3f, not %.3f"):format(rise, judged.t))
+  end
+  assert(profiles[2].high / judged.values[2] > judged.values[2] / profiles[2].low, profiles[2].low .. " " .. profiles[2].high)
+end)
+
+test("a misfit no larger than what a finer level changes rejects nothing yet", function()
+  local y = measured(rising, { 2, 1.5 }, x, 0.02, dice(15))
+  for i in ipairs(y) do
+    y[i] = y[i] + 0.06 * math.sin(i)
+  end
+  local found, judged = plain.fit { parameters = parameters, x = x, y = y, sigma = 0.02, f = rising }
+  local function settled(change)
+    judged.rejected = true
+    verdict.settle(judged, { known = true, changes = numeric.map(x, function() return change end),
+      variants = { { residual = change } } }, found)
+    return judged.coarse
+  end
+  assert(judged.chance < 1e-3)
+  equal(settled(0.1), false)
+  equal(judged.rejected, true)
+  equal(settled(3), true)
+  equal(judged.rejected, false)
 end)
 
 test("a standard error that is not known is that of the residuals", function()

@@ -27,12 +27,12 @@ local function ishigami(u)
   return math.sin(x[1]) + 7 * math.sin(x[2]) ^ 2 + 0.1 * x[3] ^ 4 * math.sin(x[1])
 end
 
--- T. Ishigami, T. Homma, ISUMA 1990; variances in closed form for a = 7, b = 0.1
+-- Ishigami 1990; variances in closed form for a = 7, b = 0.1
 local V1, V2, V13 = 0.5 * (1 + 0.1 * math.pi ^ 4 / 5) ^ 2, 7 ^ 2 / 8, 0.1 ^ 2 * math.pi ^ 8 * (1 / 18 - 1 / 50)
 local V = V1 + V2 + V13
 local ishigami_first, ishigami_total = { V1 / V, V2 / V, 0 }, { (V1 + V13) / V, V2 / V, V13 / V }
 
-local weights = { 0, 1, 4.5, 9 } -- Sobol's g: product of (|4 x - 2| + a) / (1 + a); I. M. Sobol', Math. Comput. Simul. 55 (2001) 271
+local weights = { 0, 1, 4.5, 9 } -- Sobol's g: product of (|4 x - 2| + a) / (1 + a); Sobol 2001
 
 local function g(u)
   local product = 1

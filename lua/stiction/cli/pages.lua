@@ -304,11 +304,12 @@ of a standard error, the same to the last bit whatever --jobs is.
 
 Errors that are not given are those that the residuals show. The 95 % intervals are by profile likelihood (--no-profiles: by the
 covariance), widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than
-the simulation's own error is never claimed. A parameter counts as determined up to a relative standard error of 25 %; only in
-combination if it would be so with the others known, and the product of powers that is determined is told; else not. The model is
-rejected where chi square, or the runs of like signs among residuals, have a chance below 0.001, unless one finer level changes the
-curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and
-figures; 'stiction report' makes one page. A parameter that changes the mesh is refused.]]
+the simulation's own error is never claimed. A parameter counts as determined up to a standard error of 25 % of itself (a linear
+one: of at least a tenth of its range); only in combination if it would be so with the others known, and the product of powers that is
+determined is told; else not. The model is rejected where chi square, or the runs of like signs among residuals, have a chance below
+0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv
+(evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that changes the mesh
+is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study

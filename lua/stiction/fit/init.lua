@@ -72,7 +72,7 @@ local function begin(fit, model, study)
   if reason then
     report.line("the noise of the runs could not be measured (%s); a millionth is taken", reason:match("^[^\n]*"))
   end
-  return starts
+  return starts, answers
 end
 
 local function about(fit, model)
@@ -82,7 +82,8 @@ end
 --- The lowest minimum with its judgement and profiles; all minima; the cases of the search alone.
 local function look(fit, model, study, options)
   local problem = model:problem(enough)
-  local minima = search.run(problem, begin(fit, model, study), most_starts)
+  local starts, answers = begin(fit, model, study)
+  local minima = search.run(problem, starts, most_starts, answers)
   local cases = #model.points.rows
   local found, judged, intervals = minima[1], nil, nil
   for _ = 0, most_restarts do
@@ -132,8 +133,10 @@ local function show(fit, result)
         i == 1 and "further measurements:" or "  or", own.words, fit.parameters[own.parameter].name, own.shrinks, own.bits)
     end
   end
-  if #result.minima > 1 then
-    report.line("%d minima were found; the squares of the next are %.4g", #result.minima, result.minima[2].at.cost)
+  for i = 2, #result.minima do
+    if result.minima[i].ended == "there" then
+      report.line("another minimum has squares %.4g", result.minima[i].at.cost)
+    end
   end
 end
 

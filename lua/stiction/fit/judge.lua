@@ -26,7 +26,7 @@ function judge.scales(parameters, z)
 end
 
 --- What the squares of standard errors are multiplied by: 1 where errors are known, else the mean square of residuals; with a
---- robust loss as Huber has it (Robust Statistics, 1981, 7.6).
+--- robust loss as Huber (1981) has it, 7.6.
 local function factor_of(problem, at, free)
   local n, degrees = #at.r, math.max(1, #at.r - free)
   if problem.loss == "squares" then
@@ -57,7 +57,7 @@ local function errors_of(matrix)
   return errors, correlations
 end
 
---- Runs test of Wald and Wolfowitz (Ann. Math. Stat. 11 (1940) 147): the probability of no more runs of like signs than these
+--- Runs test of Wald (1940): the probability of no more runs of like signs than these
 --- residuals have, of which each follows another; nil where there are too few.
 function judge.runs(residuals)
   local plus, minus, runs, last = 0, 0, 0, nil

@@ -4,7 +4,7 @@ local ordered = require "stiction.ordered"
 
 local loss = {}
 
-local bend = { huber = 1.345, soft = 1, cauchy = 2.385 } -- standard errors; huber, cauchy: 95 % efficient (Holland, Welsch 1977)
+local bend = { huber = 1.345, soft = 1, cauchy = 2.385 } -- standard errors; huber, cauchy: 95 % efficient (Holland 1977)
 
 -- By name: the loss of a residual r in standard errors, and half of its derivative.
 local losses = {

@@ -8,8 +8,7 @@ local spec = require "stiction.fit.spec"
 local model = {}
 
 local near, differences = 5e-3, 3 -- relative distance of runs whose differences tell how rough they are; how often these are taken
-local of_third = 1 / 20 -- mean square of a third difference of noise to that of the noise itself (More, Wild, SIAM J. Sci. Comput.
--- 33 (2011) 1292: (k!)^2 / (2 k)!)
+local of_third = 1 / 20 -- mean square of noise to that of its third differences, (k!)^2 / (2 k)! (Wild 2011)
 local least_noise, least_share, most_share = 1e-12, 1e-6, 0.05
 
 local Model = {}

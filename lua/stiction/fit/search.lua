@@ -1,6 +1,6 @@
 -- The search for least squares: trust-region steps between bounds, derivatives by differences that are kept as long as they do.
--- Trial points that fail are steps too long. Derivatives between two differences: Broyden, Math. Comp. 19 (1965) 577, with the
--- projections of Gay, Schnabel (Nonlinear Programming 3, 1978, 245).
+-- Trial points that fail are steps too long. Derivatives between two differences: Broyden (1965), with the projections of
+-- Gay (1978).
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
@@ -15,7 +15,7 @@ local cut, most_cuts = 0.25, 3 -- of a step that gains nothing with new derivati
 local penalty = 100 -- times the squares of the best: what a failed case counts
 local worth = 3 -- times what is enough: a round of steps with new derivatives that gains less is the last
 local most_rounds = 40 -- of steps with one set of bounds
-local apart = 1e-3 -- in a coordinate: two minima
+local apart = 0.02 -- in a coordinate: two minima
 local news = 0.2 -- of a step: less that is new, and the steps before it are forgotten
 local edge = 1e-12 -- coordinates so near to a bound are on it
 
@@ -27,11 +27,23 @@ local edge = 1e-12 -- coordinates so near to a bound are on it
 local Search = {}
 Search.__index = Search
 
+local function key_of(z)
+  return table.concat(numeric.map(z, function(x) return ("%a"):format(x) end), " ")
+end
+
+--- An answer with what the loss makes of it.
+local function weighed(self, answer)
+  if answer.r then
+    answer.own, answer.slopes, answer.cost = loss_module.of(self.problem.loss, answer.r)
+  end
+  return answer
+end
+
 --- Evaluates points between the bounds, of which none counts twice.
 local function evaluate(self, points, word)
   local fresh, found = {}, {}
   for _, z in ipairs(points) do
-    local key = table.concat(numeric.map(z, function(x) return ("%a"):format(x) end), " ")
+    local key = key_of(z)
     found[#found + 1] = key
     if not self.seen[key] then
       fresh[#fresh + 1], self.seen[key] = z, true
@@ -40,10 +52,7 @@ local function evaluate(self, points, word)
   end
   local answers = #fresh > 0 and self.problem.evaluate(fresh, word) or {}
   for i, answer in ipairs(answers) do
-    self.seen[self.keys[i]] = answer
-    if answer.r then
-      answer.own, answer.slopes, answer.cost = loss_module.of(self.problem.loss, answer.r)
-    end
+    self.seen[self.keys[i]] = weighed(self, answer)
   end
   self.count = self.count + #fresh
   return numeric.map(found, function(key) return self.seen[key] end)
@@ -280,9 +289,12 @@ local function same(one, other)
 end
 
 --- Minima from these points, the lowest first, each found once; nil and the answers where every one of the points failed.
---- few: from how many of the best points it is looked for.
-function search.run(problem, starts, few)
+--- few: from how many of the best points it is looked for. known: answers of the points, where there are any.
+function search.run(problem, starts, few, known)
   local self = setmetatable({ problem = problem, seen = {}, keys = {}, count = 0 }, Search)
+  for i, answer in ipairs(known or {}) do
+    self.seen[key_of(starts[i])] = weighed(self, answer)
+  end
   local answers, order = evaluate(self, starts, "start"), {}
   for i, answer in ipairs(answers) do
     order[#order + 1] = answer.r and i or nil
@@ -297,8 +309,11 @@ function search.run(problem, starts, few)
   local minima = {}
   for i = 1, math.min(few, #order) do
     local found = descend(self, starts[order[i]], answers[order[i]])
-    local known = numeric.first_where(minima, function(other) return same(found, other) end)
-    minima[#minima + 1] = not known and found or nil
+    local old = numeric.first_where(minima, function(other) return same(found, other) end)
+    if old and found.at.cost < minima[old].at.cost then
+      minima[old] = found
+    end
+    minima[#minima + 1] = not old and found or nil
   end
   table.sort(minima, function(a, b) return a.at.cost < b.at.cost end)
   minima.count = self.count

@@ -144,8 +144,8 @@ function verdict.lines(fit, judged, own_error, found)
     coarse[#coarse + 1] = share > judged.t * judged.relative[k] and share <= judge.settled and name or nil
     open[#open + 1] = share > judge.settled and judged.fates[k] == "determined" and name or nil
   end
-  lines[#lines + 1] = #open > 0 and ("NOT CLAIMED, whatever the data say: %s, by which the simulation's own error is more than %d %%; make its "
-    .. "settings finer"):format(list_words(open), 100 * judge.settled) or nil
+  lines[#lines + 1] = #open > 0 and ("NOT CLAIMED, whatever the data say: %s, by which the simulation's own error is more than %d %%; "
+    .. "make its settings finer"):format(list_words(open), 100 * judge.settled) or nil
   lines[#lines + 1] = #coarse > 0 and ("the simulation is less sure than the data of %s: finer settings would tell more than further "
     .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(

@@ -1,5 +1,5 @@
 -- A polynomial of a sample (chaos expansion): least squares over orthonormal polynomials, its degree by leave-one-out errors; moments
--- and Sobol indices from its coefficients. B. Sudret, Reliab. Eng. Syst. Saf. 93 (2008) 964.
+-- and Sobol indices from its coefficients. Sudret 2008.
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local numeric = require "stiction.numeric"

@@ -1,5 +1,5 @@
 -- Sobol indices of a result: which parameter its variance is of, alone and with all others.
--- First: A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; total: M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35.
+-- First: Saltelli 2010; total: Jansen 1999.
 local indices = {}
 
 local resamplings, seed = 200, 12345

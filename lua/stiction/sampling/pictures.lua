@@ -56,8 +56,8 @@ local function scatter_figure(own, found, result)
     if type(units.si(first)) == "number" then
       local unit = units.is_quantity(first) and select(2, first:display()) or "1"
       parts[#parts + 1] = figure.lines { legend = "none", x = { label = name, unit = unit },
-        y = { label = result.name, unit = result.unit }, curves = { { style = "points", colour = 0, x = kept(result, numeric.map(list, units.si)),
-          y = kept(result, result.values) } } }
+        y = { label = result.name, unit = result.unit },
+        curves = { { style = "points", colour = 0, x = kept(result, numeric.map(list, units.si)), y = kept(result, result.values) } } }
     end
   end
   return #parts > 0 and figure.panel { name = "over_" .. result.name, title = result.name .. " over the parameters",

@@ -3,8 +3,8 @@
 -- The traces are ours: computed by data.lua with mu = 0.3, w = 0.8 J/m^2, E = 2 MPa on these cells, with noise of 10 N/m. One pressing
 -- alone does not tell friction and adhesion apart so well as two.
 --
---     ./stiction fit studies/fit/friction
---     ./stiction sample studies/fit/friction     # what the fit's uncertainty means for the largest drag, once it was fitted
+--     ./stiction fit studies/fit/friction_trace
+--     ./stiction sample studies/fit/friction_trace     # what the fit's uncertainty means for the largest drag, once it was fitted
 local stiction = require "stiction"
 local u = stiction.units
 local mm, s, N, m = u.mm, u.s, u.N, u.m

@@ -1,6 +1,6 @@
 -- Makes the measured curves of this folder: the study with other parameters, and noise added.
 --
---     ./stiction run studies/fit/friction/data.lua --trust --no-figures
+--     ./stiction run studies/fit/friction_trace/data.lua --trust --no-figures
 local study = require "study"
 local u = require "stiction".units
 
@@ -13,7 +13,7 @@ end
 
 local function write(case, name)
   local way, drag = study.definition.fit.data[name].against(case, case.p)
-  local file = io.open(("studies/fit/friction/%s.csv"):format(name), "w")
+  local file = io.open(("studies/fit/friction_trace/%s.csv"):format(name), "w")
   file:write("# computed by data.lua with noise of 10 N/m; nobody measured this\nway [mm],drag [N/m]\n")
   for i = 1, points do
     local x = way[#way] * i / points

@@ -3,7 +3,7 @@
 -- The forces are ours: computed by data.lua with w = 0.6 J/m^2, b = 0.03 N s/m on these cells, with noise of 3 %. Modulus and
 -- stiffness are taken as known.
 --
---     ./stiction fit studies/fit/rate
+--     ./stiction fit studies/fit/rate_series
 local stiction = require "stiction"
 local u = stiction.units
 
