@@ -81,7 +81,7 @@ struct Wave {
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Wave>{"wave", "cosines along x, along y, or the sum of both, lowest at the origin",
-                             "Westergaard 1939; Johnson, Greenwood and Higginson 1985"}
+                             "Westergaard 1939; Johnson 1985, 13"}
             .number("amplitude", &Wave::amplitude, "m", core::positive, core::Need::required,
                     "half of what crests and troughs along one axis differ by")
             .numbers("wavelengths", &Wave::wavelengths, "m", core::Need::required,

@@ -112,19 +112,76 @@ TEST_CASE("contact of half spaces with each law is that of the dense problem") {
   }
 }
 
-TEST_CASE("hertz") {
-  for (Index n : {64, 128, 256, 512, 1024}) {
-    Grid const grid{n, n, 4, 4, false, false};
-    Surface const surface(grid, Compliance::of({0.75, 0.5, 0}, nullptr), 1);
-    auto const problem = problem_of(surface, 1, 1);
-    halfspace::Solver const solver(surface);
-    auto const answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
-    MESSAGE(n, " force ", answer.force.sum() / (4.0 / 3) - 1, " p0 ",
-            answer.force.maxCoeff() / grid.area() / (2 / pi) - 1, " rel ", answer.verdict.relative(),
-            " newton ", answer.iterations, " krylov ", answer.krylov, " products ", surface.products(),
-            " solves ", surface.solutions(), answer.reason);
-    CHECK(answer.converged);
+struct Hertz {
+  double force, peak; ///< relative errors
+  long products;
+};
+
+/// A sphere of radius 1 m down by 1 m on 4 m x 4 m of an incompressible half space, E* = 1 Pa, from no force.
+Hertz hertz(Index n) {
+  Surface const surface({n, n, 4, 4, false, false}, Compliance::of({0.75, 0.5, 0}, nullptr), 1);
+  auto const problem = problem_of(surface, 1, 1);
+  auto const answer = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), {});
+  CHECK_MESSAGE(answer.converged, answer.reason);
+  CHECK(answer.verdict.relative() <= 1e-10);
+  return {answer.force.sum() / (4.0 / 3) - 1, answer.force.maxCoeff() / surface.grid().area() / (2 / pi) - 1,
+          surface.products()};
+}
+
+TEST_CASE("Hertz's force and pressure come with the second power of the spacing, in few products") {
+  auto const coarse = hertz(64), middle = hertz(128), fine = hertz(256);
+  CHECK(std::abs(fine.force) < 3e-5);
+  CHECK(std::abs(fine.peak) < 1e-4);
+  CHECK(std::log2(coarse.force / fine.force) / 2 > 1.8);
+  CHECK(std::log2(coarse.peak / fine.peak) / 2 > 1.8);
+  CHECK(coarse.products < 32);
+  CHECK(middle.products < 34);
+  CHECK(fine.products < 38); // 1024^2 takes 58
+}
+
+TEST_CASE("a force finds a half space that it does not touch yet, and leaves it") {
+  Surface const surface({16, 16, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  auto const problem = problem_of(surface, 1, -0.02);
+  halfspace::Wanted wanted;
+  wanted.force = 3;
+  halfspace::Solver const solver(surface);
+  auto const pressed = solver.solve(problem, Vector::Zero(surface.rows()), wanted);
+  CHECK_MESSAGE(pressed.converged, pressed.reason);
+  CHECK(pressed.force.sum() == doctest::Approx(3).epsilon(1e-9));
+  CHECK(pressed.lift < -0.02);
+  wanted.force = 0;
+  auto const left = solver.solve(problem, pressed.force, wanted);
+  CHECK_MESSAGE(left.converged, left.reason);
+  CHECK(std::abs(left.force.sum()) < 1e-9);
+}
+
+TEST_CASE("a half space that is left off says so") {
+  Surface const surface({16, 16, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  halfspace::Wanted wanted;
+  wanted.enough = [] { return true; };
+  auto const answer =
+      halfspace::Solver(surface).solve(problem_of(surface, 1, 0.01), Vector::Zero(surface.rows()), wanted);
+  CHECK(answer.interrupted);
+  CHECK_FALSE(answer.converged);
+}
+
+/// Adhesion so strong that the surface jumps: in from a gap, and off again.
+TEST_CASE("a half space that snaps is answered, with less energy than before") {
+  Surface const surface({32, 32, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  interface::Law const law{{}, interface::Dugdale{1000, 2e-3, 0.2}};
+  auto problem = pressed(surface, law, 2e-3);
+  halfspace::Solver const solver(surface);
+  auto answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
+  CHECK_MESSAGE(answer.converged, answer.reason);
+  double strongest = 0;
+  for (int step = 0; step < 12; ++step) {
+    problem.free.array() += 2e-3;
+    answer = solver.solve(problem, answer.force, {});
+    CHECK_MESSAGE(answer.converged, answer.reason);
+    strongest = std::min(strongest, answer.force.sum());
   }
+  CHECK(strongest < -1);
+  CHECK(answer.force.isZero(0)); // let go
 }
 
 } // namespace

@@ -10,12 +10,15 @@
 --     ./stiction run studies/proofs/half_space_friction
 local stiction = require "stiction"
 local units = stiction.units
-local mm, m, s, MPa, N = units.mm, units.m, units.s, units.MPa, units.N
+local mm, s, MPa, N = units.mm, units.s, units.MPa, units.N
 local line = stiction.reference.line_contact
 
 local function modulus(p) return line.combined_modulus(p.young.si, p.poisson) end
 local function radius(p) return p.a / p.slope end
 local function force(p) return math.pi * modulus(p) * p.a.si ^ 2 / (4 * radius(p).si) end
+
+--- Where they are not, points slip a little and stick again from the first touch on: so many more follow that.
+local function steps(p) return p.poisson < 0.5 and 10 * p.steps or p.steps end
 
 local function scene(p)
   return stiction.scene {
@@ -27,8 +30,8 @@ local function scene(p)
     pairs = { touch = stiction.pair { secondary = "base.surface", primary = "cylinder",
       friction = stiction.friction.coulomb { mu = p.mu } } },
     scheme = stiction.scheme.quasi_static {},
-    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = p.steps },
-      stiction.stage { to = 2*s, steps = p.steps } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = steps(p) },
+      stiction.stage { to = 2*s, steps = steps(p) } } },
     probes = {
       touch = stiction.probe.contact { pair = "touch" },
       line = stiction.probe.contact_line { pair = "touch" },
@@ -68,7 +71,7 @@ return stiction.study {
   title = "Cylinder on a half space with friction (Cattaneo, Mindlin)",
   question = "Shear and the zone that sticks when a pressed cylinder is moved along.",
   given = { a = { 1*mm, "half width of the contact" }, slope = { 0.05, "a / R" }, young = { 3*MPa, "" }, mu = { 0.5, "" } },
-  chosen = { size = { 3, "extent of the points over a" }, steps = { 5, "while pressed, and while moved" },
+  chosen = { size = { 3, "extent of the points over a" }, steps = { 5, "while pressed, and while moved, where sides are alike" },
     way = { 0.6, "of the counterpart along, over mu a^2 / R" } },
   sweep = { { poisson = 0.5, points = 64 }, { poisson = 0.5, points = 128 }, { poisson = 0.5, points = 256 },
     { poisson = 0.5, points = 512 }, { poisson = 0.3, points = 256 } },
@@ -85,11 +88,10 @@ return stiction.study {
       function(run, p) return deviation(run, p) end },
   },
   check = function(cases, check)
-    local its, values, stick = cases:where { poisson = 0.5 }, {}, {}
+    local its, values = cases:where { poisson = 0.5 }, {}
     for k, case in ipairs(its) do
       local spacing = case.p.size * case.p.a.si / case.p.points
       values[k] = { spacing, case.results.deviation + 1 }
-      stick[k] = { spacing, case.results.stick }
       check.close(case.id .. ": width that sticks, within two points", case.results.stick,
         math.sqrt(1 - case.results.along), 2 * spacing / case.p.a.si)
     end

@@ -7,7 +7,7 @@
 --     ./stiction run studies/proofs/half_space_hertz
 local stiction = require "stiction"
 local units = stiction.units
-local mm, m, s, MPa, N = units.mm, units.m, units.s, units.MPa, units.N
+local mm, s, MPa, N = units.mm, units.s, units.MPa, units.N
 local hertz = stiction.reference.point_contact
 
 local function radius(p) return p.a / p.slope end

@@ -8,7 +8,7 @@
 --     ./stiction run studies/proofs/half_space_wave
 local stiction = require "stiction"
 local units = stiction.units
-local mm, um, m, s, MPa, N = units.mm, units.um, units.m, units.s, units.MPa, units.N
+local mm, um, s, MPa, N = units.mm, units.um, units.s, units.MPa, units.N
 local line = stiction.reference.line_contact
 
 local function full(p)
