@@ -241,6 +241,20 @@ test("derivatives that are kept along cost fewer evaluations", function()
   assert(count(false) < count(true), ("%d, %d"):format(count(false), count(true)))
 end)
 
+test("derivatives that a last step tells are those of differences", function()
+  for seed = 30, 49 do
+    local y = measured(rising, { 2, 1.5 }, x, 0.05, dice(seed))
+    local function judged(central)
+      return select(2, plain.fit { parameters = parameters, x = x, y = y, sigma = 0.05, f = rising, share = 3e-3, enough = 0.01,
+        central = central })
+    end
+    local kept, exact = judged(false), judged(true)
+    for k = 1, 2 do
+      assert(math.abs(kept.errors[k] / exact.errors[k] - 1) < 0.03, ("%d: %g, %g"):format(seed, kept.errors[k], exact.errors[k]))
+    end
+  end
+end)
+
 test("the noise of a curve comes from its third differences, and jumps do not change it", function()
   local y = measured(rising, { 2, 1.5 }, range(0, 6, 200), 0.03, dice(13))
   assert(math.abs(curve.noise(y) / 0.03 - 1) < 0.2)
