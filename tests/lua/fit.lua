@@ -274,6 +274,13 @@ test("coordinates and values are each other's inverse", function()
   assert(inside[1] == 1 and inside[3] == 40 and moved)
 end)
 
+test("values are told in the unit of their bounds, whichever these are", function()
+  local u = require "stiction".units
+  equal(verdict.words({ like = 0 * u.um }, 2.5e-6), "2.5 um")
+  equal(verdict.words({ like = 3 * u.N * u.s / u.m }, 0.25), "0.25 N s/m")
+  equal(verdict.words({ like = 1 }, 0.125), "0.125")
+end)
+
 test("what is claimed is never less than the simulation's own error", function()
   local y = measured(rising, { 2, 1.5 }, x, 0.02, dice(14))
   local _, judged, profiles = plain.fit({ parameters = parameters, x = x, y = y, sigma = 0.02, f = rising }, 1, true)
