@@ -4,8 +4,8 @@ set -eu
 stiction=$1 study=$2 out=$3
 rm -rf "$out"
 "$stiction" fit "$study" --quick --no-figures --out "$out"
-most=60
-[ "$(basename "$study")" != rate_series ] || most=120 # a case for each of its points
+most=40
+[ "$(basename "$study")" != rate_series ] || most=100 # a case for each of its points
 cases=$(sed -n 's/^ *"cases_of_search": \([0-9]*\).*/\1/p' "$out/fit.json")
 [ "$cases" -le $most ] || { echo "$cases cases, more than $most"; exit 1; }
 awk '/^    "?{/ || /^    {/ { low = high = name = "" } /"high":/ && high == "" { high = $2 + 0 } /"low":/ && low == "" { low = $2 + 0 }

@@ -302,7 +302,8 @@ curves takes what there is. Derivatives are differences, a batch of cases, whose
 differences of four runs); between batches they are brought along. Where a case fails the step was too long. It ends within a fifth
 of a standard error, the same to the last bit whatever --jobs is.
 
-Errors that are not given are those that the residuals show. The 95 % intervals are by profile likelihood (--no-profiles: by the
+Errors that are not given are those that the residuals show; where some curves have them, those of the others are told by third
+differences along them. The 95 % intervals are by profile likelihood (--no-profiles: by the
 covariance), widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than
 the simulation's own error is never claimed. A parameter counts as determined up to a standard error of 25 % of itself (a linear
 one: of at least a tenth of its range); only in combination if it would be so with the others known, and the product of powers that is

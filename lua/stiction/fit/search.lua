@@ -14,6 +14,7 @@ local most_refused = 1 -- trial points without a gain before old derivatives are
 local cut, most_cuts = 0.25, 3 -- of a step that gains nothing with new derivatives; how often
 local penalty = 100 -- times the squares of the best: what a failed case counts
 local worth = 3 -- times what is enough: a round of steps with new derivatives that gains less is the last
+local farthest = 8 -- sizes of differences, by which a step still tells a derivative
 local most_rounds = 40 -- of steps with one set of bounds
 local apart = 0.02 -- in a coordinate: two minima
 local news = 0.2 -- of a step: less that is new, and the steps before it are forgotten
@@ -58,6 +59,32 @@ local function evaluate(self, points, word)
   return numeric.map(found, function(key) return self.seen[key] end)
 end
 
+--- The parameter whose derivatives the last step tells once those of the others are known: by which it went far beside the size of
+--- differences, but not too far; nil if there is none.
+local function told_by_step(self, steps)
+  local best, widest = nil, 0
+  for k, h in ipairs(self.last and not self.problem.central and steps or {}) do
+    local ratio = math.abs((self.z[k] - self.last.z[k]) / h)
+    if ratio > widest then
+      best, widest = k, ratio
+    end
+  end
+  return widest >= 1 and widest <= farthest and best or nil
+end
+
+--- The derivatives of that parameter.
+local function from_step(self, J, m)
+  local column = {}
+  for n = 1, #self.at.r do
+    local change = self.at.r[n] - self.last.at.r[n]
+    for k = 1, #self.z do
+      change = change - (k ~= m and J[k][n] * (self.z[k] - self.last.z[k]) or 0)
+    end
+    column[n] = change / (self.z[m] - self.last.z[m])
+  end
+  return column
+end
+
 --- Columns of differences of residuals over coordinates at a point; how many could not be had.
 local function differences(self, z, at)
   local p, old = #z, self.J
@@ -66,6 +93,7 @@ local function differences(self, z, at)
     local h = self.problem.step(k, z)
     steps[k] = self.problem.parameters[k].from and z[k] + h > 1 and -h or h
   end
+  local m = told_by_step(self, steps)
   local function moved(k, h)
     local other = table.move(z, 1, p, 1, {})
     other[k] = z[k] + h
@@ -88,18 +116,21 @@ local function differences(self, z, at)
   end
   local all, rest = {}, {}
   for k = 1, p do
-    all[k] = k
+    all[#all + 1] = k ~= m and k or nil
   end
   try(all, 1)
-  for k = 1, p do
+  for _, k in ipairs(all) do
     rest[#rest + 1] = (not J[k] or self.problem.central) and k or nil
   end
   try(rest, -1)
   for k = 1, p do
-    if not J[k] then
+    if not J[k] and k ~= m then
       lost = lost + 1
       J[k] = old and old[k] or numeric.map(at.r, function() return 0 end)
     end
+  end
+  if m then
+    J[m] = from_step(self, J, m)
   end
   return J, lost
 end
@@ -148,6 +179,7 @@ local function follow(self, z, at)
     end
   end
   local good = self.at.cost - at.cost >= poor * (self.at.cost - predicted)
+  self.last = square > 0 and { z = self.z, at = self.at } or self.last
   self.z, self.at = z, at
   if square > 0 then
     self.J, self.fresh, self.refused = J, false, 0
@@ -250,7 +282,7 @@ end
 --- The nearest minimum from a point whose answer is known: {z =, at = (answer), J =, free =, lost = (derivatives that could
 --- not be had), ended = "there" | "stuck" | "most"}.
 local function descend(self, z, at)
-  self.z, self.at, self.J = z, at, nil
+  self.z, self.at, self.J, self.last = z, at, nil, nil
   self.spent = false
   refresh(self)
   local word

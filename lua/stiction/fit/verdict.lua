@@ -1,4 +1,5 @@
 -- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
 local spec = require "stiction.fit.spec"
@@ -14,8 +15,7 @@ function verdict.shown(own, value)
     return value, ""
   end
   local _, unit = own.like:display()
-  local factor = own.like.si / own.like:display()
-  return own.like.si ~= 0 and value / factor or value, unit
+  return value / engine.parse_unit(unit), unit
 end
 
 --- "0.981 J/m^2"

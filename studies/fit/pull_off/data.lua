@@ -31,5 +31,5 @@ return study:variant {
     end
     check.holds("written", true)
   end,
-  fit = false,
+  fit = false, sample = false,
 }

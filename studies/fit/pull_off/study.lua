@@ -4,6 +4,7 @@
 -- of 0.3 mN added. A fit should find these values again, within its intervals; how far the cells are to be trusted it says itself.
 --
 --     ./stiction fit studies/fit/pull_off
+--     ./stiction sample studies/fit/pull_off     # how sure a pull-off force is where such parameters are uncertain
 local stiction = require "stiction"
 local u = stiction.units
 local mm, um, s, mN = u.mm, u.um, u.s, u.mN
@@ -81,5 +82,10 @@ return stiction.study {
     },
     finer = { cell = 0.025*mm, steps = 300 },
     quick = { profiles = false },
+  },
+  sample = {
+    of = { young = { log_normal = { 0.8*u.MPa, 0.1 } }, w = { log_normal = { 0.6*u.J/u.m^2, 0.2 } },
+      b = { log_uniform = { 0.01*u.N*s/u.m, 0.1*u.N*s/u.m } } },
+    set = { speed = 100*um/s }, count = 64, quick = { count = 24 },
   },
 }

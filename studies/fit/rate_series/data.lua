@@ -22,5 +22,5 @@ return study:variant {
     end
     check.holds("written", file:close())
   end,
-  fit = false,
+  fit = false, sample = false,
 }

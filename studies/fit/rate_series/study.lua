@@ -11,6 +11,7 @@ return (require "../pull_off"):variant {
   title = "Pull-off over speed: what the largest forces tell",
   question = "Do pull-off forces at several speeds tell work of adhesion and viscosity of the bonds apart, and which speed tells more?",
   chosen = { young = { 0.8*u.MPa, "known from elsewhere" }, steps = { 100, "way up; fit.finer doubles it" } },
+  sample = false,
   fit = {
     parameters = {
       w = { 0.1*u.J/u.m^2, 10*u.J/u.m^2, scale = "log" },
