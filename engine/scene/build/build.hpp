@@ -9,9 +9,9 @@ namespace stiction::scene {
 /// A model with the names that its script gave.
 struct Scene {
   ScenePart part;
-  std::vector<std::string> bodies; ///< names, in the order of model.bodies
-  std::vector<std::string> pairs;  ///< names, in the order of model.pairs
-  std::vector<double> moved;       ///< [constraints] how far a tie has moved a node that follows, m
+  std::vector<std::string> bodies;        ///< names, in the order of model.bodies
+  std::vector<std::string> pairs;         ///< names, in the order of model.pairs
+  std::vector<double> moved;              ///< [constraints] how far a tie has moved a node that follows, m
   std::unique_ptr<dynamics::Model> model; ///< null where there is a half space in its place
   std::unique_ptr<halfspace::Model> half_space;
 
