@@ -17,7 +17,10 @@ struct Grid {
   [[nodiscard]] double area() const { return line ? dx() : dx() * dy(); }
   /// Of point `i`, counted along x first; the middle of all is the origin.
   [[nodiscard]] double x(Index i) const { return (i % nx + 0.5) * dx() - 0.5 * Lx; }
-  [[nodiscard]] double y(Index i) const { return line ? 0 : (i / nx + 0.5) * dy() - 0.5 * Ly; }
+  [[nodiscard]] double y(Index i) const {
+    Index const row = i / nx;
+    return line ? 0 : (row + 0.5) * dy() - 0.5 * Ly;
+  }
 };
 
 } // namespace stiction::halfspace

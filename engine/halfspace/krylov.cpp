@@ -4,7 +4,13 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "linear/krylov.hpp"
+
 namespace stiction::halfspace {
+
+namespace {
+constexpr int basis = 40; // of GMRES, before it is restarted
+} // namespace
 
 template<int D>
 Krylov<D>::Krylov(Surface const& surface, Linearised<D> const& system, bool lifted)
@@ -127,85 +133,62 @@ Correction Krylov<D>::by_conjugate_gradients(Vector const& right, double total, 
   return made;
 }
 
-/// GMRES from the right, restarted.
+/// What a lift of one asks for, undone, and how much of normal force that is.
+template<int D> void Krylov<D>::prepare_lift() {
+  Vector once(D * system_->size());
+  for (Index k = 0; k < system_->size(); ++k)
+    once.segment<D>(D * k) = system_->B[ix(k)].col(0);
+  lift_force_.resize(once.size());
+  undo(once, lift_force_);
+  lift_sum_ = normal_sum(lift_force_);
+}
+
+/// GMRES, restarted. If lifted, vectors end with the lift, or with the sum of normal forces over the root of
+/// their number.
 template<int D>
 Correction Krylov<D>::by_residuals(Vector const& right, double total, double part, long most) {
-  constexpr Eigen::Index basis = 40;
   Index const n = D * system_->size();
-  Eigen::Index const m = std::min<Eigen::Index>({basis, most, n + 1});
-  Dense V(n, m + 1);
-  Dense H = Dense::Zero(m + 1, m);
-  Vector lifts = Vector::Zero(m + 1); // last entries of the basis
-  Vector direction(n), result(n), once(n);
-  if (lifted_) { // P B e, and what it adds up to
-    for (Index k = 0; k < system_->size(); ++k)
-      once.segment<D>(D * k) = system_->B[ix(k)].col(0);
-    lift_force_.resize(n);
-    undo(once, lift_force_);
-    lift_sum_ = normal_sum(lift_force_);
-  }
-  // with a row for the sum of normal forces over the root of their number
-  double const root = std::sqrt(double(std::max<Index>(1, system_->size())));
-  auto const undo_all = [&](auto const& from, double last, Vector& to) {
-    undo(from, to);
-    if (!lifted_ || lift_sum_ == 0)
-      return 0.0;
-    double const lift = (normal_sum(to) - root * last) / lift_sum_;
-    to -= lift * lift_force_;
-    return lift;
+  double const root = std::sqrt(static_cast<double>(system_->size()));
+  if (lifted_)
+    prepare_lift();
+  Vector few(n), changed(n);
+  auto const apply_all = [&](Vector const& from, Vector& to) {
+    few = from.head(n);
+    apply(few, lifted_ ? from[n] : 0, changed);
+    to.resize(from.size());
+    to.head(n) = changed;
+    if (lifted_)
+      to[n] = normal_sum(few) / root;
+  };
+  auto const undo_all = [&](Vector const& from, Vector& to) {
+    few = from.head(n);
+    undo(few, changed);
+    to.resize(from.size());
+    if (lifted_) {
+      to[n] = lift_sum_ != 0 ? (normal_sum(changed) - root * from[n]) / lift_sum_ : 0;
+      changed -= to[n] * lift_force_;
+    }
+    to.head(n) = changed;
   };
   Correction made{Vector::Zero(n), Vector::Zero(surface_->rows()), 0, 0};
-  Vector residual = right;
-  double last = lifted_ ? total / root : 0;
-  double const start = std::hypot(residual.norm(), last);
-  while (start > 0 && made.iterations < most) {
-    double const norm = std::hypot(residual.norm(), last);
-    if (norm <= part * start)
-      break;
-    V.col(0) = residual / norm;
-    lifts[0] = last / norm;
-    Vector g = Vector::Zero(m + 1);
-    g[0] = norm;
-    std::vector<Eigen::JacobiRotation<double>> turns(static_cast<std::size_t>(m));
-    Eigen::Index k = 0;
-    for (; k < m && made.iterations < most; ++made.iterations) {
-      double const lift = undo_all(V.col(k), lifts[k], direction);
-      apply(direction, lift, result);
-      double row = lifted_ ? normal_sum(direction) / root : 0;
-      for (Eigen::Index i = 0; i <= k; ++i) {
-        H(i, k) = V.col(i).dot(result) + lifts[i] * row;
-        result -= H(i, k) * V.col(i);
-        row -= H(i, k) * lifts[i];
-      }
-      double const length = std::hypot(result.norm(), row);
-      H(k + 1, k) = length;
-      for (Eigen::Index i = 0; i < k; ++i)
-        H.col(k).applyOnTheLeft(i, i + 1, turns[static_cast<std::size_t>(i)].adjoint());
-      auto& turn = turns[static_cast<std::size_t>(k)];
-      turn.makeGivens(H(k, k), H(k + 1, k));
-      H.col(k).applyOnTheLeft(k, k + 1, turn.adjoint());
-      g.applyOnTheLeft(k, k + 1, turn.adjoint());
-      bool const over = std::abs(g[k + 1]) <= part * start || length == 0;
-      if (length > 0) {
-        V.col(k + 1) = result / length;
-        lifts[k + 1] = row / length;
-      }
-      ++k;
-      if (over)
-        break;
-    }
-    Vector const y = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-    Vector const sum = V.leftCols(k) * y;
-    double const lift = undo_all(sum, lifts.head(k).dot(y), direction);
-    made.force += direction;
-    made.lift += lift;
-    apply(direction, lift, result);
+  Vector residual(n + (lifted_ ? 1 : 0)), step, answer;
+  residual.head(n) = right;
+  if (lifted_)
+    residual[n] = total / root;
+  double const start = residual.norm();
+  for (double before = start; before > part * start && made.iterations < most;) {
+    auto const end = linear::gmres(apply_all, undo_all, residual, step,
+                                   linear::KrylovLimits<>{part * start / before, basis});
+    made.iterations += end.iterations;
+    apply_all(step, answer);
+    made.force += step.head(n);
+    made.lift += lifted_ ? step[n] : 0;
     made.motion += moved_;
-    residual -= result;
-    if (lifted_)
-      last -= normal_sum(direction) / root;
-    if (std::hypot(residual.norm(), last) > 0.9 * norm)
+    residual -= answer;
+    double const now = residual.norm();
+    if (!(now < 0.9 * before))
       break;
+    before = now;
   }
   return made;
 }

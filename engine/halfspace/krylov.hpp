@@ -24,6 +24,7 @@ public:
 private:
   [[nodiscard]] Correction by_conjugate_gradients(Vector const& right, double total, double part, long most);
   [[nodiscard]] Correction by_residuals(Vector const& right, double total, double part, long most);
+  void prepare_lift();
   /// W few, all of it, into `moved_`.
   void move(Vector const& few);
   void apply(Vector const& few, double lift, Vector& result);

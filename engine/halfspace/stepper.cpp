@@ -88,33 +88,40 @@ bool Stepper::closing_changed(Answer const& answer) {
   return changed;
 }
 
+template<int D>
+void Stepper::settle_point(State const& old, Answer const& answer, Index i, State& next) const {
+  auto const at = state_at<D>(problem_, answer, i, contact::natural_scale(problem_, 0));
+  contact::Local<D> const x = answer.x.segment<D>(D * i);
+  next.dry.segment<D>(D * i) = at.dry;
+  next.gap[i] = x[0];
+  next.status[ix(i)] = static_cast<std::uint8_t>(at.status);
+  next.u[D * i] = x[0] - model_->heights[i] - next.lift;
+  for (int c = 1; c < D; ++c) {
+    double const moved = next.along[ix(c - 1)] - old.along[ix(c - 1)];
+    next.u[D * i + c] = old.u[D * i + c] + x[c] + moved;
+    next.path[(D - 1) * i + c - 1] += x[c];
+    next.ledger.friction_loss -= 0.5 * (at.dry[c] + old.dry[D * i + c]) * x[c];
+  }
+}
+
+template<int D> void Stepper::settle_bond(contact::Local<D> const& x, Index i, State& next) const {
+  auto const& law = *model_->law.adhesion;
+  auto const& point = problem_.points[ix(i)];
+  auto const bond = interface::advance<D>(law, point.bond, x);
+  next.beta[i] = bond.beta;
+  next.stretch.segment<2>(2 * i) = bond.stretch;
+  next.ledger.bonding_loss += point.area * interface::dissipation<D>(law, point.bond, x);
+  next.ledger.bond += point.area * interface::bond_energy(law, bond, x[0]);
+}
+
 void Stepper::settle(State const& old, Answer const& answer, State& next) const {
-  double const rho = contact::natural_scale(problem_, 0);
   next.lift += answer.lift;
   next.ledger.bond = 0;
   contact::by_dimension(problem_.dim, [&]<int D>() {
     for (Index i = 0; i < problem_.size(); ++i) {
-      auto const at = state_at<D>(problem_, answer, i, rho);
-      Local<D> const x = answer.x.segment<D>(D * i);
-      next.dry.segment<D>(D * i) = at.dry;
-      next.gap[i] = x[0];
-      next.status[ix(i)] = static_cast<std::uint8_t>(at.status);
-      for (int c = 1; c < D; ++c) {
-        double const moved = next.along[ix(c - 1)] - old.along[ix(c - 1)];
-        next.u[D * i + c] = old.u[D * i + c] + x[c] + moved;
-        next.path[(D - 1) * i + c - 1] += x[c];
-        next.ledger.friction_loss -= 0.5 * (at.dry[c] + old.dry[D * i + c]) * x[c];
-      }
-      next.u[D * i] = x[0] - model_->heights[i] - next.lift;
-      if (!model_->law.adhesion)
-        continue;
-      auto const& law = *model_->law.adhesion;
-      auto const& point = problem_.points[ix(i)];
-      auto const bond = interface::advance<D>(law, point.bond, x);
-      next.beta[i] = bond.beta;
-      next.stretch.segment<2>(2 * i) = bond.stretch;
-      next.ledger.bonding_loss += point.area * interface::dissipation<D>(law, point.bond, x);
-      next.ledger.bond += point.area * interface::bond_energy(law, bond, x[0]);
+      settle_point<D>(old, answer, i, next);
+      if (model_->law.adhesion)
+        settle_bond<D>(answer.x.segment<D>(D * i), i, next);
     }
   });
   next.force = answer.force;

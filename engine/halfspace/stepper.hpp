@@ -38,6 +38,8 @@ private:
   /// Whether points touch, as bonds are told, has changed with this answer.
   [[nodiscard]] bool closing_changed(Answer const& answer);
   void settle(State const& old, Answer const& answer, State& next) const;
+  template<int D> void settle_point(State const& old, Answer const& answer, Index i, State& next) const;
+  template<int D> void settle_bond(contact::Local<D> const& x, Index i, State& next) const;
   void account(State const& old, State& next) const;
 
   Model const* model_;

@@ -104,40 +104,51 @@ template<int D> void Surface::backward_rows(double* out, Index first, Index last
     }
 }
 
+Surface::Complex* Surface::Columns::column(int component, Index k) const {
+  return first + (Eigen::Index{component} * together + k) * py;
+}
+
+template<int D> void Surface::forward_columns(Columns const& few) const {
+  for (int c = 0; c < D; ++c) {
+    for (Index j = 0; j < grid_.ny; ++j)
+      for (Index k = 0; k < few.some; ++k)
+        few.column(c, k)[j] = row(c, j)[few.a + k];
+    for (Index k = 0; k < few.some; ++k) {
+      std::fill(few.column(c, k) + grid_.ny, few.column(c, k) + few.py, Complex{});
+      fftw_execute_dft(plans_->column.get(), raw(few.column(c, k)), raw(few.column(c, k)));
+    }
+  }
+}
+
+template<int D> void Surface::backward_columns(Columns const& few) const {
+  for (int c = 0; c < D; ++c) {
+    for (Index k = 0; k < few.some; ++k)
+      fftw_execute_dft(plans_->column_back.get(), raw(few.column(c, k)), raw(few.column(c, k)));
+    for (Index j = 0; j < grid_.ny; ++j)
+      for (Index k = 0; k < few.some; ++k)
+        row(c, j)[few.a + k] = few.column(c, k)[j];
+  }
+}
+
 /// The piece's columns forward, act(wave, values) for each of their waves, and back.
 template<int D, class Act> void Surface::columns(Index piece, Act const& act) const {
   Index const count = pieces(symbols_.rows), width = (symbols_.rows + count - 1) / count, py = symbols_.py;
-  auto* const buffer = buffers_.get() + Eigen::Index{piece} * D * together * py;
-  auto const column = [&](int c, Index k) { return buffer + (Eigen::Index{c} * together + k) * py; };
   Index const end = std::min(symbols_.rows, (piece + 1) * width);
   for (Index a = piece * width; a < end; a += together) {
-    Index const some = std::min(together, end - a);
-    for (int c = 0; c < D; ++c) {
-      for (Index j = 0; j < grid_.ny; ++j)
-        for (Index k = 0; k < some; ++k)
-          column(c, k)[j] = row(c, j)[a + k];
-      for (Index k = 0; k < some; ++k) {
-        std::fill(column(c, k) + grid_.ny, column(c, k) + py, Complex{});
-        fftw_execute_dft(plans_->column.get(), raw(column(c, k)), raw(column(c, k)));
-      }
+    Columns const few{buffers_.get() + Eigen::Index{piece} * D * together * py, a,
+                      std::min(together, end - a), py};
+    forward_columns<D>(few);
+    for (Index at = 0; at < few.some * py; ++at) {
+      Index const k = at / py, j = at % py;
+      Eigen::Matrix<Complex, D, 1> value;
+      for (int c = 0; c < D; ++c)
+        value[c] = few.column(c, k)[j];
+      bool const back = 2 * j > py;
+      act(Wave{a + k, back ? py - j : j, back ? -1.0 : 1.0}, value);
+      for (int c = 0; c < D; ++c)
+        few.column(c, k)[j] = value[c];
     }
-    for (Index k = 0; k < some; ++k)
-      for (Index j = 0; j < py; ++j) {
-        Eigen::Matrix<Complex, D, 1> value;
-        for (int c = 0; c < D; ++c)
-          value[c] = column(c, k)[j];
-        bool const back = 2 * j > py;
-        act(Wave{a + k, back ? py - j : j, back ? -1.0 : 1.0}, value);
-        for (int c = 0; c < D; ++c)
-          column(c, k)[j] = value[c];
-      }
-    for (int c = 0; c < D; ++c) {
-      for (Index k = 0; k < some; ++k)
-        fftw_execute_dft(plans_->column_back.get(), raw(column(c, k)), raw(column(c, k)));
-      for (Index j = 0; j < grid_.ny; ++j)
-        for (Index k = 0; k < some; ++k)
-          row(c, j)[a + k] = column(c, k)[j];
-    }
+    backward_columns<D>(few);
   }
 }
 

@@ -50,6 +50,13 @@ private:
   template<int D> void forward_rows(double const* in, Index first, Index last) const;
   template<int D> void backward_rows(double* out, Index first, Index last) const;
   template<int D, class Act> void columns(Index piece, Act const& act) const;
+  struct Columns {
+    Complex* first;
+    Index a, some, py; ///< waves along x from a on, points along y
+    [[nodiscard]] Complex* column(int component, Index k) const;
+  };
+  template<int D> void forward_columns(Columns const& few) const;
+  template<int D> void backward_columns(Columns const& few) const;
   template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> symbol(Wave const& wave) const;
   template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> inverse(Wave const& wave, double shift) const;
   [[nodiscard]] Complex* row(int component, Index j) const {

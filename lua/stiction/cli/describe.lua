@@ -5,8 +5,7 @@ local describe = {}
 
 --- How scripts call a kind of a category: "mesh.block", "body".
 function describe.call(category, kind)
-  local alone = kind.name == category.name and #category.kinds == 1
-  return alone and kind.name or category.name .. "." .. kind.name
+  return kind.name == category.name and kind.name or category.name .. "." .. kind.name
 end
 
 --- What a parameter may be.

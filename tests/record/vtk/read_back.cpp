@@ -4,11 +4,13 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "folder.hpp"
@@ -83,4 +85,28 @@ TEST_CASE("VTK reads a frame without cells or arrays") {
   reader->Update();
   CHECK(reader->GetErrorCode() == 0);
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+TEST_CASE("VTK reads a regular grid as it was written") {
+  record::GridFrame frame{0.25, 4, 3, -1.5, 0.5, 0.125, 2, {}};
+  frame.point_arrays.push_back({"gap", "m", 1, {}, false});
+  frame.point_arrays.push_back({"displacement", "m", 3, {}, true});
+  for (auto& array : frame.point_arrays)
+    for (std::size_t i = 0; i < 12 * static_cast<std::size_t>(array.components); ++i)
+      array.values.push_back(test::sample_value(i));
+  test::Folder const folder;
+  record::write_vti(folder / "grid.vti", frame);
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName((folder / "grid.vti").c_str());
+  reader->Update();
+  auto* image = reader->GetOutput();
+  REQUIRE(image->GetNumberOfPoints() == 12);
+  double at[3];
+  image->GetPoint(5, at);
+  CHECK(at[0] == -1.375);
+  CHECK(at[1] == 2.5);
+  CHECK(at[2] == 0);
+  check_array(image->GetPointData()->GetArray("gap"), VTK_FLOAT, "m", 1, 12);
+  check_array(image->GetPointData()->GetArray("displacement"), VTK_DOUBLE, "m", 3, 12);
+  CHECK(image->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 0.25);
 }

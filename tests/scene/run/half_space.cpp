@@ -1,6 +1,7 @@
 // Runs of half spaces: known answers, energies, and the same bits however they are run.
 #include "scene/half_spaces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <doctest/doctest.h>
@@ -10,6 +11,7 @@
 #include "record/series.hpp"
 #include "scene/explain/explain.hpp"
 #include "scene/explain/preview.hpp"
+#include "scene/random_scenes.hpp"
 #include "scene/run/run.hpp"
 #include "threads.hpp"
 
@@ -175,6 +177,48 @@ TEST_CASE("explain says what points of a half space cannot follow") {
   REQUIRE(told.size() == 1);
   CHECK(told[0].text.find("each point snaps by itself") != std::string::npos);
   CHECK(scene::preview(test::half_space_scene()).columns.size() > 20);
+}
+
+test::Input random_law(test::Dice& dice) {
+  switch (dice.below(4)) {
+  case 0:
+    return test::rcc(dice.between(0.1, 1), dice.between(1e3, 1e5), dice.between(0, 0.2));
+  case 1:
+    return test::make("adhesion.potential", {{"w", test::value(dice.between(0.01, 0.05), "J/m^2")},
+                                             {"delta", test::value(dice.between(2e-4, 1e-3), "m")}});
+  case 2:
+    return test::make("adhesion.dugdale", {{"sigma0", test::value(dice.between(10, 100), "Pa")},
+                                           {"h0", test::value(dice.between(2e-4, 1e-3), "m")},
+                                           {"ramp", test::value(0.3)}});
+  default:
+    return {};
+  }
+}
+
+TEST_CASE("random half spaces run, and their energies add up to numbers") {
+  for (unsigned seed = 8100; seed < 8116; ++seed) {
+    CAPTURE(seed);
+    test::Dice dice(seed);
+    bool const line = dice.below(2) == 0;
+    auto table = line ? test::half_line_scene() : test::half_space_scene();
+    test::at(table, "bodies.base.poisson") = test::value(dice.between(-0.5, 0.5));
+    if (dice.below(2) == 0) {
+      test::at(table, "bodies.base.boundary") = test::text("periodic");
+      test::at(table, "bodies.base.depth") = test::value(dice.between(0.1, 1), "m");
+    }
+    auto const count = [&] { return static_cast<double>(5 + dice.below(20)); };
+    test::at(table, "bodies.base.points") = line ? test::values({count()}) : test::values({count(), count()});
+    if (dice.below(3) > 0)
+      test::at(table, "pairs.joint.friction") = test::coulomb(dice.between(0, 0.8));
+    if (auto law = random_law(dice); !law.tag.empty())
+      test::at(table, "pairs.joint.adhesion") = std::move(law);
+    Case const one;
+    auto const result = one.run(table);
+    CHECK_MESSAGE(result.verdict == "finished", result.reason);
+    for (auto const& [name, column] : one.series().columns)
+      CHECK_MESSAGE(std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); }),
+                    name);
+  }
 }
 
 } // namespace
