@@ -42,8 +42,8 @@ core::Schema const& HeightMapPart::schema() {
           "points where they start",
           ""}
           .nested("surface", "surface", Need::required, "its heights over the half space at the start")
-          .number("young", &HeightMapPart::young, "Pa", core::positive, Need::optional,
-                  "Young's modulus; none: rigid")
+          .number("young", &HeightMapPart::young, "Pa", core::non_negative, Need::optional,
+                  "Young's modulus; 0: rigid")
           .number("poisson", &HeightMapPart::poisson, "1", {-1, 0.5, true, false}, Need::optional,
                   "Poisson's ratio, with `young`")
           .numbers("times", &HeightMapPart::times, "s", Need::optional, "times of the paths")

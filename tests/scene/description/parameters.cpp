@@ -117,11 +117,13 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
   using Others = std::variant<scene::ScenePart, scene::BodyPart, scene::ObstaclePart, scene::PairPart,
                               scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
                               mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt,
-                              material::PronyTerm, scene::RemeshPart, scene::SpringPart, dynamics::Accuracy>;
+                              material::PronyTerm, scene::RemeshPart, scene::SpringPart, dynamics::Accuracy,
+                              scene::HalfSpacePart, scene::HeightMapPart>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();
   check_choice<contact::Obstacle>();
+  check_choice<halfspace::Shape>();
   check_choice<dynamics::Scheme>();
   check_choice<contact::SolverChoice>();
   check_choice<interface::FrictionLaw>();
