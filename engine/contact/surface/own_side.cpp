@@ -55,16 +55,21 @@ double gap_at(Primary const& primary, Point const& point, Foot foot, std::span<d
   return normal_at(primary, foot, x).dot(point - position(primary, foot, x));
 }
 
-/// To the facet at a foot that may be a sample of it, m.
-double distance(Curve const& curve, Vec2 const& point, Foot foot, std::span<double const> x) {
-  auto const& ends = curve.segments()[ix(foot.segment)].ends;
+/// Where a facet is nearest to a point; of a curve: its chord.
+Foot nearest_on(Curve const& curve, int segment, Vec2 const& point, std::span<double const> x) {
+  auto const& ends = curve.segments()[ix(segment)].ends;
   Vec2 const from = Eigen::Map<Vec2 const>(&x[2 * ix(ends[0])]),
              along = Eigen::Map<Vec2 const>(&x[2 * ix(ends[1])]) - from;
-  double const part = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - from - part * along).norm();
+  return {segment, std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0)};
 }
-double distance(Surface const& surface, Vec3 const& point, Foot foot, std::span<double const> x) {
-  return (point - surface.position(foot, x)).norm();
+Foot nearest_on(Surface const& surface, int facet, Vec3 const& point, std::span<double const> x) {
+  double distance2 = 0;
+  return surface.sample(facet, point, x, distance2);
+}
+/// m
+template<class Primary, class Point>
+double distance(Primary const& primary, Point const& point, Foot foot, std::span<double const> x) {
+  return (point - position(primary, foot, x)).norm();
 }
 
 double interpolate(Curve const& curve, Foot foot, std::vector<double> const& of_nodes) {
@@ -171,7 +176,7 @@ template<int D> void OwnSide<D>::look_through(std::span<double const> reference,
     boxes.push_back(primary_->box(f, reference));
   Grid<D> grid;
   grid.build(boxes);
-  behind_.assign(order_.size(), {{}, radius, 0});
+  behind_.assign(order_.size(), {{}, radius, radius});
   for (std::size_t node = 0; node < behind_.size(); ++node) {
     auto const own = feet_of(static_cast<Index>(node));
     if (own.empty())
@@ -179,11 +184,17 @@ template<int D> void OwnSide<D>::look_through(std::span<double const> reference,
     Vec<D> const point = Eigen::Map<Vec<D> const>(&reference[D * node]);
     auto& behind = behind_[node];
     grid.near(point, radius, [&](int f) {
-      double distance2 = 0;
-      Foot const foot = primary_->sample(f, point, reference, distance2);
-      double const gap = gap_at(*primary_, point, foot, reference);
-      if (gap < 0 && -gap < behind.thickness && faces(static_cast<Index>(node), foot, reference))
-        behind = {foot, -gap, (point - position(*primary_, foot, reference)).norm()};
+      Foot const foot = nearest_on(*primary_, f, point, reference);
+      double const gap = gap_at(*primary_, point, foot, reference),
+                   way = distance(*primary_, point, foot, reference);
+      if (!(gap < 0 && (way < behind.way || -gap < behind.thickness)) ||
+          !faces(static_cast<Index>(node), foot, reference))
+        return;
+      behind.thickness = std::min(behind.thickness, -gap);
+      if (way < behind.way || !behind.foot.found()) {
+        behind.foot = foot;
+        behind.way = way;
+      }
     });
   }
 }
@@ -194,10 +205,9 @@ bool OwnSide<D>::sees_through(Index node, Vec<D> const& point, Foot foot, std::s
   if (!(gap_at(*primary_, point, foot, x) < 0))
     return false;
   auto const& behind = behind_[ix(node)];
-  double shrunk = 1;
-  if (behind.foot.found())
-    shrunk = std::min(1.0, (point - position(*primary_, behind.foot, x)).norm() / behind.way);
-  return distance(*primary_, point, foot, x) >= 0.5 * shrunk * behind.thickness;
+  double const now = behind.foot.found() ? distance(*primary_, point, behind.foot, x) : behind.way;
+  double const thickness = behind.thickness * std::min(1.0, now / behind.way);
+  return distance(*primary_, point, nearest_on(*primary_, foot.segment, point, x), x) >= thickness / 2;
 }
 
 template<int D> bool OwnSide<D>::faces(Index node, Foot foot, std::span<double const> x) const {

@@ -25,9 +25,9 @@ public:
 private:
   /// What a node sees through its body in the reference.
   struct Behind {
-    Foot foot;            ///< not found: nothing within the radius
-    double thickness = 0; ///< of the body there along the normal at the foot, m; or the radius
-    double way = 0;       ///< from the node to the foot, m
+    Foot foot;            ///< the nearest; not found: nothing within the radius
+    double thickness = 0; ///< of the body along the normals there, the least, m; or the radius
+    double way = 0;       ///< from the node to the foot, m; or the radius
   };
   [[nodiscard]] std::span<Foot const> feet_of(Index node) const;
   void gather_feet(std::size_t nodes);

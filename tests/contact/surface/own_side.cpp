@@ -41,7 +41,7 @@ int found_of_itself(Primary const& primary, std::vector<double> const& rest, std
   search.allow_self(rest);
   search.update(x);
   int found = 0;
-  for (Index node = 0; node < static_cast<Index>(x.size()) / D; ++node)
+  for (Index node = 0; node < static_cast<Index>(x.size()) / D - 1; ++node) // the last is free
     found += kinematics(search, node, {}, {}, x).found ? 1 : 0;
   return found;
 }
