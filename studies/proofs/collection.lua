@@ -5,6 +5,7 @@ return {
   "nonmatching_slide",
   "ironing_in_space",
   "pinched_ring",
+  "crumpled_strip",
   "cook_membrane",
   "greco_block",
   "balloon",
