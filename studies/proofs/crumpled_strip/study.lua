@@ -13,7 +13,6 @@
 local stiction = require "stiction"
 local units = stiction.units
 local m, mm, s, kg, MPa = units.m, units.mm, units.s, units.kg, units.MPa
-local numeric = stiction.numeric
 
 local function half_wave(p) return 2 * p.R.si * math.sin(p.opening) end
 
@@ -93,7 +92,8 @@ local function pressed(p)
   return {
     obstacles = { left = wall(0, false), right = wall(length, true) }, pairs = pairs, motions = motions,
     scheme = stiction.scheme.quasi_static {},
-    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = p.steps }, not cell and stiction.stage { to = 2*s, steps = p.steps } or nil } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = p.steps },
+      not cell and stiction.stage { to = 2*s, steps = p.steps } or nil } },
     probes = { held = stiction.probe.force { set = "strip.left" },
       wall = stiction.probe.contact { pair = "at_left" } },
   }
@@ -223,8 +223,10 @@ return stiction.study {
     result("deepest", "m", "a point in the body it touches", function(run, p)
       return math.max(0, -run:min("upper", "gap_min"), p.model == "cell" and 0 or -run:min("lower", "gap_min"))
     end),
-    result("drift", "1", "thrown: change of momentum over its start", thrown_only(function(run) return drift(run, { "p_x", "p_y" }, "p_x") end)),
-    result("spin_drift", "1", "thrown: change of angular momentum over its start", thrown_only(function(run) return drift(run, { "l" }, "l") end)),
+    result("drift", "1", "thrown: change of momentum over its start",
+      thrown_only(function(run) return drift(run, { "p_x", "p_y" }, "p_x") end)),
+    result("spin_drift", "1", "thrown: change of angular momentum over its start",
+      thrown_only(function(run) return drift(run, { "l" }, "l") end)),
   },
   check = function(cases, check)
     for _, case in ipairs(cases) do
@@ -243,7 +245,7 @@ return stiction.study {
   figures = function(cases)
     local runs = cases:where { model = "itself" }
     local case = runs[#runs]
-    return { stiction.figure.panel { name = "strip", columns = 2, common_range = true, figures = {
+    return { stiction.figure.panel { name = "strip", columns = 2, common_range = true, dpi = 150, figures = {
       picture(case, 1*s, "pressed", "pressed"), picture(case, 2*s, "rubbed", "and rubbed") } } }
   end,
 }
