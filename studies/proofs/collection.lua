@@ -6,6 +6,7 @@ return {
   "ironing_in_space",
   "pinched_ring",
   "crumpled_strip",
+  "folded_tube",
   "cook_membrane",
   "greco_block",
   "balloon",
