@@ -35,6 +35,9 @@ axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
   { "0.4999_mean", { nu = 0.4999, interpolation = "mean_dilatation" } }, { "0.499999", { nu = 0.499999 } },
   { "0.5", { nu = 0.5 }, want = "refused" },
 })
+axis("nu", "Poisson's ratio", { "fold" }, {
+  { "0", { nu = 0 } }, { "0.45", { nu = 0.45 } }, { "0.49_mean", { nu = 0.49, interpolation = "mean_dilatation" } },
+})
 axis("contrast", "upper E over lower E", { "slide", "slide_mortar", "stack", "stack_mortar", "stack_tied" },
   of("contrast", { 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9 }))
 axis("density", "mass density [kg/m^3]", { "bar", "drop", "crowd" }, {

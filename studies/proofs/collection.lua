@@ -5,6 +5,8 @@ return {
   "nonmatching_slide",
   "ironing_in_space",
   "pinched_ring",
+  "crumpled_strip",
+  "folded_tube",
   "cook_membrane",
   "greco_block",
   "balloon",

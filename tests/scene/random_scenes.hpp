@@ -77,7 +77,7 @@ class RandomScenes {
 public:
   explicit RandomScenes(unsigned seed)
       : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
-        constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000) {}
+        constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000), folds_(seed + 7000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -108,6 +108,8 @@ public:
       add_constraint(scene);
     if (!sample_.cells && (sample_.order == 0 || jean) && ties_.one_in(3))
       tie_cap(scene);
+    if (folds_.one_in(3))
+      touch_itself(scene);
     return scene;
   }
 
@@ -246,6 +248,15 @@ private:
     std::get<core::List>(constraints.value).push_back(tied("cap.bottom", "upper.top"));
     scene.words += ", tied";
   }
+  /// A side of the upper body may touch itself, rubbing and bonded, and has no cause to.
+  void touch_itself(RandomScene& scene) {
+    auto itself = pair("upper.right", "upper.right");
+    at(itself, "friction") = table_of(folds_, "friction", folds_.pick(frictions()).law);
+    if (folds_.one_in(2))
+      at(itself, "adhesion") = table_of(folds_, "adhesion", folds_.pick(adhesions()).law);
+    at(scene.table, "pairs.with_itself") = std::move(itself); // behind the joint
+    scene.words += ", may touch itself";
+  }
   /// The top tips besides, by up to a fiftieth.
   void turn_top(RandomScene& scene) {
     auto& motion = at(scene.table, "motions[1]");
@@ -273,8 +284,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_,
-      volumes_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_,
+      folds_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

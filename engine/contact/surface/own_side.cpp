@@ -55,6 +55,23 @@ double gap_at(Primary const& primary, Point const& point, Foot foot, std::span<d
   return normal_at(primary, foot, x).dot(point - position(primary, foot, x));
 }
 
+/// Where a facet is nearest to a point; of a curve: its chord.
+Foot nearest_on(Curve const& curve, int segment, Vec2 const& point, std::span<double const> x) {
+  auto const& ends = curve.segments()[ix(segment)].ends;
+  Vec2 const from = Eigen::Map<Vec2 const>(&x[2 * ix(ends[0])]),
+             along = Eigen::Map<Vec2 const>(&x[2 * ix(ends[1])]) - from;
+  return {segment, std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0)};
+}
+Foot nearest_on(Surface const& surface, int facet, Vec3 const& point, std::span<double const> x) {
+  double distance2 = 0;
+  return surface.sample(facet, point, x, distance2);
+}
+/// m
+template<class Primary, class Point>
+double distance(Primary const& primary, Point const& point, Foot foot, std::span<double const> x) {
+  return (point - position(primary, foot, x)).norm();
+}
+
 double interpolate(Curve const& curve, Foot foot, std::vector<double> const& of_nodes) {
   auto const& ends = curve.segments()[ix(foot.segment)].ends;
   return (1 - foot.xi) * of_nodes[ix(ends[0])] + foot.xi * of_nodes[ix(ends[1])];
@@ -118,7 +135,7 @@ OwnSide<D>::OwnSide(Primary const& primary, std::span<double const> reference, d
     : primary_(&primary), longest_(longest_facet(primary)) {
   gather_feet(reference.size() / D);
   order_nodes(reference);
-  measure_depths(reference, radius);
+  look_through(reference, radius);
 }
 
 template<int D> std::span<Foot const> OwnSide<D>::feet_of(Index node) const {
@@ -152,28 +169,45 @@ template<int D> void OwnSide<D>::order_nodes(std::span<double const> reference) 
   tie_ = 1e-12 * (most - least);
 }
 
-/// Half of what is seen through the body is not gone through.
-template<int D> void OwnSide<D>::measure_depths(std::span<double const> reference, double radius) {
+template<int D> void OwnSide<D>::look_through(std::span<double const> reference, double radius) {
   std::vector<Box<D>> boxes;
   boxes.reserve(ix(primary_->size()));
   for (int f = 0; f < primary_->size(); ++f)
     boxes.push_back(primary_->box(f, reference));
   Grid<D> grid;
   grid.build(boxes);
-  depth_.assign(order_.size(), radius / 2);
-  for (std::size_t node = 0; node < depth_.size(); ++node) {
+  behind_.assign(order_.size(), {{}, radius, radius});
+  for (std::size_t node = 0; node < behind_.size(); ++node) {
     auto const own = feet_of(static_cast<Index>(node));
     if (own.empty())
       continue;
     Vec<D> const point = Eigen::Map<Vec<D> const>(&reference[D * node]);
+    auto& behind = behind_[node];
     grid.near(point, radius, [&](int f) {
-      double distance2 = 0;
-      Foot const foot = primary_->sample(f, point, reference, distance2);
-      double const gap = gap_at(*primary_, point, foot, reference);
-      if (gap < 0 && faces(static_cast<Index>(node), foot, reference))
-        depth_[node] = std::min(depth_[node], -gap / 2);
+      Foot const foot = nearest_on(*primary_, f, point, reference);
+      double const gap = gap_at(*primary_, point, foot, reference),
+                   way = distance(*primary_, point, foot, reference);
+      if (!(gap < 0 && (way < behind.way || -gap < behind.thickness)) ||
+          !faces(static_cast<Index>(node), foot, reference))
+        return;
+      behind.thickness = std::min(behind.thickness, -gap);
+      if (way < behind.way || !behind.foot.found()) {
+        behind.foot = foot;
+        behind.way = way;
+      }
     });
   }
+}
+
+/// Half of what is seen through the body, less as far as that has come nearer, is not gone through.
+template<int D>
+bool OwnSide<D>::sees_through(Index node, Vec<D> const& point, Foot foot, std::span<double const> x) const {
+  if (!(gap_at(*primary_, point, foot, x) < 0))
+    return false;
+  auto const& behind = behind_[ix(node)];
+  double const now = behind.foot.found() ? distance(*primary_, point, behind.foot, x) : behind.way;
+  double const thickness = behind.thickness * std::min(1.0, now / behind.way);
+  return distance(*primary_, point, nearest_on(*primary_, foot.segment, point, x), x) >= thickness / 2;
 }
 
 template<int D> bool OwnSide<D>::faces(Index node, Foot foot, std::span<double const> x) const {
@@ -193,8 +227,7 @@ template<int D>
 bool OwnSide<D>::allows(Index node, Vec<D> const& point, Foot foot, std::span<double const> x) const {
   if (node < 0 || ix(node) >= order_.size() || feet_of(node).empty())
     return true;
-  return comes_after(node, foot) && gap_at(*primary_, point, foot, x) > -depth_[ix(node)] &&
-         faces(node, foot, x);
+  return comes_after(node, foot) && !sees_through(node, point, foot, x) && faces(node, foot, x);
 }
 
 template class OwnSide<2>;

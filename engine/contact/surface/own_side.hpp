@@ -23,10 +23,18 @@ public:
   [[nodiscard]] bool allows(Index node, Vec<D> const& point, Foot foot, std::span<double const> x) const;
 
 private:
+  /// What a node sees through its body in the reference.
+  struct Behind {
+    Foot foot;            ///< the nearest; not found: nothing within the radius
+    double thickness = 0; ///< of the body along the normals there, the least, m; or the radius
+    double way = 0;       ///< from the node to the foot, m; or the radius
+  };
   [[nodiscard]] std::span<Foot const> feet_of(Index node) const;
   void gather_feet(std::size_t nodes);
   void order_nodes(std::span<double const> reference);
-  void measure_depths(std::span<double const> reference, double radius);
+  void look_through(std::span<double const> reference, double radius);
+  [[nodiscard]] bool sees_through(Index node, Vec<D> const& point, Foot foot,
+                                  std::span<double const> x) const;
   [[nodiscard]] bool comes_after(Index node, Foot foot) const;
   [[nodiscard]] bool faces(Index node, Foot foot, std::span<double const> x) const;
 
@@ -35,7 +43,7 @@ private:
   std::vector<std::size_t> starts_; ///< where the feet of a node stand, [nodes + 1]
   std::vector<Foot> feet_;          ///< where nodes lie on the surface, one in each of their facets
   std::vector<double> order_;       ///< of the nodes, m
-  std::vector<double> depth_;       ///< how far a node may have gone through its counterpart, m; [nodes]
+  std::vector<Behind> behind_;      ///< [nodes]
   double tie_ = 0;                  ///< what two places in the order must differ by, m
 };
 

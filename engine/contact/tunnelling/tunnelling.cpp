@@ -14,6 +14,7 @@ constexpr int bisections = 40; // to the time of a crossing
 constexpr double on_surface =
     0.1; // of a panel's size: as deep as a point may be behind the chord of a curved surface
 constexpr double border_width = 1e-9; // of a panel: how far beyond its border it still holds
+constexpr double slack = 1e-9;        // of a way: what rounding may take from its half
 
 template<int D> Vec<D> at(std::span<double const> x, Index node) {
   return Eigen::Map<Vec<D> const>(x.data() + D * node);
@@ -67,17 +68,15 @@ template<int D> double depth_at(Panel<D> const& panel, Index node, StepPath cons
   return Moment<D>(panel, node, path, t).depth();
 }
 
-/// The boxes that the node and the panel sweep over meet.
-template<int D> bool near(Panel<D> const& panel, Index node, StepPath const& path) {
-  Vec<D> low = at<D>(path.from, panel[0]), high = low;
+/// What a panel sweeps over.
+template<int D> Box<D> swept(Panel<D> const& panel, StepPath const& path) {
+  Box<D> box{at<D>(path.from, panel[0]), at<D>(path.from, panel[0])};
   for (Index const corner : panel)
     for (auto const& x : {path.from, path.to}) {
-      low = low.cwiseMin(at<D>(x, corner));
-      high = high.cwiseMax(at<D>(x, corner));
+      box.low = box.low.cwiseMin(at<D>(x, corner));
+      box.high = box.high.cwiseMax(at<D>(x, corner));
     }
-  Vec<D> const first = at<D>(path.from, node), last = at<D>(path.to, node);
-  return (first.cwiseMin(last).array() <= high.array()).all() &&
-         (first.cwiseMax(last).array() >= low.array()).all();
+  return box;
 }
 
 /// Does it come this far behind the panel, m, after the crossing and before it leaves the panel's side?
@@ -139,16 +138,35 @@ template<int D> std::vector<Panel<D>> panels_of(CellSurface const& surface) {
   return panels;
 }
 
-template<int D> bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path, double deep) {
-  return std::ranges::any_of(panels, [&](Panel<D> const& panel) {
-    return std::ranges::find(panel, node) == panel.end() && near<D>(panel, node, path) &&
-           crosses<D>(panel, node, path, deep);
+template<int D>
+SweptPanels<D>::SweptPanels(std::vector<Panel<D>> const& panels, StepPath path)
+    : panels_(&panels), path_(path) {
+  std::vector<Box<D>> boxes;
+  boxes.reserve(panels.size());
+  for (auto const& panel : panels)
+    boxes.push_back(swept<D>(panel, path));
+  grid_.build(boxes);
+}
+
+/// Where it crosses a panel, the node is on its own way and in the panel's box.
+template<int D> bool SweptPanels<D>::passed_by(Index node, double deep, long* visits) const {
+  Vec<D> const first = at<D>(path_.from, node), last = at<D>(path_.to, node);
+  bool passed = false;
+  long count = 0;
+  grid_.near((first + last) / 2, (0.5 + slack) * (last - first).norm(), [&](int number) {
+    auto const& panel = (*panels_)[ix(number)];
+    ++count;
+    passed =
+        passed || (std::ranges::find(panel, node) == panel.end() && crosses<D>(panel, node, path_, deep));
   });
+  if (visits != nullptr)
+    *visits += count;
+  return passed;
 }
 
 template std::vector<Panel<2>> panels_of<2>(CellSurface const&);
 template std::vector<Panel<3>> panels_of<3>(CellSurface const&);
-template bool passes<2>(std::vector<Panel<2>> const&, Index, StepPath, double);
-template bool passes<3>(std::vector<Panel<3>> const&, Index, StepPath, double);
+template class SweptPanels<2>;
+template class SweptPanels<3>;
 
 } // namespace stiction::contact

@@ -6,6 +6,7 @@
 
 #include "contact/surface/cell_surface.hpp"
 #include "contact/surface/curve.hpp"
+#include "contact/surface/grid.hpp"
 #include "contact/surface/surface.hpp"
 
 namespace stiction::contact {
@@ -24,9 +25,19 @@ struct StepPath {
   std::span<double const> from, to;
 };
 
-/// True if the node, all going straight, goes from the outer to the inner side of a panel that is not its
-/// own, and, where asked, this far behind it, m.
-template<int D>
-[[nodiscard]] bool passes(std::vector<Panel<D>> const& panels, Index node, StepPath path, double deep = 0);
+/// The panels of a surface and what each sweeps over in a step, for questions in n log n.
+template<int D> class SweptPanels {
+public:
+  /// Both must outlive it.
+  SweptPanels(std::vector<Panel<D>> const& panels, StepPath path);
+  /// True if the node, all going straight, goes from the outer to the inner side of a panel that is not its
+  /// own, and, where asked, this far behind it, m. `visits` goes up by the panels looked at.
+  [[nodiscard]] bool passed_by(Index node, double deep = 0, long* visits = nullptr) const;
+
+private:
+  std::vector<Panel<D>> const* panels_;
+  StepPath path_;
+  Grid<D> grid_;
+};
 
 } // namespace stiction::contact

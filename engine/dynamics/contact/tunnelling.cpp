@@ -2,6 +2,7 @@
 #include "dynamics/contact/tunnelling.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "contact/tunnelling/obstacle_tunnelling.hpp"
 #include "dynamics/model/poses.hpp"
@@ -71,6 +72,7 @@ template<int D> bool Tunnelling::passed(std::size_t pair, State const& old, Stat
   Drift<D> const drift(panels, step);
   Vector from, to;
   auto const count = static_cast<std::size_t>(model_->dofs());
+  std::optional<contact::SweptPanels<D>> swept; // of few steps
   for (std::size_t i = 0; i < described.secondary.size(); ++i) {
     Index const node = described.secondary[i];
     // contact sees whatever ends within reach of where it was, but may lose what it held, and may hold again
@@ -79,12 +81,12 @@ template<int D> bool Tunnelling::passed(std::size_t pair, State const& old, Stat
     bool const far = (step.segment<D>(D * node) - drift.mean).norm() + drift.spread > described.reach;
     if (!far && (after.in_reach || !before.in_reach))
       continue;
-    if (from.size() == 0) {
+    if (!swept) {
       from = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + old.u;
       to = from + step;
+      swept.emplace(panels, contact::StepPath{{from.data(), count}, {to.data(), count}});
     }
-    if (contact::passes<D>(panels, node, {{from.data(), count}, {to.data(), count}},
-                           after.in_reach ? described.reach : 0))
+    if (swept->passed_by(node, after.in_reach ? described.reach : 0))
       return true;
   }
   return false;

@@ -1,7 +1,7 @@
 // Surfaces that touch themselves: what their nodes find, each couple once, and how much they look at.
 #include <doctest/doctest.h>
 
-#include "contact/helpers.hpp"
+#include "contact/outlines.hpp"
 #include "contact/surface/search.hpp"
 #include "contact/surfaces.hpp"
 
@@ -23,6 +23,29 @@ struct Folded {
     x = now.with(Vec3::Zero());
   }
 };
+
+/// A U whose right leg comes nearer by so much, its bottom bulging and its inner corners opening downwards.
+std::vector<double> pressed_together(std::vector<double> x, double way) {
+  for (std::size_t i = 0; i + 1 < x.size(); i += 2) {
+    double const X = x[i], Y = x[i + 1], side = X < 1.5 ? -1 : 1;
+    double const bulge = Y == 0 ? std::sin(std::numbers::pi * X / 3) : std::sin(std::numbers::pi * (X - 1));
+    bool const floor = Y == 1, corner = floor && (X == 1 || X == 2);
+    x[i] -= way * std::clamp(X - 1, 0.0, 1.0) - (corner ? 0.2 * side : 0);
+    x[i + 1] -= (Y <= 1 ? 0.1 * bulge : 0) + (floor ? 0.1 : 0);
+  }
+  return x;
+}
+
+template<int D, class Primary>
+int found_of_itself(Primary const& primary, std::vector<double> const& rest, std::vector<double> const& x) {
+  Search<D> search(primary, 0.5);
+  search.allow_self(rest);
+  search.update(x);
+  int found = 0;
+  for (Index node = 0; node < static_cast<Index>(x.size()) / D - 1; ++node) // the last is free
+    found += kinematics(search, node, {}, {}, x).found ? 1 : 0;
+  return found;
+}
 
 } // namespace
 
@@ -72,6 +95,42 @@ TEST_SUITE("contact") {
         auto plate = cube(6, triangles);
         nothing(plate.move([&](Vec3 const& v) { return Vec3(v.x(), v.y(), thickness * v.z()); }));
       }
+    }
+  }
+
+  TEST_CASE("what is squeezed flat finds nothing of itself through its body") {
+    auto const bar = outline({{0, 0}, {2, 0}, {2, 0.3}, {0, 0.3}}, 0.05);
+    auto const curve = bar.curve();
+    for (double const left : {0.9, 0.5, 0.3, 0.05}) {
+      CAPTURE(left);
+      auto flat_bar = flat(bar.nodes);
+      for (std::size_t i = 1; i < flat_bar.size(); i += 2)
+        flat_bar[i] *= left;
+      CHECK(found_of_itself<2>(curve, flat(bar.nodes), flat_bar) == 0);
+      for (bool const triangles : {false, true}) {
+        auto plate = cube(8, triangles);
+        plate.move([](Vec3 const& v) { return Vec3(v.x(), v.y(), 0.2 * v.z()); });
+        auto const rest = plate.with(Vec3::Zero());
+        auto const surface = plate.surface();
+        plate.move([&](Vec3 const& v) { return Vec3(v.x(), v.y(), left * v.z()); });
+        CHECK(found_of_itself<3>(surface, rest, plate.with(Vec3::Zero())) == 0);
+      }
+    }
+  }
+
+  TEST_CASE("the bottom of a U does not take the inner corner, along whose tangent it lies") {
+    auto const u = outline({{0, 0}, {3, 0}, {3, 8.5}, {2, 8.5}, {2, 1}, {1, 1}, {1, 10}, {0, 10}}, 0.5);
+    auto const curve = u.curve();
+    auto const rest = flat(u.nodes);
+    for (double const way : {0.0, 0.7, 0.8, 0.95}) {
+      CAPTURE(way);
+      auto const x = pressed_together(rest, way);
+      Search<2> search(curve, 1);
+      search.allow_self(rest);
+      search.update(x);
+      for (Index const node : u.chain.nodes)
+        if (rest[2 * ix(node) + 1] < 0.5)
+          CHECK_FALSE(kinematics(search, node, {}, {}, x).found);
     }
   }
 

@@ -1,7 +1,7 @@
 // The search for feet: equal to a scan, near-linear in facets, blind beyond its reach; self-contact.
 #include <doctest/doctest.h>
 
-#include "contact/helpers.hpp"
+#include "contact/outlines.hpp"
 #include "contact/surface/search.hpp"
 #include "contact/surfaces.hpp"
 
@@ -10,22 +10,6 @@ using namespace stiction::contact;
 using namespace stiction::test;
 
 namespace {
-
-/// A closed outline of straight sides in equal facets of about `size`, the inside to the left.
-Arc outline(std::vector<Vec2> const& corners, double size) {
-  std::vector<Vec2> nodes;
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    Vec2 const from = corners[c], to = corners[(c + 1) % corners.size()];
-    int const parts = std::max(1, static_cast<int>(std::lround((to - from).norm() / size)));
-    for (int i = 0; i < parts; ++i)
-      nodes.emplace_back(from + (to - from) * i / parts);
-  }
-  Arc arc(static_cast<int>(nodes.size()), 0, 1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    arc.nodes.row(static_cast<Eigen::Index>(i)) = nodes[i].transpose();
-  arc.chain.closed = true;
-  return arc;
-}
 
 /// A U of arms 0.2 thick and 2 high, 0.6 apart; its arms bent by `angle` towards each other.
 std::vector<double> bent(std::vector<double> x, double angle) {

@@ -1,6 +1,7 @@
 // Nodes that go through a surface within a step, beside it, along it, and out of it.
 #include <doctest/doctest.h>
 
+#include "contact/surfaces.hpp"
 #include "contact/tunnelling/tunnelling.hpp"
 
 using namespace stiction;
@@ -10,7 +11,8 @@ namespace {
 
 /// A panel at rest or moved, and a node that goes from one position to another. [D nodes]
 template<int D> bool goes_through(Panel<D> const& panel, std::vector<double> from, std::vector<double> to) {
-  return passes<D>({panel}, D, {from, to});
+  std::vector<Panel<D>> const panels{panel};
+  return SweptPanels<D>(panels, {from, to}).passed_by(D);
 }
 
 /// The segment (0, 0) to (2, 0), its body above; the node goes from a to b.
@@ -40,9 +42,9 @@ TEST_SUITE("contact") {
   }
   TEST_CASE("where a depth is asked for, the node must come to it before it leaves the panel sideways") {
     auto const deep = [](Vec2 to, double depth) {
-      return passes<2>(
-          {{0, 1}}, 2,
-          {std::vector<double>{0, 0, 2, 0, 1, -1}, std::vector<double>{0, 0, 2, 0, to.x(), to.y()}}, depth);
+      std::vector<Panel<2>> const panels{{0, 1}};
+      std::vector<double> const from{0, 0, 2, 0, 1, -1}, there{0, 0, 2, 0, to.x(), to.y()};
+      return SweptPanels<2>(panels, {from, there}).passed_by(2, depth);
     };
     CHECK(deep({1.5, 1}, 0.9));
     CHECK_FALSE(deep({1.5, 1}, 1.1));
@@ -62,10 +64,28 @@ TEST_SUITE("contact") {
     CHECK_FALSE(through_triangle({0.2, 0.2, 5}, {0.2, 0.2, 1e-3}));
   }
   TEST_CASE("a node does not pass panels of its own, and all lengths serve") {
-    CHECK_FALSE(passes<2>({{0, 1}}, 1, {std::vector<double>{0, 0, 2, 0}, std::vector<double>{0, 0, 2, 3}}));
+    std::vector<Panel<2>> const panels{{0, 1}};
+    std::vector<double> const rest{0, 0, 2, 0}, moved{0, 0, 2, 3};
+    CHECK_FALSE(SweptPanels<2>(panels, {rest, moved}).passed_by(1));
     for (double const size : {1e-12, 1e12}) {
       std::vector<double> const from{0, 0, 2 * size, 0, size, -size}, to{0, 0, 2 * size, 0, size, size};
-      CHECK(passes<2>({{0, 1}}, 2, {from, to}));
+      CHECK(SweptPanels<2>(panels, {from, to}).passed_by(2));
     }
+  }
+  TEST_CASE("how many panels a node looks at does not grow with their number") {
+    std::vector<long> visits;
+    for (int const n : {22, 71, 224}) { // about 1e3, 1e4 and 1e5 triangles
+      auto const shell = test::sheet(n, true);
+      auto const surface = shell.surface();
+      auto const panels = panels_of(surface);
+      auto const from = shell.with({0.503, 0.497, 1.0 / n}), to = shell.with({0.503, 0.497, -1.0 / n});
+      SweptPanels<3> const swept(panels, {from, to});
+      long count = 0;
+      CHECK(swept.passed_by(shell.free_node(), 0, &count));
+      CHECK_FALSE(swept.passed_by(shell.free_node(), 2.0 / n));
+      visits.push_back(count);
+    }
+    CHECK(visits[0] < 50);
+    CHECK(visits[2] <= visits[0] + 10);
   }
 }
