@@ -108,7 +108,9 @@ public:
       add_constraint(scene);
     if (!sample_.cells && (sample_.order == 0 || jean) && ties_.one_in(3))
       tie_cap(scene);
-    if (folds_.one_in(3))
+    bool const led = scene.words.find(", tied") != std::string::npos ||
+                     scene.words.find(", alike") != std::string::npos; // no contact at the nodes of either
+    if (!led && folds_.one_in(2))
       touch_itself(scene);
     return scene;
   }

@@ -177,25 +177,25 @@ template<int D> void OwnSide<D>::look_through(std::span<double const> reference,
   Grid<D> grid;
   grid.build(boxes);
   behind_.assign(order_.size(), {{}, radius, radius});
-  for (std::size_t node = 0; node < behind_.size(); ++node) {
-    auto const own = feet_of(static_cast<Index>(node));
-    if (own.empty())
-      continue;
-    Vec<D> const point = Eigen::Map<Vec<D> const>(&reference[D * node]);
-    auto& behind = behind_[node];
-    grid.near(point, radius, [&](int f) {
-      Foot const foot = nearest_on(*primary_, f, point, reference);
-      double const gap = gap_at(*primary_, point, foot, reference),
-                   way = distance(*primary_, point, foot, reference);
-      if (!(gap < 0 && (way < behind.way || -gap < behind.thickness)) ||
-          !faces(static_cast<Index>(node), foot, reference))
-        return;
-      behind.thickness = std::min(behind.thickness, -gap);
-      if (way < behind.way || !behind.foot.found()) {
-        behind.foot = foot;
-        behind.way = way;
-      }
-    });
+  for (std::size_t node = 0; node < behind_.size(); ++node)
+    if (!feet_of(static_cast<Index>(node)).empty())
+      grid.near(Eigen::Map<Vec<D> const>(&reference[D * node]), radius,
+                [&](int f) { look_behind(static_cast<Index>(node), f, reference); });
+}
+
+template<int D> void OwnSide<D>::look_behind(Index node, int facet, std::span<double const> reference) {
+  Vec<D> const point = Eigen::Map<Vec<D> const>(&reference[D * ix(node)]);
+  auto& behind = behind_[ix(node)];
+  Foot const foot = nearest_on(*primary_, facet, point, reference);
+  double const gap = gap_at(*primary_, point, foot, reference),
+               way = distance(*primary_, point, foot, reference);
+  bool const tells = way < behind.way || -gap < behind.thickness;
+  if (!(gap < 0) || !tells || !faces(node, foot, reference))
+    return;
+  behind.thickness = std::min(behind.thickness, -gap);
+  if (way < behind.way || !behind.foot.found()) {
+    behind.foot = foot;
+    behind.way = way;
   }
 }
 

@@ -33,6 +33,7 @@ private:
   void gather_feet(std::size_t nodes);
   void order_nodes(std::span<double const> reference);
   void look_through(std::span<double const> reference, double radius);
+  void look_behind(Index node, int facet, std::span<double const> reference);
   [[nodiscard]] bool sees_through(Index node, Vec<D> const& point, Foot foot,
                                   std::span<double const> x) const;
   [[nodiscard]] bool comes_after(Index node, Foot foot) const;
