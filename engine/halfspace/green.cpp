@@ -30,9 +30,8 @@ namespace {
 
 Symbols sized(Grid const& grid, int components) {
   Symbols made;
-  int const pad = grid.periodic ? 1 : 2;
-  made.px = pad * grid.nx;
-  made.py = grid.line ? 1 : pad * grid.ny;
+  made.px = grid.px();
+  made.py = grid.py();
   made.rows = made.px / 2 + 1;
   made.columns = made.py / 2 + 1;
   auto const size = Eigen::Index{made.rows} * made.columns;
@@ -45,12 +44,12 @@ Symbols sized(Grid const& grid, int components) {
 }
 
 /// One wave (a, b) that is not the mean.
-struct Wave {
+struct Direction {
   double kx = 0, ky = 0;
   bool last_x = false, last_y = false; ///< the shortest that points resolve, without a direction
 };
 
-void set(Symbols& made, Eigen::Index at, Wave const& wave, Compliance const& c) {
+void set(Symbols& made, Eigen::Index at, Direction const& wave, Compliance const& c) {
   double const k = std::hypot(wave.kx, wave.ky), cx = wave.kx / k, cy = wave.ky / k;
   made.nn[at] = c.normal / k;
   if (made.xx.size() == 0)

@@ -11,6 +11,9 @@ struct Grid {
   bool line = false;     ///< plane strain: what is m^2 elsewhere is m
   bool periodic = true;  ///< repeated for ever; else the surface is free around the points
   [[nodiscard]] Index size() const { return nx * ny; }
+  /// Points of the transforms along x and along y: those of free surfaces are padded.
+  [[nodiscard]] Index px() const { return periodic ? nx : 2 * nx; }
+  [[nodiscard]] Index py() const { return line || periodic ? ny : 2 * ny; }
   [[nodiscard]] double dx() const { return Lx / nx; }
   [[nodiscard]] double dy() const { return Ly / ny; }
   /// Of the piece of surface that belongs to a point, m^2 (m on a line).

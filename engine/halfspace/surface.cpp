@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <fftw3.h>
 
 #include "contact/problem/problem.hpp"
@@ -40,6 +41,11 @@ Index pieces(Index columns) {
 }
 
 } // namespace
+
+double product_operations(Grid const& grid, int components) {
+  double const D = components, px = grid.px(), py = grid.py(), waves = px / 2 + 1;
+  return 5 * D * (grid.ny * px * std::log2(px) + 2 * waves * py * std::log2(py)) + 8 * D * D * waves * py;
+}
 
 void Surface::Free::operator()(Complex* data) const {
   fftw_free(data);

@@ -8,6 +8,9 @@
 
 namespace stiction::halfspace {
 
+/// Floating-point operations of a product: transforms of rows and of columns, there and back, and weighing.
+[[nodiscard]] double product_operations(Grid const& grid, int components);
+
 /// Forces p on the points, N, to displacements x, m: contact by contact, (n [, x [, y]]). A product is two
 /// transforms a component; rows and columns of the grid are shared by threads, and give the same bits however
 /// many there are. Rows of padding are neither kept nor transformed.
@@ -21,7 +24,7 @@ public:
 
   /// x += W p. Not by two threads at a time.
   void add_product(Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x) const;
-  /// x = (shift + W)^-1 force, of a periodic surface; nearly that, and as positive, of a free one. shift:
+  /// force = (shift + W)^-1 x, of a periodic surface; nearly that, and as positive, of a free one. shift:
   /// m/N.
   void solve(double shift, Vector const& x, Vector& force) const;
   [[nodiscard]] contact::Delassus delassus() const;
@@ -36,6 +39,8 @@ public:
   /// Products and solutions so far.
   [[nodiscard]] long products() const { return products_; }
   [[nodiscard]] long solutions() const { return solutions_; }
+  /// Of one of them.
+  [[nodiscard]] double operations() const { return product_operations(grid_, components_); }
   /// Numbers that it keeps.
   [[nodiscard]] std::size_t memory() const;
 

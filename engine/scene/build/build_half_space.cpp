@@ -160,12 +160,11 @@ void Builder::take_half_space_pair(std::string const& name, PairPart const& part
 
 void Builder::check_half_space_scheme() {
   auto const& part = scene_.part;
-  auto const* scheme = std::get_if<dynamics::QuasiStatic>(&part.scheme);
-  refuse({"scheme"}, scheme == nullptr,
+  auto const weights = dynamics::weights(part.scheme);
+  refuse({"scheme"}, weights.inertia,
          "has inertia, which a half space has not; give scheme = stiction.scheme.quasi_static {}");
-  refuse({"scheme", "stabilisation"}, scheme != nullptr && scheme->stabilisation > 0,
-         fmt::format("is {:g}; a half space needs none: leave it out",
-                     scheme == nullptr ? 0.0 : scheme->stabilisation));
+  refuse({"scheme", "stabilisation"}, weights.stabilisation > 0,
+         fmt::format("is {:g}; a half space needs none: leave it out", weights.stabilisation));
   auto const* newton = std::get_if<contact::BipotentialNewton>(&part.solver);
   refuse({"solver"}, newton == nullptr,
          "works on a matrix, which a half space has not; give stiction.solver.newton, or leave it out");
@@ -176,8 +175,6 @@ void Builder::check_half_space_scheme() {
          "leave it out");
   refuse({"schedule", "accuracy"}, part.schedule.accuracy.has_value(),
          "does not choose the steps of half spaces yet; give stages their steps");
-  refuse({"schedule", "work"}, given({"schedule", "work"}),
-         "is not counted for half spaces; give `cuts` or `seconds`");
   refuse({"output", "problems_every"}, part.output.problems_every > 0,
          "wants contact problems as matrices, which a half space has not; leave it out");
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "halfspace/surface.hpp"
 #include "scene/description/human.hpp"
 
 namespace stiction::scene {
@@ -86,8 +87,8 @@ Section grid_cost(GridFacts const& facts) {
   // tables of waves, half of the transforms, and what problem, state and solver keep of each point
   double const numbers = n * (pad * D + (D == 1 ? 1 : 2 * D) * (grid.periodic ? 0.25 : 1) + 12.0 * D + 16);
   count(section, "memory", 8 * numbers, "B", "about");
-  count(section, "transform", 5 * D * pad * pad * n * std::log2(std::max(2.0, pad * pad * n)), "1",
-        "operations of one, of which a product takes two");
+  count(section, "product", halfspace::product_operations(grid, D), "1",
+        "operations of one with the surface's compliance; a step takes some ten to some hundred");
   return section;
 }
 

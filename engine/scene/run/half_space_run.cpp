@@ -14,7 +14,9 @@
 #include "record/step_log.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
+#include "scene/run/halves.hpp"
 #include "scene/run/manifest.hpp"
+#include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
 #include "scene/run/resources.hpp"
 
@@ -71,8 +73,11 @@ class HalfSpaceRun {
 public:
   HalfSpaceRun(Scene const& scene, RunOptions const& options, Checkpoint& checkpoint, Story const& story)
       : scene_(scene), model_(*scene.half_space), options_(options), checkpoint_(checkpoint), story_(story),
-        stepper_(model_), state_(stepper_.initial()) {
-    stepper_.interrupt_when([this] { return !stop_reason().empty(); });
+        stepper_(model_),
+        patience_(scene.part.schedule,
+                  {[this] { return operations(); }, [this] { return stepper_.surface().operations(); }}),
+        halves_(scene.part.schedule.halvings), state_(stepper_.initial()) {
+    stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (!story.under_way) {
       begin_files(nullptr);
       return;
@@ -106,18 +111,20 @@ public:
     result_.iterations = cost.iterations;
     result_.phases = {
         {"assembly", 0}, {"factorization", 0}, {"contact", contact_}, {"solve", 0}, {"output", output_}};
-    result_.counters = {{"unknowns", stepper_.surface().rows()},
-                        {"contact_unknowns", stepper_.surface().rows()},
-                        {"products", static_cast<double>(cost.products)},
-                        {"preconditionings", static_cast<double>(cost.solutions)},
-                        {"krylov_iterations", static_cast<double>(cost.krylov)},
-                        {"contact_iterations", static_cast<double>(cost.iterations)},
-                        {"solves", static_cast<double>(cost.products + cost.solutions)},
-                        {"cells", 0},
-                        {"cells_evaluated", 0},
-                        {"surface_bytes", 8 * static_cast<double>(stepper_.surface().memory())},
-                        {"cpu_seconds", cpu_before_ + cpu_seconds()},
-                        {"peak_memory", peak_memory()}};
+    result_.counters = {
+        {"unknowns", stepper_.surface().rows()},
+        {"contact_unknowns", stepper_.surface().rows()},
+        {"products", static_cast<double>(cost.products)},
+        {"preconditionings", static_cast<double>(cost.solutions)},
+        {"krylov_iterations", static_cast<double>(cost.krylov)},
+        {"contact_iterations", static_cast<double>(cost.iterations)},
+        {"solves", static_cast<double>(cost.products + cost.solutions)},
+        {"cells", 0},
+        {"cells_evaluated", 0},
+        {"work", stepper_.surface().operations() * static_cast<double>(cost.products + cost.solutions)},
+        {"surface_bytes", 8 * static_cast<double>(stepper_.surface().memory())},
+        {"cpu_seconds", cpu_before_ + cpu_seconds()},
+        {"peak_memory", peak_memory()}};
     return result_;
   }
   [[nodiscard]] double time() const { return state_.t; }
@@ -145,6 +152,8 @@ private:
   /// On from its place, which is its start unless it was begun.
   bool run_stage(StagePart const& stage, double start) {
     double const nominal = (stage.until - start) / stage.steps;
+    if (step_ == 0 && halves_.done() == 0)
+      patience_.begin(nominal);
     int const frames = scene_.part.output.frames;
     for (; step_ < stage.steps; ++step_) {
       double const from = start + step_ * nominal,
@@ -163,62 +172,54 @@ private:
     return true;
   }
 
-  /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
+  /// One nominal step, in halves where it fails.
   bool run_interval(double from, double to, double nominal) {
-    long const whole = 1L << scene_.part.schedule.halvings;
-    while (done_ < whole) {
+    while (!halves_.all_done()) {
       settled_ = stepper_.cost();
       if (checkpoint_.due())
         keep();
       if (stopped())
         return false;
-      long const size = whole >> halved_;
-      double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
+      double const dt = nominal * halves_.part();
       auto outcome = attempt(dt);
       if (!outcome.converged) {
         if (stopped() || !halve(outcome, dt))
           return false;
         continue;
       }
-      done_ += size;
-      outcome.state.t =
-          done_ == whole ? to : from + (to - from) * static_cast<double>(done_) / static_cast<double>(whole);
+      bool const grown = halves_.advance();
+      outcome.state.t = halves_.all_done() ? to : from + (to - from) * halves_.done();
       accept(std::move(outcome), dt);
-      if (halved_ > 0 && ++successes_ >= 2 && done_ % (2 * size) == 0) {
-        --halved_;
-        successes_ = 0;
+      if (grown)
         log_->add({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
-      }
     }
-    done_ = 0;
-    cuts_ = 0;
+    halves_.begin();
     return true;
   }
 
   halfspace::Outcome attempt(double dt) {
     dynamics::Timer const timer(contact_);
+    patience_.begin_attempt();
     return stepper_.step(state_, dt);
   }
 
   bool halve(halfspace::Outcome const& outcome, double dt) {
     ++result_.cuts;
-    ++cuts_;
-    successes_ = 0;
     log_->add({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, ""});
-    auto const& schedule = scene_.part.schedule;
-    if (++halved_ <= schedule.halvings && cuts_ < schedule.cuts)
+    auto const lost = patience_.lost();
+    if (halves_.cut() && lost.empty())
       return true;
     result_.verdict = "not converged";
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
-    if (cuts_ >= schedule.cuts)
-      result_.reason +=
-          fmt::format("; gave up, as {} attempts at one step have failed (schedule.cuts)", cuts_);
+    if (!lost.empty())
+      result_.reason += "; gave up, as " + lost;
     return false;
   }
 
   void accept(halfspace::Outcome outcome, double dt) {
     state_ = std::move(outcome.state);
+    patience_.reached(state_.t);
     ++result_.steps;
     log_->add({state_.t, dt, dt, "step", "", "", ""});
     dynamics::Timer const timer(output_);
@@ -254,12 +255,7 @@ private:
   [[nodiscard]] std::string stop_reason() {
     bool const asked = (options_.stop != nullptr && options_.stop->load()) ||
                        (options_.stop_after > 0 && ++asked_ >= options_.stop_after);
-    double const limit = scene_.part.schedule.seconds;
-    if (asked)
-      return on_request;
-    return limit > 0 && seconds() > limit
-               ? fmt::format("after {:g} s of the machine (schedule.seconds)", limit)
-               : "";
+    return asked ? on_request : patience_.late(seconds());
   }
 
   bool stopped() {
@@ -289,13 +285,19 @@ private:
 
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, stage_, step_, done_, halved_, successes_, cuts_, result_.steps, result_.cuts,
-            spent, cpu, output_, contact_);
+    archive(state_, settled_, stage_, step_, halves_, patience_, result_.steps, result_.cuts, spent, cpu,
+            output_, contact_);
     if constexpr (Archive::reads) {
       stepper_.go_on(settled_);
       before_ = spent;
       cpu_before_ = cpu;
     }
+  }
+
+  /// Of all products and preconditionings of this process.
+  [[nodiscard]] double operations() const {
+    auto const& surface = stepper_.surface();
+    return surface.operations() * static_cast<double>(surface.products() + surface.solutions());
   }
 
   [[nodiscard]] double seconds() const {
@@ -310,6 +312,8 @@ private:
   Checkpoint& checkpoint_;
   Story const& story_;
   halfspace::Stepper stepper_;
+  Patience patience_;
+  Halves halves_;
   halfspace::State state_;
   halfspace::Cost settled_; ///< before the present attempt
   std::optional<record::StepLog> log_;
@@ -319,9 +323,7 @@ private:
   std::vector<double> row_;
   RunResult result_;
   std::size_t stage_ = 0;
-  int step_ = 0;  ///< nominal, of the stage
-  long done_ = 0; ///< parts of it
-  int halved_ = 0, successes_ = 0, cuts_ = 0;
+  int step_ = 0;                                                  ///< nominal, of the stage
   double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s
   long asked_ = 0;
   Clock::time_point began_ = Clock::now(), reported_{};
@@ -342,14 +344,8 @@ RunResult run_half_space(core::Input const& input, Scene const& scene, RunOption
   }
   if (story.under_way)
     story.go_on(running->time(), running->steps(), checkpoint);
-  auto manifest = manifest_of(input, scene, options);
   auto const warnings = warnings_of(scene);
-  manifest["started"] = story.started;
-  if (!story.continued.empty())
-    manifest["continued"] = story.continuations();
-  auto& told = manifest["warnings"] = nlohmann::json::array();
-  for (auto const& warning : warnings)
-    told.push_back({{"text", warning.text}, {"change", warning.change}});
+  auto manifest = manifest_of(input, scene, options, story, warnings);
   record::write_manifest(options.out / "manifest.json", manifest);
   RunResult result;
   try {

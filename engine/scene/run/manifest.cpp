@@ -205,4 +205,16 @@ json manifest_of(core::Input const& input, Scene const& scene, RunOptions const&
   return manifest;
 }
 
+nlohmann::json manifest_of(core::Input const& asked, Scene const& scene, RunOptions const& options,
+                           Story const& story, std::vector<Warning> const& warnings) {
+  auto manifest = manifest_of(asked, scene, options);
+  manifest["started"] = story.started;
+  if (!story.continued.empty())
+    manifest["continued"] = story.continuations();
+  auto& told = manifest["warnings"] = nlohmann::json::array();
+  for (auto const& warning : warnings)
+    told.push_back({{"text", warning.text}, {"change", warning.change}});
+  return manifest;
+}
+
 } // namespace stiction::scene

@@ -4,6 +4,7 @@
 
 #include "scene/build/build.hpp"
 #include "scene/description/catalog.hpp"
+#include "scene/run/checkpoint.hpp"
 #include "scene/run/run.hpp"
 
 namespace stiction::scene {
@@ -18,5 +19,9 @@ namespace stiction::scene {
 
 [[nodiscard]] nlohmann::json manifest_of(core::Input const& input, Scene const& scene,
                                          RunOptions const& options);
+/// With its story, and what it was warned of.
+[[nodiscard]] nlohmann::json manifest_of(core::Input const& asked, Scene const& scene,
+                                         RunOptions const& options, Story const& story,
+                                         std::vector<Warning> const& warnings);
 
 } // namespace stiction::scene

@@ -16,6 +16,7 @@
 #include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
 #include "scene/run/checkpoint.hpp"
+#include "scene/run/halves.hpp"
 #include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
 #include "scene/run/remarks.hpp"
@@ -37,8 +38,11 @@ public:
   /// record::Unfit if it cannot.
   Run(Scene const& scene, RunOptions const& options, Checkpoint& checkpoint, Story const& story)
       : scene_(&scene), options_(&options), checkpoint_(&checkpoint), story_(&story), ranks_(options.ranks),
-        stepper_(*scene.model), patience_(scene.part.schedule, *scene.model, stepper_),
-        state_(stepper_.initial()), remarks_(scene), meshes_(scene, state_) {
+        stepper_(*scene.model),
+        patience_(scene.part.schedule, {[this] { return operations(*scene_->model, stepper_); },
+                                        [this] { return stepper_.bulk().effort().operations; }}),
+        state_(stepper_.initial()), remarks_(scene), meshes_(scene, state_),
+        halves_(scene.part.schedule.halvings) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
@@ -131,13 +135,12 @@ private:
       throw record::Unfit(unfit);
   }
 
-  /// Where in the schedule: stage, nominal step of it, parts of that done.
+  /// Where in the schedule: stage, nominal step of it.
   struct Place {
     std::size_t stage = 0;
     int step = 0;
-    long done = 0;
     bool begun = false; ///< the stage
-    template<class Archive> void visit(Archive& archive) { archive(stage, step, done, begun); }
+    template<class Archive> void visit(Archive& archive) { archive(stage, step, begun); }
   };
 
   /// The factors that need not be made when steps want them: all of a system whose factors do not depend on
@@ -210,7 +213,7 @@ private:
         recorder_->frame(state_);
       }
     }
-    place_ = {place_.stage, 0, 0, false};
+    place_ = {place_.stage, 0, false};
     return true;
   }
 
@@ -255,32 +258,25 @@ private:
       tell("grown", "error", decision.reason);
   }
 
-  /// One nominal step, in halves of halves where it fails; sizes grow back where the halves align.
+  /// One nominal step, in halves where it fails.
   bool run_interval(double from, double to, double nominal) {
-    int const floor = scene_->part.schedule.halvings;
-    long const whole = 1L << floor;
-    for (auto& done = place_.done; done < whole;) {
+    while (!halves_.all_done()) {
       if (!goes_on())
         return false;
-      long const size = whole >> halved_;
-      double const dt = nominal * static_cast<double>(size) / static_cast<double>(whole);
+      double const dt = nominal * halves_.part();
       auto outcome = attempt(dt);
       if (!outcome.converged()) {
-        if (stopped() || !halve(outcome, dt, floor))
+        if (stopped() || !halve(outcome, dt))
           return false;
         continue;
       }
-      done += size;
-      outcome.state.t =
-          done == whole ? to : from + (to - from) * static_cast<double>(done) / static_cast<double>(whole);
+      bool const grown = halves_.advance();
+      outcome.state.t = halves_.all_done() ? to : from + (to - from) * halves_.done();
       accept(std::move(outcome), dt);
-      if (halved_ > 0 && ++successes_ >= 2 && done % (2 * size) == 0) {
-        --halved_;
-        successes_ = 0;
+      if (grown)
         recorder_->change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
-      }
     }
-    place_.done = 0;
+    halves_.begin();
     return true;
   }
 
@@ -362,7 +358,7 @@ private:
   /// Hands over all that a run changes on its way but its files, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, standing_, settled_, place_, halved_, successes_, attempts_, patience_, remarks_, meshes_,
+    archive(state_, standing_, settled_, place_, halves_, attempts_, patience_, remarks_, meshes_,
             result_.steps, result_.cuts, spent, cpu, output_);
     if (pace_)
       archive(*pace_);
@@ -372,15 +368,14 @@ private:
     }
   }
 
-  bool halve(dynamics::Outcome const& outcome, double dt, int floor) {
+  bool halve(dynamics::Outcome const& outcome, double dt) {
     ++result_.cuts;
-    successes_ = 0;
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       remarks_.examine(stepper_.contact(), state_.t + dt, contact::Checked::all);
     recorder_->change(
         {state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, contact::words(answered())});
     auto const enough = patience_.lost();
-    return (++halved_ <= floor && enough.empty()) || give_up(outcome, dt, enough);
+    return (halves_.cut() && enough.empty()) || give_up(outcome, dt, enough);
   }
 
   /// Always false. enough: which limit has been passed, if one has.
@@ -464,7 +459,7 @@ private:
   long asked_ = 0;                     ///< whether it is to stop
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
-  int halved_ = 0, successes_ = 0;
+  Halves halves_;
   long attempts_ = 0;
   contact::Methods answered_before_{}; ///< the last attempt
   std::optional<std::size_t>

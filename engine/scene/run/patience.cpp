@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-
-#include "scene/run/work.hpp"
+#include <utility>
 
 namespace stiction::scene {
 
@@ -13,29 +12,24 @@ constexpr double factorizations = 1000; ///< whose work may be lost where it is 
 constexpr double hopeless = 100;        ///< times the limit, in one attempt
 } // namespace
 
-Patience::Patience(SchedulePart const& limits, dynamics::Model const& model, dynamics::Stepper const& stepper)
-    : limits_(&limits), model_(&model), stepper_(&stepper) {}
-
-double Patience::operations() const {
-  return scene::operations(*model_, *stepper_);
-}
+Patience::Patience(SchedulePart const& limits, Work work) : limits_(&limits), work_(std::move(work)) {}
 
 void Patience::begin_attempt() {
-  before_ = operations();
+  before_ = work_.so_far();
 }
 
 /// Operations that may be lost on one step.
 double Patience::most() const {
-  return std::max(1e9 * limits_->work, factorizations * stepper_->bulk().effort().operations);
+  return std::max(1e9 * limits_->work, factorizations * work_.once());
 }
 
 bool Patience::spent() const {
   double const limit = std::max(hopeless * 1e9 * limits_->work, most());
-  return operations() - before_ > limit;
+  return work_.so_far() - before_ > limit;
 }
 
 std::string Patience::lost() {
-  lost_ += operations() - before_;
+  lost_ += work_.so_far() - before_;
   if (++cuts_ > limits_->cuts)
     return fmt::format("{} attempts from t = {:g} s on failed, more than schedule.cuts", cuts_, since_);
   if (lost_ > most())

@@ -1,16 +1,22 @@
 // How long a run tries: the limits of a schedule on what is lost on one step, and on the whole run.
 #pragma once
+#include <functional>
 #include <string>
 
-#include "dynamics/step/stepper.hpp"
 #include "scene/description/parts.hpp"
 
 namespace stiction::scene {
 
+/// What a stepper has done so far and what it may do for once, in operations: a factorization, or what takes
+/// as much.
+struct Work {
+  std::function<double()> so_far, once;
+};
+
 /// Counts what failed attempts lose until the run has come a nominal step further.
 class Patience {
 public:
-  Patience(SchedulePart const& limits, dynamics::Model const& model, dynamics::Stepper const& stepper);
+  Patience(SchedulePart const& limits, Work work);
 
   /// A stage with steps of that size begins, s.
   void begin(double nominal) { nominal_ = nominal; }
@@ -26,17 +32,15 @@ public:
   [[nodiscard]] std::string late(double seconds) const;
   /// Hands over all that attempts change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [limits, model, stepper, nominal, since, before, lost, cuts] = *this;
+    auto& [limits, work, nominal, since, before, lost, cuts] = *this;
     archive(nominal, since, lost, cuts);
   }
 
 private:
-  [[nodiscard]] double operations() const;
   [[nodiscard]] double most() const;
 
   SchedulePart const* limits_;
-  dynamics::Model const* model_;
-  dynamics::Stepper const* stepper_;
+  Work work_;
   double nominal_ = 0, since_ = 0; ///< s
   double before_ = 0, lost_ = 0;   ///< operations
   int cuts_ = 0;

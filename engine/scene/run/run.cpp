@@ -61,18 +61,6 @@ void tell_of_meshes(MeshControl const& control, Story& story, RunResult& result,
   std::ranges::copy(control.doubts(), std::back_inserter(result.remarks));
 }
 
-nlohmann::json manifest_of(core::Input const& asked, Scene const& scene, RunOptions const& options,
-                           Story const& story, std::vector<Warning> const& warnings) {
-  auto manifest = manifest_of(asked, scene, options);
-  manifest["started"] = story.started;
-  if (!story.continued.empty())
-    manifest["continued"] = story.continuations();
-  auto& told = manifest["warnings"] = nlohmann::json::array();
-  for (auto const& warning : warnings)
-    told.push_back({{"text", warning.text}, {"change", warning.change}});
-  return manifest;
-}
-
 } // namespace
 
 void validate(core::Input const& scene) {

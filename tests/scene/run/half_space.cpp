@@ -6,6 +6,7 @@
 #include <cstring>
 #include <doctest/doctest.h>
 #include <numbers>
+#include <tuple>
 
 #include "folder.hpp"
 #include "record/series.hpp"
@@ -161,6 +162,24 @@ TEST_CASE("a half space that is stopped and taken up is the one that was left al
     CHECK(result.counters.at("products") == left_alone.counters.at("products"));
     check_same(whole.series(), pieces.series());
     CHECK(std::filesystem::exists(pieces.folder / "case/fields/000004.vti"));
+  }
+}
+
+TEST_CASE("steps of a half space that lead nowhere end at the limits of the schedule") {
+  auto law = test::rcc(0.1, 1e6, 0);
+  test::at(law, "beta0") = test::value(1);
+  auto table = with(test::half_space_scene(), {}, law);
+  test::remove(table, "obstacles.ball.z");
+  test::at(table, "obstacles.ball.force") = test::values({0, -1e3, -1e3}, "N"); // more than all bonds hold
+  test::at(table, "schedule.halvings") = test::value(20);
+  for (auto const& [limit, value, words] : {std::tuple{"cuts", 2.0, "more than schedule.cuts"},
+                                            std::tuple{"work", 1e-9, "more than schedule.work"}}) {
+    auto limited = table;
+    test::at(limited, std::string("schedule.") + limit) = test::value(value);
+    auto const result = Case{}.run(limited);
+    CHECK(result.verdict == "not converged");
+    CHECK_MESSAGE(result.reason.find(words) != std::string::npos, result.reason);
+    CHECK(result.counters.at("work") > 0);
   }
 }
 
