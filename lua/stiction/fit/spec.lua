@@ -1,6 +1,6 @@
 -- What a study declares as its fit: parameters with bounds, curves, settings; checked before anything runs.
-local copy = require "stiction.copy"
 local curve_module = require "stiction.fit.curve"
+local declared = require "stiction.declared"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loss = require "stiction.fit.loss"
@@ -17,15 +17,7 @@ local parameter_keys = { scale = true, start = true, [1] = true, [2] = true }
 local scales = { log = true, linear = true }
 local most_per_parameter = 60 -- evaluations, unless the study says otherwise
 
-local function check_keys(t)
-  for _, key in ipairs(ordered.keys(t)) do
-    if not keys[key] then
-      fault.script("study.fit: unknown key '%s'%s; keys: %s", tostring(key), fault.meant(tostring(key), ordered.keys(keys)),
-        table.concat(ordered.keys(keys), ", "))
-    elseif type(t[key]) ~= keys[key] then
-      fault.script("study.fit.%s must be a %s, not a %s", key, keys[key], type(t[key]))
-    end
-  end
+local function check_needs(t)
   for _, key in ipairs { "parameters", "data" } do
     if type(t[key]) ~= "table" or next(t[key]) == nil then
       fault.script("study.fit needs %s = { name = { ... }, ... }; see 'stiction help fit'", key)
@@ -210,16 +202,8 @@ end
 --- The fit of a study: {parameters =, curves =, count = (of points), known =, loss =, starts =, noise =, profiles =, finer =, further =,
 --- most =, files = {{path =, hash =}}}; bad input where something is wrong with it.
 function spec.read(study, options)
-  local t = study.fit or fault.input("the study '%s' has no `fit = { parameters =, data = }`; see 'stiction help fit'", study.name)
-  if study.problem then
-    fault.input("the study '%s' is of saved contact problems; a fit needs a scene", study.name)
-  end
-  check_keys(t)
-  t = copy(t)
-  for key, value in pairs(options.quick and t.quick or {}) do
-    t[key] = value
-  end
-  check_keys(t)
+  local t = declared(study, options, "fit", keys, "{ parameters =, data = }")
+  check_needs(t)
   local fit = { curves = {}, files = {}, loss = t.loss or "squares", starts = t.starts or 1, noise = t.noise, finer = t.finer,
     profiles = t.profiles ~= false, further = t.further }
   local function note(path, text)

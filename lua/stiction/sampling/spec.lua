@@ -1,6 +1,7 @@
 -- What a study declares as its sample: uncertain parameters with distributions, or a fit's, or a list; how many points, of which design.
 local copy = require "stiction.copy"
 local csv_module = require "stiction.measured"
+local declared = require "stiction.declared"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local numeric = require "stiction.numeric"
@@ -28,17 +29,6 @@ local distributions = {
   log_normal = { needs = "{ median, standard deviation of the logarithm, a pure number }", kind = "normal", pure = true,
     check = function(a, b) return a > 0 and b > 0 end, value = function(a, b, u) return a * math.exp(b * engine.quantile(u)) end },
 }
-
-local function check_keys(t)
-  for _, key in ipairs(ordered.keys(t)) do
-    if not keys[key] then
-      fault.script("study.sample: unknown key '%s'%s; keys: %s", tostring(key), fault.meant(tostring(key), ordered.keys(keys)),
-        table.concat(ordered.keys(keys), ", "))
-    elseif keys[key] ~= true and type(t[key]) ~= keys[key] then
-      fault.script("study.sample.%s must be a %s, not a %s", key, keys[key], type(t[key]))
-    end
-  end
-end
 
 local function si_pair(entry)
   local a, b = type(entry) == "table" and entry[1], type(entry) == "table" and entry[2]
@@ -219,17 +209,8 @@ end
 
 --- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =}.
 function spec.read(study, options)
-  local t = study.sample or fault.input("the study '%s' has no `sample = { of = { ... } }`; see 'stiction help sample'", study.name)
-  if study.problem then
-    fault.input("the study '%s' is of saved contact problems; a sample needs a scene", study.name)
-  end
-  check_keys(t)
-  t = copy(t)
-  for key, value in pairs(options.quick and t.quick or {}) do
-    t[key] = value
-  end
+  local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
-  check_keys(t)
   check(t)
   local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = t.set or {}, axes = {} }
   if t.list then
