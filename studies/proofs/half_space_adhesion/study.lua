@@ -39,16 +39,17 @@ local function scene(p)
 end
 
 return stiction.study {
-  title = "Pull-off of a sphere from a half space (Maugis, JKR)",
-  question = "Does adhesion of short range give the pull-off of Maugis, and that of JKR where it is very short?",
+  title = "Pull-off of a sphere from a half space (Maugis)",
+  question = "Does Dugdale's adhesion give the pull-off of Maugis as its ramps get steeper and are resolved by more points?",
   given = { radius = { 5*mm, "" }, young = { 5*MPa, "" }, poisson = { 0.48, "" }, w = { 1*J/m^2, "" } },
   chosen = { size = { 6, "extent of the points over the radius unit (pi w R^2 / K)^(1/3)" },
-    ramp = { 0.1, "of the range, along which the traction rises and falls" },
     depth = { 0.5, "over the depth unit" }, above = { 2.5, "over the depth unit, where it has let go" },
     steps_down = { 6, "the way down does not matter: the law has no memory" }, steps_up = { 60, "a twentieth of the depth unit each" } },
-  sweep = { { lambda = 0.5, points = 64 }, { lambda = 0.5, points = 128 }, { lambda = 0.5, points = 256 },
-    { lambda = 1, points = 64 }, { lambda = 1, points = 128 }, { lambda = 1, points = 256 } },
-  quick = { sweep = { { lambda = 0.5, points = 64 }, { lambda = 0.5, points = 128 } } },
+  -- ramp: of the range, along which the traction rises and falls
+  sweep = { { lambda = 0.5, points = 64, ramp = 0.1 }, { lambda = 0.5, points = 128, ramp = 0.05 },
+    { lambda = 0.5, points = 256, ramp = 0.025 }, { lambda = 1, points = 64, ramp = 0.1 }, { lambda = 1, points = 128, ramp = 0.1 },
+    { lambda = 1, points = 256, ramp = 0.1 } },
+  quick = { sweep = { { lambda = 0.5, points = 64, ramp = 0.1 }, { lambda = 0.5, points = 128, ramp = 0.05 } } },
   case_id = function(p) return ("lambda%g_%d"):format(p.lambda, p.points) end,
   scene = scene,
   results = {
@@ -67,7 +68,8 @@ return stiction.study {
         local p = its[1].p
         check.proof { case = "Sphere on a half space, Dugdale's adhesion", quantity = ("pull-off, lambda = %g"):format(lambda),
           unit = "N", kind = "exact", source = "Maugis 1992", reference = maugis.pull_off(lambda) * math.pi * p.w.si * p.radius.si,
-          values = values, resolution = "m spacing", tolerance = 0.02, run = its[#its] }
+          values = values, resolution = "m spacing",
+          tolerance = lambda == 0.5 and 0.01 or 0.02, run = its[#its] } -- at lambda = 1 the ramps stay
       end
     end
   end,
