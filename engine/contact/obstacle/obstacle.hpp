@@ -47,4 +47,9 @@ template<int D>
 [[nodiscard]] Mat<D> curvature_stiffness(Obstacle const& obstacle, Foot foot, Vec<D> const& point,
                                          Local<D> const& force, Vec3 const& direction);
 
+template<> ObstacleView<2> view(Obstacle const&, Vec2 const&, Foot, Foot, Vec3 const&);
+template<> ObstacleView<3> view(Obstacle const&, Vec3 const&, Foot, Foot, Vec3 const&);
+template<> Mat<2> curvature_stiffness(Obstacle const&, Foot, Vec2 const&, Local<2> const&, Vec3 const&);
+template<> Mat<3> curvature_stiffness(Obstacle const&, Foot, Vec3 const&, Local<3> const&, Vec3 const&);
+
 } // namespace stiction::contact
