@@ -33,7 +33,8 @@ public:
     guess_ = guess;
     place();
     evaluate();
-    if (!solve_from_here())
+    double const before = potential();
+    if (!solve_from_here() || potential() > before + rounded * std::abs(before))
       solve_by_small_moves();
     finish();
     return std::move(answer_);
@@ -66,6 +67,35 @@ private:
   /// Stiffness that holds a point with adhesion near where it was, N/m.
   [[nodiscard]] double held(Index i) const {
     return hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 ? hold_ * problem_.points[ix(i)].area : 0;
+  }
+
+  /// What surfaces, and bonds that tell it, have stored and lost in the step, J: from where a step starts a
+  /// displacement leads to less. Endless where points are pressed into each other, nothing where no answer
+  /// can be told from another by it.
+  [[nodiscard]] double potential() const {
+    if (D > 1 || wanted_.force || problem_.adhesions.empty() ||
+        interface::evolves(problem_.adhesions.front()))
+      return 0;
+    double const accepted = 10 * wanted_.tolerance * verdict_.scale / natural_; // m a unit of area
+    return core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+      double sum = 0;
+      for (Index i = first; i < last; ++i) {
+        auto const& point = problem_.points[ix(i)];
+        Local<D> const x = answer_.x.segment<D>(D * i);
+        if (x[0] < point.shift[0] - accepted * point.area)
+          return std::numeric_limits<double>::infinity();
+        sum += 0.5 * answer_.force[D * i] * (x[0] - problem_.free[D * i]);
+        if (point.adhesion >= 0)
+          sum += point.area * stored_and_lost(point, x);
+      }
+      return sum;
+    });
+  }
+
+  [[nodiscard]] double stored_and_lost(contact::ProblemPoint const& point, Local<D> const& x) const {
+    auto const& law = problem_.adhesions[ix(point.adhesion)];
+    return interface::bond_energy(law, interface::advance<D>(law, point.bond, x), x[0]) +
+           interface::dissipation<D>(law, point.bond, x);
   }
 
   /// Residuals of all points, and how large they are.
@@ -305,7 +335,7 @@ private:
     return lifted_;
   }
 
-  static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
+  static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2, rounded = 1e-9;
   static constexpr int most_vain = 8, most_moves = 200;
   static constexpr long most_inner = 200;
 

@@ -184,4 +184,22 @@ TEST_CASE("a half space that snaps is answered, with less energy than before") {
   CHECK(answer.force.isZero(0)); // let go
 }
 
+/// Guesses where traction falls faster than the body springs back: the state between bonded and free, where
+/// Newton's iteration ends, has more energy than they.
+TEST_CASE("a half space is not left where energy has its maximum") {
+  Surface const surface({1, 1, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  double const W = surface.delassus().dense()(0, 0);
+  interface::Dugdale const law{1000, 2e-3, 0.2};
+  auto problem = pressed(surface, {{}, law}, 0);
+  double const unstable = 500; // N, half of what the bond holds at most
+  double const gap = law.h0 + 0.5 * law.rise();
+  problem.free[0] = gap + W * unstable;
+  for (double const held : {0.999 * unstable, 1.001 * unstable}) {
+    CAPTURE(held);
+    auto const answer = halfspace::Solver(surface).solve(problem, Vector::Constant(1, -held), {});
+    CHECK_MESSAGE(answer.converged, answer.reason);
+    CHECK(std::abs(answer.x[0] - gap) > 0.5 * law.rise());
+  }
+}
+
 } // namespace
