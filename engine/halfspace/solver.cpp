@@ -33,8 +33,8 @@ public:
     guess_ = guess;
     place();
     evaluate();
-    double const before = potential();
-    if (!solve_from_here() || potential() > before + rounded * std::abs(before))
+    Standing const before = standing();
+    if (!solve_from_here() || gained(before, standing()))
       solve_by_small_moves();
     finish();
     return std::move(answer_);
@@ -69,33 +69,43 @@ private:
     return hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 ? hold_ * problem_.points[ix(i)].area : 0;
   }
 
-  /// What surfaces, and bonds that tell it, have stored and lost in the step, J: from where a step starts a
-  /// displacement leads to less. Endless where points are pressed into each other, nothing where no answer
-  /// can be told from another by it.
-  [[nodiscard]] double potential() const {
-    if (D > 1 || wanted_.force || problem_.adhesions.empty() ||
-        interface::evolves(problem_.adhesions.front()))
-      return 0;
-    double const accepted = 10 * wanted_.tolerance * verdict_.scale / natural_; // m a unit of area
-    return core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
-      double sum = 0;
-      for (Index i = first; i < last; ++i) {
-        auto const& point = problem_.points[ix(i)];
-        Local<D> const x = answer_.x.segment<D>(D * i);
-        if (x[0] < point.shift[0] - accepted * point.area)
-          return std::numeric_limits<double>::infinity();
-        sum += 0.5 * answer_.force[D * i] * (x[0] - problem_.free[D * i]);
-        if (point.adhesion >= 0)
-          sum += point.area * stored_and_lost(point, x);
-      }
+  /// What tells whether a step of displacement with bonds that have a potential made energy.
+  struct Standing {
+    double potential = 0; ///< that surfaces and bonds have stored and lost in the step, J
+    double force = 0;     ///< that presses, N
+    double deepest = 0;   ///< how far points are pressed into each other, m
+    Index bonds = 0;      ///< points that are bonded
+  };
+  [[nodiscard]] Standing standing() const {
+    Standing sum;
+    if (wanted_.force || problem_.adhesions.empty() || interface::evolves(problem_.adhesions.front()))
       return sum;
-    });
+    for (Index i = 0; i < n_; ++i) {
+      auto const& point = problem_.points[ix(i)];
+      Local<D> const x = answer_.x.segment<D>(D * i), force = answer_.force.segment<D>(D * i);
+      sum.deepest = std::max(sum.deepest, point.shift[0] - x[0]);
+      sum.force += force[0];
+      sum.potential += 0.5 * force.dot(x - problem_.free.segment<D>(D * i));
+      if (point.adhesion >= 0)
+        add_bond(point, x, sum);
+    }
+    return sum;
+  }
+  void add_bond(contact::ProblemPoint const& point, Local<D> const& x, Standing& sum) const {
+    auto const& law = problem_.adhesions[ix(point.adhesion)];
+    auto const bond = interface::advance<D>(law, point.bond, x);
+    sum.bonds += bond.beta > 0 ? 1 : 0;
+    sum.potential +=
+        point.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, point.bond, x));
   }
 
-  [[nodiscard]] double stored_and_lost(contact::ProblemPoint const& point, Local<D> const& x) const {
-    auto const& law = problem_.adhesions[ix(point.adhesion)];
-    return interface::bond_energy(law, interface::advance<D>(law, point.bond, x), x[0]) +
-           interface::dissipation<D>(law, point.bond, x);
+  /// From where a step starts a displacement leads to less energy, but for the work of pressing, and with friction
+  /// to even less. Where friction acts energies are compared only if bonds broke: its own part is not among them.
+  [[nodiscard]] static bool gained(Standing const& before, Standing const& after) {
+    double const pressing = before.deepest * std::max(std::abs(before.force), std::abs(after.force));
+    double const rounding = rounded * std::abs(before.potential);
+    return (D == 1 || after.bonds < before.bonds) &&
+           after.potential > before.potential + pressing + rounding;
   }
 
   /// Residuals of all points, and how large they are.

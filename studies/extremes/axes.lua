@@ -16,18 +16,18 @@ local function of(key, values)
 end
 
 local everything = { "law", "punch", "slide", "slide_mortar", "bar", "stack", "stack_mortar", "stack_tied", "drop", "crowd", "fold", "tie",
-  "tube", "cup", "top" }
+  "tube", "cup", "top", "dent", "dent_space" }
 
 axis("base", "ordinary values", everything, { { "all", {}, want = "converged" } })
 
-axis("C", "bond stiffness C [N/m^3]", { "law", "punch" }, of("C", { 0, 1e3, 1e6, 1e8, 1e11, 1e13, 1e16 }))
-axis("w", "decohesion energy w [J/m^2]", { "law", "punch" }, of("w", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
-axis("b", "bond viscosity b [N s/m]", { "law", "punch" }, of("b", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
-axis("beta", "bond intensity at the start", { "law", "punch" }, {
+axis("C", "bond stiffness C [N/m^3]", { "law", "punch", "dent" }, of("C", { 0, 1e3, 1e6, 1e8, 1e11, 1e13, 1e16 }))
+axis("w", "decohesion energy w [J/m^2]", { "law", "punch", "dent" }, of("w", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
+axis("b", "bond viscosity b [N s/m]", { "law", "punch", "dent" }, of("b", { 0, 1e-9, 1e-3, 1e3, 1e6 }))
+axis("beta", "bond intensity at the start", { "law", "punch", "dent" }, {
   { "0", { beta0 = 0 } }, { "1", { beta0 = 1 } }, { "1_b0", { beta0 = 1, b = 0 } }, { "0_b0", { beta0 = 0, b = 0 } },
   { "below_0", { beta0 = -1e-9 }, want = "refused" }, { "above_1", { beta0 = 1 + 1e-9 }, want = "refused" },
 })
-axis("mu", "friction coefficient", { "punch", "slide", "slide_mortar", "fold" }, of("mu", { 0, 1e-9, 1, 3, 10 }))
+axis("mu", "friction coefficient", { "punch", "slide", "slide_mortar", "fold", "dent", "dent_space" }, of("mu", { 0, 1e-9, 1, 3, 10 }))
 axes[#axes].levels[6] = { "below_0", { mu = -0.1 }, want = "refused" }
 
 axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
@@ -37,6 +37,10 @@ axis("nu", "Poisson's ratio", { "punch", "stack", "slide" }, {
 })
 axis("nu", "Poisson's ratio", { "fold" }, {
   { "0", { nu = 0 } }, { "0.45", { nu = 0.45 } }, { "0.49_mean", { nu = 0.49, interpolation = "mean_dilatation" } },
+})
+axis("nu", "Poisson's ratio", { "dent", "dent_space" }, {
+  { "-0.99", { nu = -0.99 } }, { "0", { nu = 0 } }, { "0_mu_3", { nu = 0, mu = 3 } }, { "0.4999", { nu = 0.4999 } },
+  { "0.5001", { nu = 0.5001 }, want = "refused" },
 })
 axis("contrast", "upper E over lower E", { "slide", "slide_mortar", "stack", "stack_mortar", "stack_tied" },
   of("contrast", { 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9 }))
@@ -120,6 +124,9 @@ end
 axis("units", "the same in other units", everything, units)
 
 axis("steps", "number of tiny steps", { "law", "bar", "drop", "punch" }, { { "1e4", { tiny = 1e4 } } })
+axis("steps", "number of tiny steps", { "dent" }, {
+  { "1e4", { tiny = 1e4, points = { 2 } } }, { "1e6", { tiny = 1e6, points = { 2 } }, slow = true },
+})
 axis("steps", "number of tiny steps", { "law", "bar" }, { { "1e6", { tiny = 1e6 }, slow = true } })
 axis("turn", "turn of the driven side [rad]", { "punch" }, {
   { "1e-12", { turn = 1e-12 } }, { "0.1", { turn = 0.1, press = 2e-4 } }, { "3_rubber", { turn = 3, material = "neo_hookean" } },
@@ -193,6 +200,40 @@ axis("inertia", "moments of inertia of a ball over 0.1 m R^2, spin [rad/s]", { "
     { "spin_1e-9", { spin = { 1e-9, 1e-9, 1e-9 } } },
   { "spin_1e4", { spin = { 1e4, 2e4, 3e4 } } }, { "spin_1e9", { spin = { 1e9, 2e9, 3e9 } } }, { "mass_1e-9", { mass = 1e-9 } },
   { "mass_1e3", { mass = 1e3 } },
+})
+axis("points", "of a half space, their number and sides", { "dent" }, {
+  { "1", { points = { 1 } }, want = "refused" }, { "2", { points = { 2 } } }, { "3", { points = { 3 } } }, { "127", { points = { 127 } } },
+  { "2048", { points = { 2048 }, steps = 4, unchecked = true } }, { "2049", { points = { 2049 } }, want = "refused" },
+})
+axis("points", "of a half space, their number and sides", { "dent_space" }, {
+  { "1", { points = { 1, 1 } }, want = "refused" }, { "2", { points = { 2, 2 } } }, { "2_by_8", { points = { 2, 8 } } },
+  { "7_by_5", { points = { 7, 5 } } }, { "1_to_1000", { width = 1e-5 } },
+})
+axis("load", "of a half space: from nothing to the whole of it", { "dent", "dent_space" }, {
+  { "empty", { press = -1e-3 } }, { "one_point", { press = 1e-12 } }, { "whole", { press = 2e-3, slip = 0 } },
+  { "whole_wave", { form = "wave", boundary = "periodic", nu = 0.3, depth = 0.01, press = 2e-3 } },
+  { "wave_dry", { form = "wave", boundary = "periodic", nu = 0.3, depth = 0.01, without = { "C", "mu" } } },
+  { "too_deep", { form = "wave", boundary = "periodic", press = 1e-3 }, want = "refused" },
+  { "layer_0.5", { form = "wave", boundary = "periodic", depth = 0.01, press = 1e-3 }, want = "refused" },
+  { "layer_0.4999", { form = "wave", boundary = "periodic", nu = 0.4999, depth = 0.01, press = 1e-3 } },
+  { "force", { force = 1 } }, { "force_0", { force = 0 } }, { "force_1e-12", { force = 1e-12 } }, { "force_1e6", { force = 1e6 } },
+  { "force_dry", { force = 1, without = { "C" } } }, { "pulled", { force = -1e-3 } },
+  { "pulled_dry", { force = -1e-3, without = { "C" } }, want = "refused" },
+})
+axis("rough", "heights from point to point [m]", { "dent", "dent_space" }, {
+  { "1e-12", { form = "rough", height = 1e-12 } }, { "1e-6", { form = "rough", height = 1e-6 } },
+  { "1e-3", { form = "rough", height = 1e-3 } }, { "1", { form = "rough", height = 1 } },
+  { "1e-5_bonded", { form = "rough", height = 1e-5, without = { "mu" } } },
+  { "periodic", { form = "rough", height = 1e-5, boundary = "periodic", nu = 0.3, depth = 0.01 } },
+})
+axis("range", "of attraction [m], between points 8e-4 apart", { "dent", "dent_space" }, {
+  { "1e-12", { range = 1e-12, without = { "mu" } } }, { "1e-9", { range = 1e-9, without = { "mu" } } },
+  { "1e-6", { range = 1e-6, without = { "mu" } } }, { "1e-3", { range = 1e-3, without = { "mu" } } },
+  { "1", { range = 1, without = { "mu" } } }, { "1e-6_mu", { range = 1e-6 } }, { "1e-3_mu", { range = 1e-3 } },
+})
+axis("counterpart", "E of an elastic counterpart over that of the half space", { "dent", "dent_space" }, {
+  { "1e-9", { hard = 1e-9 } }, { "1", { hard = 1 } }, { "1e9", { hard = 1e9 } }, { "1_mu_3", { hard = 1, mu = 3 } },
+  { "1e-3_mu_3", { hard = 1e-3, mu = 3 } },
 })
 axis("material", "bulk law under the same loads", { "punch", "slide", "stack", "drop" }, {
   { "rubber", { material = "neo_hookean" } }, { "venant", { material = "st_venant_kirchhoff" } },

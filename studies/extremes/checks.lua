@@ -1,4 +1,5 @@
 -- What would notice a wrong answer, per scene: balance, complementarity, ledger, closed forms, other units.
+local dent = require "dent"
 local measure = require "measure"
 local impulses = require "impulses"
 
@@ -446,6 +447,7 @@ local of_scene = {
   crowd = { lines_of_crowd, centre, carried_by_crowd, account, energy_kept },
 }
 of_scene.slide_mortar, of_scene.stack_mortar = of_scene.slide, of_scene.stack
+of_scene.dent, of_scene.dent_space = { dent.checks }, { dent.checks }
 of_scene.stack_tied = { balance, channel, account, closed_ledger }
 
 --- Runs the checks of one cell; say(what, value, tolerance) records each.

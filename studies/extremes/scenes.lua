@@ -1,5 +1,6 @@
 -- Small scenes that the extremes are tried on: each a table of ordinary SI values, and a function making the scene.
 local stiction = require "stiction"
+local dent = require "dent"
 local units = stiction.units
 
 local scenes = {}
@@ -417,17 +418,19 @@ scenes.fold = {
   end,
 }
 
-local variants = { slide_mortar = "slide", stack_mortar = "stack", stack_tied = "stack" }
+scenes.dent = dent.scene { unit_list = list, adhesion_of = adhesion_of, schedule_of = schedule_of }
+
+local variants = { slide_mortar = "slide", stack_mortar = "stack", stack_tied = "stack", dent_space = "dent" }
 
 --- Values of a scene with the changes of a cell: ordinary ones where it has none.
 function scenes.values_of(name, changes)
   local q = {}
-  for _, layer in ipairs { ordinary, scenes[variants[name] or name].values, changes } do
+  for _, layer in ipairs { ordinary, scenes[variants[name] or name].values, name == "dent_space" and dent.in_space or {}, changes } do
     for key, value in pairs(layer) do
       q[key] = value
     end
   end
-  if variants[name] then
+  if variants[name] and variants[name] ~= "dent" then
     q.tied = name == "stack_tied"
     q.discretisation = not q.tied and "mortar" or nil
   end

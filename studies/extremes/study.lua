@@ -1,7 +1,8 @@
 -- Where it stops: small scenes driven to extremes, one value at a time. Every cell must end converged and checked,
 -- refused with a clear reason, or stopped with a verdict.
 --
---     scene        law punch slide slide_mortar bar stack stack_mortar stack_tied drop crowd fold (scenes.lua)
+--     scene        law punch slide slide_mortar bar stack stack_mortar stack_tied drop crowd fold
+--                  tie tube cup top dent dent_space (scenes.lua, dent.lua)
 --     x axis       C w b beta mu nu contrast density dt speed overlap shape place units ...  (axes.lua)
 --     -> cell      "punch-nu-0.4999": its checks are in checks.lua
 --

@@ -202,4 +202,32 @@ TEST_CASE("a half space is not left where energy has its maximum") {
   }
 }
 
+/// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them open.
+TEST_CASE("bonds of a half space do not break while it is pressed on") {
+  Surface const surface({12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2);
+  interface::Law const law{interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};
+  auto problem = pressed(surface, law, 0);
+  for (Index i = 0; i < problem.size(); ++i) {
+    double const x = surface.grid().x(i);
+    problem.free[2 * i] = x * x / 0.1;
+    problem.free[2 * i + 1] = 0;
+  }
+  halfspace::Solver const solver(surface);
+  Vector force = Vector::Zero(surface.rows());
+  Index most = 0;
+  for (int step = 0; step < 20; ++step) {
+    for (Index i = 0; i < problem.size(); ++i)
+      problem.free[2 * i] -= 5e-6;
+    auto const answer = solver.solve(problem, force, {});
+    CHECK_MESSAGE(answer.converged, answer.reason);
+    force = answer.force;
+    Index bonded = 0;
+    for (Index i = 0; i < problem.size(); ++i)
+      bonded += answer.x[2 * i] < law.range() ? 1 : 0;
+    CHECK(bonded >= most);
+    most = bonded;
+  }
+  CHECK(most > 2);
+}
+
 } // namespace

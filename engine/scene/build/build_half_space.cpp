@@ -134,14 +134,28 @@ void Builder::take_height_map(std::string const& name, HeightMapPart const& part
          pulls != part.force.end() && !scene_.part.pairs.begin()->second.law.adhesion,
          fmt::format("pulls with {:g} {}, and nothing adheres; give forces >= 0, or the pair an adhesion",
                      pulls == part.force.end() ? 0 : *pulls, line ? "N/m" : "N"));
+  check_mean_gives(name, along_normal);
+}
+
+/// A periodic surface whose mean stays where it is cannot be pressed lower than flat.
+void Builder::check_mean_gives(std::string const& name, Numbers const& along_normal) {
+  auto const& model = *scene_.half_space;
   double const lowest = along_normal.empty() ? 0 : std::ranges::min(along_normal);
-  if (model.grid.periodic && model.body.depth == 0 && part.force.empty() && model.heights.size() > 0 &&
-      model.heights.mean() + lowest < 0)
-    complain({"obstacles", name, normal},
-             fmt::format(
-                 "goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays where "
-                 "it is): no force is enough; stay above {:g} m, give a force, or the half space a depth",
-                 lowest, -(model.heights.mean() + lowest), -model.heights.mean()));
+  auto const* counterpart = model.counterpart ? &*model.counterpart : nullptr;
+  if (!model.grid.periodic || model.force || model.heights.size() == 0 ||
+      halfspace::Compliance::of(model.body, counterpart).mean_normal > 0)
+    return;
+  constexpr double rounded = 1e-12;
+  if (model.heights.mean() + lowest >= -rounded * std::abs(lowest))
+    return;
+  complain({"obstacles", name, model.grid.line ? "y" : "z"},
+           fmt::format("goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays "
+                       "where it is{}): no force is enough; stay above {:g} m, give a force, or the half space "
+                       "{}",
+                       lowest, -(model.heights.mean() + lowest),
+                       model.body.depth > 0 ? ", as an incompressible layer cannot be squeezed" : "",
+                       -model.heights.mean(),
+                       model.body.depth > 0 ? "a Poisson's ratio below 0.5" : "a depth"));
 }
 
 void Builder::take_half_space_pair(std::string const& name, PairPart const& part) {

@@ -46,6 +46,7 @@ private:
   [[nodiscard]] bool given(Where const& where) const;
   void take_half_space(std::string const& name, HalfSpacePart const& part);
   void take_height_map(std::string const& name, HeightMapPart const& part);
+  void check_mean_gives(std::string const& name, Numbers const& along_normal);
   void take_half_space_pair(std::string const& name, PairPart const& part);
   void check_half_space_scheme();
   void check_half_space_probe(std::string const& name, ProbePart const& part);

@@ -68,6 +68,7 @@ TEST_CASE("a periodic surface is not pushed below where it is flat") {
   test::at(table, "bodies.base.depth") = test::value(1, "m");
   test::at(table, "bodies.base.boundary") = test::text("periodic");
   CHECK(test::complaints(table).empty());
+  check_refused("bodies.base.poisson", test::value(0.5), "an incompressible layer cannot be squeezed", table);
 }
 
 } // namespace
