@@ -292,29 +292,35 @@ private:
     answer_.force = guess_;
     place();
     hold_ = 2 * steepest;
-    double most_moved = 0;
-    for (int k = 0; k < most_moves && !enough(); ++k) {
+    double most_moved = 0, least = 1e-3 * steepest;
+    for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
       Vector const force = answer_.force;
       evaluate();
       if (!solve_from_here()) {
-        hold_ *= 4;
+        hold_ *= 2;
+        least = hold_;
+        since = 0;
         answer_.force = force;
         answer_.x = near_;
         if (hold_ > 1e6 * steepest)
           break;
         continue;
       }
-      hold_ = std::max(0.5 * hold_, 1e-3 * steepest);
+      if (++since % 8 == 0)
+        least = std::max(0.5 * least, 1e-3 * steepest);
+      hold_ = std::max(0.5 * hold_, least);
       double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
       most_moved = std::max(most_moved, moved);
       double const hold = std::exchange(hold_, 0);
       evaluate();
       // where nothing pulls any more, forces are no yardstick for what is left of them
       bool const arrived = verdict_.relative() < 1e-3 || moved < 1e-3 * most_moved;
+      Vector const held = answer_.force;
       if (arrived && solve_from_here())
         return;
       hold_ = hold;
+      answer_.force = held;
       place();
     }
     hold_ = 0;
@@ -346,7 +352,7 @@ private:
   }
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2, rounded = 1e-9;
-  static constexpr int most_vain = 8, most_moves = 200;
+  static constexpr int most_vain = 8, most_moves = 2000;
   static constexpr long most_inner = 200;
 
   Surface const& surface_;

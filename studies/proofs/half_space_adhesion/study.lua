@@ -17,12 +17,15 @@ local function sigma0(p) return maugis.traction(modulus(p), p.radius.si, p.w.si,
 --- Maugis' units of contact radius, force and depth.
 local function scales(p) return maugis.units(modulus(p), p.radius.si, p.w.si) end
 
+--- Extent of the points over the radius unit: traction reaches as far as the undeformed sphere is nearer than w/sigma0.
+local function extent(p) return math.max(p.size, 2.6 * math.sqrt(4 / (math.pi * p.lambda))) end
+
 local function scene(p)
   local a, _, d = scales(p)
   return stiction.scene {
     kinematics = "three_dimensional",
     bodies = { base = stiction.body.half_space { young = p.young, poisson = p.poisson,
-      size = { p.size * a * m, p.size * a * m }, points = { p.points, p.points }, boundary = "free" } },
+      size = { extent(p) * a * m, extent(p) * a * m }, points = { p.points, p.points }, boundary = "free" } },
     obstacles = { sphere = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = p.radius },
       times = { 0*s, 1*s, 2*s }, z = { 0*mm, -p.depth * d * m, p.above * d * m } } },
     pairs = { touch = stiction.pair { secondary = "base.surface", primary = "sphere",
@@ -37,6 +40,8 @@ local function scene(p)
     },
   }
 end
+
+local lambdas = { 0.1, 0.25, 0.5, 1 }
 
 --- Past its maximum what is held only falls: along the stable states to where they end, and then to none.
 local function comes_back(case)
@@ -55,13 +60,14 @@ return stiction.study {
   title = "Pull-off of a sphere from a half space (Maugis)",
   question = "Does Dugdale's adhesion give the pull-off of Maugis as its ramps get steeper and are resolved by more points?",
   given = { radius = { 5*mm, "" }, young = { 5*MPa, "" }, poisson = { 0.48, "" }, w = { 1*J/m^2, "" } },
-  chosen = { size = { 6, "extent of the points over the radius unit (pi w R^2 / K)^(1/3)" },
+  chosen = { size = { 6, "extent of the points over the radius unit (pi w R^2 / K)^(1/3), more where traction reaches further" },
     depth = { 0.5, "over the depth unit" }, above = { 2.5, "over the depth unit, where it has let go" },
     steps_down = { 6, "the way down does not matter: the law has no memory" }, steps_up = { 60, "a twentieth of the depth unit each" } },
   -- ramp: of the range, along which the traction rises and falls
-  sweep = { { lambda = 0.5, points = 64, ramp = 0.1 }, { lambda = 0.5, points = 128, ramp = 0.05 },
-    { lambda = 0.5, points = 256, ramp = 0.025 }, { lambda = 1, points = 64, ramp = 0.1 }, { lambda = 1, points = 128, ramp = 0.1 },
-    { lambda = 1, points = 256, ramp = 0.1 } },
+  sweep = { { lambda = 0.1, points = 64, ramp = 0.1 }, { lambda = 0.1, points = 128, ramp = 0.05 },
+    { lambda = 0.25, points = 64, ramp = 0.1 }, { lambda = 0.25, points = 128, ramp = 0.05 },
+    { lambda = 0.5, points = 64, ramp = 0.1 }, { lambda = 0.5, points = 128, ramp = 0.05 }, { lambda = 0.5, points = 256, ramp = 0.025 },
+    { lambda = 1, points = 64, ramp = 0.1 }, { lambda = 1, points = 128, ramp = 0.1 }, { lambda = 1, points = 256, ramp = 0.1 } },
   quick = { sweep = { { lambda = 0.5, points = 64, ramp = 0.1 }, { lambda = 0.5, points = 128, ramp = 0.05 } } },
   case_id = function(p) return ("lambda%g_%d"):format(p.lambda, p.points) end,
   scene = scene,
@@ -72,25 +78,36 @@ return stiction.study {
       function(run, p) return run:max("touch", "force_z") / (math.pi * p.w.si * p.radius.si) end },
   },
   check = function(cases, check)
-    for _, lambda in ipairs { 0.5, 1 } do
+    for _, lambda in ipairs(lambdas) do
       local its, values = cases:where { lambda = lambda }, {}
       for k, case in ipairs(its) do
-        values[k] = { case.p.size * scales(case.p) / case.p.points, case.results.pull_off }
+        values[k] = { extent(case.p) * scales(case.p) / case.p.points, case.results.pull_off }
       end
       if #its > 0 then
         local p = its[1].p
         check.proof { case = "Sphere on a half space, Dugdale's adhesion", quantity = ("pull-off, lambda = %g"):format(lambda),
           unit = "N", kind = "exact", source = "Maugis 1992", reference = maugis.pull_off(lambda) * math.pi * p.w.si * p.radius.si,
           values = values, resolution = "m spacing",
-          tolerance = lambda == 0.5 and 0.01 or 0.02, run = its[#its] } -- at lambda = 1 the ramps stay
-        for _, case in ipairs(its) do
-          check.within(case.id .. ": force that comes back after the largest, over that", comes_back(case), 0, 0.02) -- coarse points let go by rings
+          tolerance = lambda <= 0.5 and 0.01 or 0.02, run = its[#its] } -- at lambda = 1 the ramps stay
+        for _, case in ipairs(its) do -- coarse points let go by rings
+          check.within(case.id .. ": force that comes back after the largest, over that", comes_back(case), 0, 0.02)
         end
       end
     end
   end,
   figures = function(cases)
-    local curves = {}
+    local curves, tabor, ratios = {}, {}, {}
+    for _, lambda in ipairs(lambdas) do
+      local its = cases:where { lambda = lambda }
+      if #its > 0 then
+        tabor[#tabor + 1], ratios[#ratios + 1] = lambda, its[#its].results.ratio
+      end
+    end
+    local line, theory = {}, {}
+    for k = 0, 60 do
+      line[k + 1] = 0.05 * 100 ^ (k / 60)
+      theory[k + 1] = maugis.pull_off(line[k + 1])
+    end
     for _, lambda in ipairs { 0.5, 1 } do
       local its = cases:where { lambda = lambda }
       local case = its[#its]
@@ -113,6 +130,10 @@ return stiction.study {
     return {
       stiction.figure.lines { name = "force", title = "Force over depth", x = { label = "d*", range = { -2.5, 1 } },
         y = { label = "P*", range = { -2, 1.5 } }, curves = curves },
+      stiction.figure.lines { name = "pull_off", title = "From DMT to JKR",
+        x = { label = "lambda", log = true, range = { 0.05, 5 } }, y = { label = "pull-off / (pi w R)", range = { 1.4, 2.1 } }, curves = {
+          { label = "half space, finest", x = tabor, y = ratios, style = "points" }, { label = "Maugis", x = line, y = theory },
+          { label = "DMT", x = { 0.05, 5 }, y = { 2, 2 } }, { label = "JKR", x = { 0.05, 5 }, y = { 1.5, 1.5 } } } },
       stiction.figure.field { name = "bonds", title = "Part of the work that is ahead", case = cases:where { points = 128 }[1],
         time = 1*s, array = "beta", unit = "1" },
     }
