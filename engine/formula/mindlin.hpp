@@ -1,5 +1,5 @@
-// A pressed sphere that is moved along under constant pressure: Cattaneo and Mindlin, and back by Mindlin and
-// Deresiewicz.
+// A pressed sphere that is moved along under constant pressure: Cattaneo 1938, Mindlin 1949, and back:
+// Mindlin and Deresiewicz 1953.
 #pragma once
 #include <vector>
 
