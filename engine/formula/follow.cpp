@@ -109,9 +109,9 @@ bool Follower::shrink(double from, double drive) {
     }
     from = *turn;
   }
-  bool const holds = bears(0) <= drive;
-  size_ = holds ? root(0, from, drive) : 0;
-  return holds;
+  double const least = bears(0);
+  size_ = least < drive ? root(0, from, drive) : 0;
+  return least <= drive;
 }
 
 std::optional<State> Follower::follow(double drive) {

@@ -34,7 +34,7 @@ FormulaSampler add_of(ContactProbe const&, FormulaContext const& context) {
     context.column("pressure_max", "Pa", "largest dry pressure");
   return [context](FormulaState const& state, std::vector<double>& row) {
     push(context, state.along, row);
-    row.push_back(-state.normal.force);
+    row.push_back(0 - state.normal.force); // no -0
     row.push_back(state.normal.area);
     if (context.gives().peak)
       row.push_back(state.normal.peak);
@@ -51,8 +51,8 @@ FormulaSampler add_of(RigidProbe const&, FormulaContext const& context) {
   return [context, depth](FormulaState const& state, std::vector<double>& row) {
     push(context, state.way, row);
     if (depth)
-      row.push_back(-state.normal.depth);
-    push(context, {-state.along[0], -state.along[1]}, row);
+      row.push_back(0 - state.normal.depth);
+    push(context, {0 - state.along[0], 0 - state.along[1]}, row);
     row.push_back(state.normal.force);
   };
 }
