@@ -100,21 +100,22 @@ end
 --- The ramps of the traction reach beyond the range: a quarter of them.
 local function of_ramp(p) return p.kind == "maugis_half" and 1.6 / p.points or 3.2 / p.points end
 
---- What is compared, with how far the finest of the quick form may be off, relative: errors fall with the spacing.
+--- What is compared, with how far the finest of the quick form may be off, relative: errors fall with the spacing, but for
+--- what Mindlin's formula leaves out.
 local compared = {
   { kind = "hertz", title = "Hertz", source = "Johnson 1985, 4.2", row("force", "N", "sphere", "force_z", 2e-4),
     row("area", "mm^2", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 2e-3) },
   { kind = "mindlin", title = "Mindlin", source = "Mindlin and Deresiewicz 1953",
-    row("force along", "N", "touch", "force_x", 1e-2, { time = 2 }), row("force along, back", "N", "touch", "force_x", 2e-2) },
-  { kind = "punch", title = "flat punch", source = "Sneddon 1946", row("force", "N", "sphere", "force_z", 3e-2) },
+    row("force along", "N", "touch", "force_x", 3e-3, { time = 2 }), row("force along, back", "N", "touch", "force_x", 2e-2) },
+  { kind = "punch", title = "flat punch", source = "Sneddon 1946", row("force", "N", "sphere", "force_z", 2e-3) },
   { kind = "wave", title = "wave", source = "Westergaard 1939", row("lift", "um", "sphere", "u_y", 2e-3),
     row("width that touches", "mm", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 5e-3) },
   { kind = "maugis_half", title = "Maugis, lambda = 0.5", source = "Maugis 1992",
     row("pull-off", "N", "touch", "force_z", of_ramp, { largest = true }),
-    row("force where pressed", "N", "sphere", "force_z", 3e-2, { time = 1 }) },
+    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }) },
   { kind = "maugis_one", title = "Maugis, lambda = 1", source = "Maugis 1992",
     row("pull-off", "N", "touch", "force_z", of_ramp, { largest = true }),
-    row("force where pressed", "N", "sphere", "force_z", 3e-2, { time = 1 }) },
+    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }) },
 }
 
 local function spacing(case)
@@ -144,7 +145,7 @@ return stiction.study {
     mu = { 0.5, "" }, w = { 0.05*J/m^2, "work of adhesion" }, amplitude = { 10*um, "of the wave" }, length = { 1*mm, "of a wave" } },
   chosen = { way = { 0.6, "along, over that at which all slips" } },
   sweep = all(rungs("hertz", 64, 128, 256), rungs("mindlin", 32, 64, 128), rungs("punch", 64, 128, 256), rungs("wave", 128, 256, 512),
-    rungs("maugis_half", 64, 128, 256), rungs("maugis_one", 64, 128, 256)),
+    rungs("maugis_half", 64, 128), rungs("maugis_one", 64, 128)),
   quick = { sweep = all(rungs("hertz", 64, 128), rungs("mindlin", 32, 64), rungs("punch", 64, 128, 256), rungs("wave", 128, 256),
     rungs("maugis_half", 64, 128)) },
   case_id = function(p) return p.model == "formula" and p.kind or ("%s_%d"):format(p.kind, p.points) end,

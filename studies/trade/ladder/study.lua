@@ -25,7 +25,7 @@ return proof:variant {
   },
   trade = {
     quantities = { "along", "force" },
-    knobs = { { "points", { 32, 64, 128, 256 } }, { "model", { "formula", "half_space" } } },
+    knobs = { { "points", { 16, 32, 64, 128 } }, { "model", { "formula", "half_space" } } },
     quick = { knobs = { { "points", { 16, 32, 64 } }, { "model", { "formula", "half_space" } } } },
   },
 }
