@@ -1,3 +1,4 @@
+// Pieces between turns, on each of which what is borne rises or falls; roots by halving.
 #include "formula/follow.hpp"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ std::optional<State> Follower::follow(double drive) {
   return formula_->at(size_);
 }
 
-State pull_off(Formula const& formula) {
+State largest_pull(Formula const& formula) {
   Follower const follower(formula, Drive::force);
   auto least = formula.at(0);
   for (double const turn : follower.turns())

@@ -7,8 +7,6 @@
 
 namespace stiction::formula {
 
-enum class Drive { depth, force };
-
 /// Contact grows while the drive is more than its state bears, and shrinks while it is less: so it jumps
 /// where what it bears turns round. Sizes s are kept, nothing else.
 class Follower {
@@ -39,6 +37,6 @@ private:
 };
 
 /// The state of the largest pull.
-[[nodiscard]] State pull_off(Formula const& formula);
+[[nodiscard]] State largest_pull(Formula const& formula);
 
 } // namespace stiction::formula

@@ -20,6 +20,9 @@ struct Gives {
   bool depth = true, peak = true;
 };
 
+/// What is given of a state.
+enum class Drive { depth, force };
+
 /// A family of states over s >= 0, which grows with the contact. s = 0: nothing touches, and the least more
 /// depth or force, or a pull, makes it touch.
 class Formula {

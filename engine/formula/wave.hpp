@@ -15,8 +15,8 @@ struct Waves {
   [[nodiscard]] double full() const;
 };
 
-/// s <= 1: part of the surface that touches; beyond, all of it does. Depths are those of the mean of the
-/// heights over that of the surface. Adhesion has no range: where all touches, no pull is enough to part it.
+/// s <= 1: part of the surface that touches; beyond, all of it does. Depths are against the mean of what lies
+/// far below the surface. Adhesion has no range: where all touches, no pull is enough to part it.
 class Wave : public Formula {
 public:
   Wave(Waves const& waves, double work) : waves_(waves), work_(work) {} ///< J/m^2

@@ -14,11 +14,15 @@
 namespace {
 
 using namespace stiction::formula;
-using doctest::Approx;
 using std::numbers::pi;
 
 constexpr double E = 3e6, R = 2e-3, w = 0.05;
 constexpr Sphere ball{E, R};
+
+/// Within a part of the number, however small that is.
+doctest::Approx near(double number, double part) {
+  return doctest::Approx(number).epsilon(part).scale(0);
+}
 
 double traction(double lambda) {
   return lambda / transition(ball, w, 1);
@@ -34,33 +38,32 @@ void check_rate(std::function<State(double)> const& at,
   };
   double const coarse = error(1e-2 * s), fine = error(2.5e-3 * s);
   CHECK(fine < 1e-3);
-  CHECK(std::log2(coarse / fine) / 2 == Approx(2).epsilon(0.05));
+  CHECK(std::log2(coarse / fine) / 2 == near(2, 0.05));
 }
 
 } // namespace
 
 TEST_CASE("JKR pulls off at 3/2 pi w R, DMT at 2 pi w R, a line at its own, Hertz at nothing") {
-  CHECK(pull_off(Jkr(ball, w)).force == Approx(-1.5 * pi * w * R).epsilon(1e-12));
-  CHECK(pull_off(Jkr(ball, w)).area ==
-        Approx(pi * std::pow(9 * pi * w * R * R / (8 * E), 2.0 / 3)).epsilon(1e-5));
-  CHECK(pull_off(Dmt(ball, w)).force == Approx(-2 * pi * w * R).epsilon(1e-12));
-  CHECK(pull_off(Line(E, R, w)).force == Approx(-3 * std::cbrt(pi * E * w * w * R / 16)).epsilon(1e-12));
-  CHECK(pull_off(Hertz(ball)).force == 0);
-  CHECK(pull_off(Wave({E, 1e-5, 1e-3, 1e-3, 0}, 0)).force == 0);
+  CHECK(largest_pull(Jkr(ball, w)).force == near(-1.5 * pi * w * R, 1e-12));
+  CHECK(largest_pull(Jkr(ball, w)).area == near(pi * std::pow(9 * pi * w * R * R / (8 * E), 2.0 / 3), 1e-5));
+  CHECK(largest_pull(Dmt(ball, w)).force == near(-2 * pi * w * R, 1e-12));
+  CHECK(largest_pull(Line(E, R, w)).force == near(-3 * std::cbrt(pi * E * w * w * R / 16), 1e-12));
+  CHECK(largest_pull(Hertz(ball)).force == 0);
+  CHECK(largest_pull(Wave({E, 1e-5, 1e-3, 1e-3, 0}, 0)).force == 0);
 }
 
 TEST_CASE("Maugis' pull-off has the published numbers and goes over into DMT and JKR") {
   auto const over = [](double lambda) {
-    return -pull_off(Maugis(ball, w, traction(lambda))).force / (pi * w * R);
+    return -largest_pull(Maugis(ball, w, traction(lambda))).force / (pi * w * R);
   };
-  CHECK(over(0.5) == Approx(1.718).epsilon(3e-4));
-  CHECK(over(1) == Approx(1.601).epsilon(3e-4));
+  CHECK(over(0.5) == near(1.718, 3e-4));
+  CHECK(over(1) == near(1.601, 3e-4));
   double const soft = 2 - over(1e-3), softer = 2 - over(2.5e-4);
   CHECK(soft < 2e-2);
   CHECK(soft / softer > 2);
   CHECK(std::abs(over(100) - 1.5) < 1e-3);
   CHECK(over(10) > over(100));
-  CHECK(Maugis(ball, w, traction(0.7)).lambda() == Approx(0.7).epsilon(1e-12));
+  CHECK(Maugis(ball, w, traction(0.7)).lambda() == near(0.7, 1e-12));
 }
 
 TEST_CASE(
@@ -68,20 +71,20 @@ TEST_CASE(
   for (double const lambda : {0.05, 0.5, 3.0}) {
     Maugis const maugis(ball, w, traction(lambda));
     auto const before = maugis.at(1), after = maugis.at(1 + 1e-9);
-    CHECK(after.depth == Approx(before.depth).epsilon(1e-6));
-    CHECK(after.force == Approx(before.force).epsilon(1e-6));
-    CHECK(maugis.at(0).depth == Approx(-w / traction(lambda)).epsilon(1e-12));
+    CHECK(after.depth == near(before.depth, 1e-6));
+    CHECK(after.force == near(before.force, 1e-6));
+    CHECK(maugis.at(0).depth == near(-w / traction(lambda), 1e-12));
     CHECK(maugis.at(0).force == 0);
   }
   auto const jkr = Jkr(ball, w).at(1.3);
   Maugis const steep(ball, w, traction(2000));
   Follower steeply(steep, Drive::force);
   REQUIRE(steeply.follow(0));
-  auto const near = steeply.follow(jkr.force);
-  REQUIRE(near);
-  CHECK(near->depth == Approx(jkr.depth).epsilon(2e-3));
-  CHECK(near->area == Approx(jkr.area).epsilon(2e-3));
-  CHECK(near->peak == Approx(jkr.peak).epsilon(2e-3));
+  auto const there = steeply.follow(jkr.force);
+  REQUIRE(there);
+  CHECK(there->depth == near(jkr.depth, 2e-3));
+  CHECK(there->area == near(jkr.area, 2e-3));
+  CHECK(there->peak == near(jkr.peak, 2e-3));
 }
 
 TEST_CASE("the force is the derivative of the energy by the depth") {
@@ -115,14 +118,14 @@ TEST_CASE("the force is the derivative of the energy by the depth") {
 TEST_CASE("the energy of a punch and the pressure of a sphere are those of Boussinesq and Hertz") {
   Punch const punch(E, R);
   auto const at = punch.at(0.01);
-  CHECK(at.force == Approx(2 * E * R * 0.01 * R).epsilon(1e-12));
-  CHECK(at.depth == Approx(0.01 * R).epsilon(1e-12));
+  CHECK(at.force == near(2 * E * R * 0.01 * R, 1e-12));
+  CHECK(at.depth == near(0.01 * R, 1e-12));
   CHECK_FALSE(punch.gives().peak);
   auto const sphere = Hertz(ball).at(0.1);
-  CHECK(sphere.peak == Approx(1.5 * sphere.force / sphere.area).epsilon(1e-12));
+  CHECK(sphere.peak == near(1.5 * sphere.force / sphere.area, 1e-12));
   Line const cylinder(E, R, 0);
   auto const line = cylinder.at(0.1);
-  CHECK(line.peak == Approx(4 / pi * line.force / line.area).epsilon(1e-12));
+  CHECK(line.peak == near(4 / pi * line.force / line.area, 1e-12));
   CHECK_FALSE(cylinder.gives().depth);
 }
 
@@ -131,20 +134,22 @@ TEST_CASE(
   Waves const waves{E, 1e-5, 1e-3, 4e-3, 2e-12};
   Wave const dry(waves, 0);
   double const most = pi * E * 1e-5 / 1e-3;
-  CHECK(dry.at(1).force == Approx(most * 4e-3).epsilon(1e-12));
-  CHECK(dry.at(1).depth == Approx(1e-5 + 2e-12 * most).epsilon(1e-12));
+  CHECK(dry.at(1).force == near(most * 4e-3, 1e-12));
+  CHECK(dry.at(1).depth == near(1e-5 + 2e-12 * most, 1e-12));
   Follower by_force(dry, Drive::force);
-  CHECK(by_force.follow(0.25 * most * 4e-3)->area == Approx(4e-3 / 3).epsilon(1e-12));
-  CHECK(by_force.follow(1.5 * most * 4e-3)->area == Approx(4e-3).epsilon(1e-12));
-  CHECK(by_force.follow(1.5 * most * 4e-3)->peak == Approx(2.5 * most).epsilon(1e-12));
+  CHECK(by_force.follow(0.25 * most * 4e-3)->area == near(4e-3 / 3, 1e-12));
+  CHECK(by_force.follow(1.5 * most * 4e-3)->area == near(4e-3, 1e-12));
+  CHECK(by_force.follow(1.5 * most * 4e-3)->peak == near(2.5 * most, 1e-12));
   Wave const sticky(waves, 0.002);
   Follower down(sticky, Drive::force);
   auto const first = down.follow(0);
   REQUIRE(first);
   CHECK(first->area < 4e-3);
   CHECK(first->area > 0);
-  CHECK(down.follow(2 * most * 4e-3)->area == Approx(4e-3).epsilon(1e-12));
-  CHECK(down.follow(-50 * most * 4e-3)->area == Approx(4e-3).epsilon(1e-12));
+  CHECK(down.follow(2 * most * 4e-3)->area == near(4e-3, 1e-12));
+  auto const pulled = down.follow(-50 * most * 4e-3);
+  CHECK(pulled->area == near(4e-3, 1e-12));
+  CHECK(pulled->force == near(-50 * most * 4e-3, 1e-9));
 }
 
 TEST_CASE(
@@ -155,20 +160,20 @@ TEST_CASE(
   CHECK(follower.follow(-1e-3 * unit)->area == 0);
   auto const jumped = follower.follow(0);
   double const zero = std::cbrt(2 * pi * w * R * R / E); // a where d = 0: a^2 / R = sqrt(2 pi w a / E*)
-  CHECK(jumped->area == Approx(pi * zero * zero).epsilon(1e-10));
+  CHECK(jumped->area == near(pi * zero * zero, 1e-10));
   double const fold = -0.75 * std::cbrt(pi * pi * w * w * R / (E * E)); // where d turns round
   CHECK(follower.follow(0.999 * fold)->area > 0);
   CHECK(follower.follow(1.001 * fold)->area == 0);
   CHECK(follower.follow(1.001 * fold)->force == 0);
   CHECK(follower.follow(-0.1 * unit)->area == 0);
   Follower forced(jkr, Drive::force);
-  CHECK(forced.follow(0)->area == Approx(pi * std::pow(4.5 * pi * w * R * R / E, 2.0 / 3)).epsilon(1e-10));
+  CHECK(forced.follow(0)->area == near(pi * std::pow(4.5 * pi * w * R * R / E, 2.0 / 3), 1e-10));
   CHECK(forced.follow(-0.999 * 1.5 * pi * w * R).has_value());
   CHECK_FALSE(forced.follow(-1.001 * 1.5 * pi * w * R).has_value());
   Hertz const hertz(ball);
   Follower dry(hertz, Drive::depth);
   CHECK(dry.follow(0)->force == 0);
-  CHECK(dry.follow(1e-4 * R)->area == Approx(pi * 1e-4 * R * R).epsilon(1e-12));
+  CHECK(dry.follow(1e-4 * R)->area == near(pi * 1e-4 * R * R, 1e-12));
   CHECK(dry.follow(-1e-4 * R)->depth == -1e-4 * R);
 }
 
@@ -177,12 +182,12 @@ TEST_CASE("a sphere moved along slips from the edge, loses what Mindlin and Dere
   constexpr double mu = 0.4, P = 2, a = 1e-4, yield = 1.5 / 1e6;
   double const range = 3 * mu * P * yield / (16 * a);
   Mindlin mindlin(yield, mu);
-  CHECK(mindlin.move(1e-6 * range, P, a) == Approx(8 * a / yield * 1e-6 * range).epsilon(1e-6));
-  CHECK(mindlin.move(2 * range, P, a) == Approx(mu * P).epsilon(1e-12));
+  CHECK(mindlin.move(1e-6 * range, P, a) == near(8 * a / yield * 1e-6 * range, 1e-6));
+  CHECK(mindlin.move(2 * range, P, a) == near(mu * P, 1e-12));
   Mindlin loop(yield, mu);
   double const most = 0.5 * range, q = 1 - std::pow(0.5, 1.5);
   double loss = 0, before = loop.move(most, P, a), u = most;
-  CHECK(before == Approx(mu * P * q).epsilon(1e-12));
+  CHECK(before == near(mu * P * q, 1e-12));
   constexpr int steps = 4000;
   for (int k = 1; k <= 2 * steps; ++k) {
     double const to = most * (k <= steps ? 1 - 2.0 * k / steps : 2.0 * (k - steps) / steps - 1);
@@ -191,9 +196,9 @@ TEST_CASE("a sphere moved along slips from the edge, loses what Mindlin and Dere
     before = now;
     u = to;
     if (k == steps)
-      CHECK(now == Approx(-mu * P * q).epsilon(1e-12));
+      CHECK(now == near(-mu * P * q, 1e-12));
   }
   double const shape = 1 - std::pow(1 - q, 5.0 / 3) - 5 * q / 6 * (1 + std::pow(1 - q, 2.0 / 3));
-  CHECK(loss == Approx(0.9 * mu * mu * P * P / a * yield * shape).epsilon(1e-5));
-  CHECK(loop.move(0.7 * range, P, a) == Approx(mu * P * (1 - std::pow(0.3, 1.5))).epsilon(1e-12));
+  CHECK(loss == near(0.9 * mu * mu * P * P / a * yield * shape, 1e-5));
+  CHECK(loop.move(0.7 * range, P, a) == near(mu * P * (1 - std::pow(0.3, 1.5)), 1e-12));
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "formula/follow.hpp"
+#include "formula/formula.hpp"
 #include "formula/mindlin.hpp"
 #include "halfspace/model.hpp"
 #include "halfspace/shapes.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "formula/follow.hpp"
 #include "halfspace/surface.hpp"
 #include "scene/description/human.hpp"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dynamics/bulk/timer.hpp"
+#include "formula/follow.hpp"
 #include "record/fields.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
@@ -81,7 +82,7 @@ private:
       result_.verdict = "not converged";
       result_.reason = fmt::format(
           "at t = {:g} s the pull of {:g} {} is more than the contact holds (pull-off {:g}): it lets go", t,
-          -drive, model.grid.line ? "N/m" : "N", -formula::pull_off(*scene_.formula->normal).force);
+          -drive, model.grid.line ? "N/m" : "N", -formula::largest_pull(*scene_.formula->normal).force);
       return false;
     }
     FormulaState now{t, *state, {model.shift[0].value(t), model.shift[1].value(t)}, {}};

@@ -178,7 +178,7 @@ return stiction.study {
         local p = case.p
         local _, P, d = maugis.units(modulus(p), p.radius.si, p.w.si)
         local function over(column, unit)
-          return stiction.numeric.map(case:series("sphere", column), function(value) return value / unit end)
+          return stiction.numeric.map(case:series("sphere", column), function(one) return one / unit end)
         end
         curves[#curves + 1] = { label = case.id, x = over("u_z", -d), y = over("force_z", P), style = k == 2 and "points" or nil }
       end
