@@ -90,4 +90,8 @@ for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die la
   expect 2 "the best that was measured is|./stiction trade" "$stiction" run "$here/../../studies/trade/$name" \
     --accuracy 1e-9 --list
 done
+
+# where the model is a knob, what each rung is off by
+expect 0 "model formula: off by 0.1|the error of the model alone|model half_space: off by 0.0|and of its resolution" \
+  "$stiction" trade "$here/../../studies/trade/ladder" --quick --no-figures --out rungs
 finish
