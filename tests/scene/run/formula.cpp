@@ -65,7 +65,11 @@ TEST_CASE("Hertz's sphere is recorded at every time of the schedule, by displace
 }
 
 TEST_CASE("the points of a half space come near the formula, in the same columns") {
-  for (auto table : {test::formula_scene(), test::wave_scene()}) {
+  auto layer = test::wave_scene();
+  test::at(layer, "bodies.base.depth") = value(0.1, "m");
+  test::at(layer, "obstacles.ball.young") = value(2e4, "Pa");
+  test::at(layer, "obstacles.ball.poisson") = value(0.2);
+  for (auto table : {test::formula_scene(), test::wave_scene(), layer}) {
     FormulaCase const formula, points;
     CHECK(formula.run(table).verdict == "finished");
     test::at(table, "model") = test::text("half_space");
