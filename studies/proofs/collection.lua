@@ -28,6 +28,7 @@ return {
   "jkr_cylinder",
   "maugis_dugdale",
   "half_space_adhesion",
+  "half_space_formula",
   "dcb",
   "peeled_film",
   "capstan",

@@ -33,6 +33,7 @@ dynamics::Path path(Numbers const& times, Numbers const& values) {
 Scene Builder::run() {
   core::Reader reader(*input_, "", complaints_);
   scene_.part = reader.record<ScenePart>();
+  check_model();
   settle();
   if (!scene_.part.half_spaces.empty())
     return with_half_space();

@@ -2,6 +2,7 @@
 #pragma once
 #include "core/input.hpp"
 #include "halfspace/model.hpp"
+#include "scene/build/formula_choice.hpp"
 #include "scene/description/parts.hpp"
 
 namespace stiction::scene {
@@ -14,6 +15,7 @@ struct Scene {
   std::vector<double> moved;              ///< [constraints] how far a tie has moved a node that follows, m
   std::unique_ptr<dynamics::Model> model; ///< null where there is a half space in its place
   std::unique_ptr<halfspace::Model> half_space;
+  std::optional<FormulaChoice> formula; ///< that answers in place of the half space's points
 
   /// A set "body.set" with model node numbers; nothing if there is none.
   [[nodiscard]] std::optional<Indices> nodes_of(std::string const& set) const;

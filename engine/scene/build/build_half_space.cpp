@@ -45,6 +45,8 @@ Scene Builder::with_half_space() {
   check_half_space_scheme();
   for (auto const& [name, probe] : part.probes)
     check_half_space_probe(name, probe);
+  if (part.model == ModelKind::formula)
+    take_formula();
   if (ranks_ != nullptr)
     complain({}, fmt::format("it cannot be shared by several ranks: {}; run it without --ranks",
                              unfit_for_ranks(scene_)));

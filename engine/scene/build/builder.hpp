@@ -39,6 +39,11 @@ private:
   void unknown_name(Where const& where, char const* what, std::string const& name,
                     std::vector<std::string> const& known);
 
+  // build_formula.cpp
+  void check_model();
+  void take_formula();
+  void check_formula_probe(std::string const& name, ProbePart const& part);
+
   // build_half_space.cpp
   [[nodiscard]] Scene with_half_space();
   void check_half_space_alone();

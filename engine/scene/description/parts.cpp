@@ -344,6 +344,13 @@ core::Schema const& ScenePart::schema() {
       Describe<ScenePart>{"scene", "everything a run needs", ""}
           .choice("kinematics", &ScenePart::kinematics, {"plane_strain", "axisymmetric", "three_dimensional"},
                   Need::optional, "axisymmetric: x is the radius, y the axis")
+          .choice(
+              "model", &ScenePart::model, {"bodies", "formula", "half_space", "section", "space"},
+              Need::optional,
+              "what answers it: its bodies as they are; the closed formula of a half space under a sphere, "
+              "cylinder, punch or wave, which gives probes of contact and rigid and no fields; or bodies "
+              "that "
+              "have to be of that kind, for studies that offer several")
           .numbers("gravity", &ScenePart::gravity, "m/s^2", Need::optional,
                    "acceleration {x, y [, z]} on every body")
           .nested("bodies", "body", Need::required, "table of bodies by name")

@@ -277,7 +277,12 @@ struct MomentumProbe {
 using ProbePart = std::variant<PointProbe, ContactProbe, LineProbe, ForceProbe, NodeProbe, RigidProbe,
                                EnergyProbe, MomentumProbe, SpringProbe, GasProbe>;
 
+/// What answers a scene: its bodies as they are, a formula in their place, or bodies that have to be of a
+/// kind.
+enum class ModelKind { bodies, formula, half_space, section, space };
+
 struct ScenePart {
+  ModelKind model = ModelKind::bodies;
   solid::Kinematics kinematics = solid::Kinematics::plane_strain;
   Numbers gravity; ///< m/s^2; empty: none
   std::map<std::string, BodyPart> bodies;

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
+#include "formula/follow.hpp"
 #include "halfspace/surface.hpp"
 #include "scene/description/human.hpp"
 
@@ -31,6 +33,41 @@ void count(Section& section, std::string name, double value, char const* unit, s
   section.lines.push_back({std::move(name), human(value, unit), value, unit, std::move(meaning)});
 }
 
+/// "a/R at most 0.05": of the largest contact at the knots of the drive; "" where no radius goes with it.
+std::string slenderness(GridFacts const& facts, FormulaChoice const& choice) {
+  auto const& surface = facts.scene.part.height_maps.begin()->second.surface;
+  auto const* sphere = std::get_if<halfspace::Sphere>(&surface);
+  auto const* cylinder = std::get_if<halfspace::Cylinder>(&surface);
+  if (sphere == nullptr && cylinder == nullptr)
+    return "";
+  formula::Follower follower(*choice.normal, choice.drive);
+  bool const forced = choice.drive == formula::Drive::force;
+  double most = 0;
+  for (double const drive : forced ? facts.model.force->values : facts.model.shift[2].values)
+    if (auto const state = follower.follow(forced ? drive : -drive))
+      most = std::max(most, state->area);
+  double const ratio =
+      sphere != nullptr ? std::sqrt(most / std::numbers::pi) / sphere->radius : 0.5 * most / cylinder->radius;
+  return fmt::format(", a/R at most {:.2g}", ratio);
+}
+
+/// Which formula answers the scene, would answer it, or why none does.
+void tell_of_formula(GridFacts const& facts, Section& section) {
+  auto const words = [&](FormulaChoice const& choice) {
+    return fmt::format("{} ({}), {}{}{}", choice.normal->name(), choice.normal->source(), choice.fits,
+                       slenderness(facts, choice),
+                       choice.neglects.empty() ? "" : "; it leaves out " + choice.neglects);
+  };
+  if (facts.scene.formula)
+    return say(section, "model", "formula", words(*facts.scene.formula));
+  auto const choice = choose_formula(facts.model, facts.scene.part.height_maps.begin()->second.surface);
+  if (auto const* unfit = std::get_if<std::string>(&choice))
+    say(section, "model", "half space", "no formula: " + *unfit);
+  else
+    say(section, "model", "half space",
+        "model = \"formula\" would do: " + words(std::get<FormulaChoice>(choice)));
+}
+
 Section describe_grid(GridFacts const& facts) {
   Section section{"Scene", {}};
   auto const& grid = facts.model.grid;
@@ -46,6 +83,7 @@ Section describe_grid(GridFacts const& facts) {
   say(section, "pair " + facts.scene.pairs.front(),
       fmt::format("{} force{} a point", facts.model.components(), facts.model.components() > 1 ? "s" : ""),
       law.tangential() ? "along the normal and the surface" : "nothing acts along the surface");
+  tell_of_formula(facts, section);
   long steps = 0;
   for (auto const& stage : facts.scene.part.schedule.stages)
     steps += stage.steps;
@@ -69,8 +107,9 @@ double rms_slope(halfspace::Model const& model) {
 Section grid_numbers(GridFacts const& facts) {
   Section section{"Numbers", {}};
   count(section, "E*", facts.modulus(), "Pa", "1 / sum of (1 - nu^2) / E");
-  count(section, "spacing", facts.spacing(), "m",
-        "of points; contacts smaller than some of it are not resolved");
+  if (!facts.scene.formula)
+    count(section, "spacing", facts.spacing(), "m",
+          "of points; contacts smaller than some of it are not resolved");
   count(section, "coupling", 2 * facts.compliance.coupling / facts.compliance.normal, "1",
         "of pressure and shear, over the normal compliance: 0 for alike or incompressible sides (2 beta of "
         "Dundurs)");
@@ -119,7 +158,10 @@ Explanation explain_half_space(Scene const& scene) {
   GridFacts const facts{
       scene, model, halfspace::Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr)};
   Explanation explanation;
-  explanation.sections = {describe_grid(facts), grid_numbers(facts), grid_cost(facts)};
+  explanation.sections = {describe_grid(facts), grid_numbers(facts)};
+  if (scene.formula)
+    return explanation;
+  explanation.sections.push_back(grid_cost(facts));
   warn_of_range(facts, explanation.warnings);
   return explanation;
 }

@@ -14,6 +14,8 @@ std::vector<Warning> warnings_of(Scene const& scene, dynamics::State const& star
 }
 
 std::vector<Warning> warnings_of(Scene const& scene) {
+  if (scene.formula) // it has no grid
+    return {};
   return explain_half_space(scene).warnings;
 }
 

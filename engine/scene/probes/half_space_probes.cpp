@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/probes/formula_probes.hpp"
 #include "scene/probes/point_quantities.hpp"
 
 namespace stiction::scene {
@@ -176,7 +177,9 @@ HalfSpaceSampler add_of(Probe const&, GridContext const&) { // refused when the 
 } // namespace
 
 void add_columns(Scene const& scene, Columns const& columns) {
-  if (scene.half_space)
+  if (scene.formula)
+    static_cast<void>(add_formula_probes(scene, columns));
+  else if (scene.half_space)
     static_cast<void>(add_half_space_probes(scene, columns));
   else
     static_cast<void>(add_probes(scene, columns));

@@ -145,7 +145,12 @@ json settings_of_half_space(Scene const& scene) {
   for (auto const& [name, map] : scene.part.height_maps)
     settings["obstacles"][name] = record::describe(&map, HeightMapPart::schema());
   add_pairs(scene, settings);
-  settings["unknowns"] = scene.half_space->components() * scene.half_space->grid.size();
+  settings["unknowns"] = scene.formula ? 0 : scene.half_space->components() * scene.half_space->grid.size();
+  if (scene.formula)
+    settings["formula"] = {{"name", scene.formula->normal->name()},
+                           {"source", scene.formula->normal->source()},
+                           {"fits", scene.formula->fits},
+                           {"neglects", scene.formula->neglects}};
   return settings;
 }
 

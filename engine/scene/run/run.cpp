@@ -7,6 +7,7 @@
 #include "core/threads.hpp"
 #include "record/file.hpp"
 #include "record/manifest.hpp"
+#include "scene/run/formula_run.hpp"
 #include "scene/run/half_space_run.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/pass.hpp"
@@ -80,6 +81,8 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   for (;;) {
     auto const asked = with_sizes(input, story.sizes);
     auto const scene = build(asked, options.ranks);
+    if (scene.formula)
+      return run_formula(asked, scene, options, story);
     if (scene.half_space)
       return run_half_space(asked, scene, options, checkpoint, story);
     if (ranks.writes())

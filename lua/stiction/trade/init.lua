@@ -165,6 +165,20 @@ local function show_references(trade)
   end
 end
 
+--- Where the scene's model is a knob: what each rung is off by with the other settings at their default.
+local function show_rungs(trade)
+  local by_levels = ladder.index(trade.runs)
+  for _, knob in ipairs(trade.knobs) do
+    for level, model in ipairs(knob.name == "model" and knob.levels or {}) do
+      local run = by_levels[ladder.key(ladder.levels(trade.knobs, { model = level }))]
+      if run and run.error then
+        report.line("model %s: off by %s %%, %s", tostring(model), percent(run.error),
+          model == "formula" and "the error of the model alone" or "those of the model and of its resolution")
+      end
+    end
+  end
+end
+
 local function show(trade)
   local rows = { { "case", "verdict", "error/%", "bound/%", "work", "CPU s", "" } }
   for _, run in ipairs(trade.runs) do
@@ -174,6 +188,7 @@ local function show(trade)
   end
   report.line()
   report.table(rows)
+  show_rungs(trade)
   show_references(trade)
 end
 

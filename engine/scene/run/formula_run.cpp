@@ -1,0 +1,157 @@
+// From state to state of the formula at every time of the stages; what is written is what other runs write.
+#include "scene/run/formula_run.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "dynamics/bulk/timer.hpp"
+#include "formula/follow.hpp"
+#include "record/fields.hpp"
+#include "record/file.hpp"
+#include "record/manifest.hpp"
+#include "record/step_log.hpp"
+#include "scene/probes/formula_probes.hpp"
+#include "scene/run/manifest.hpp"
+#include "scene/run/resources.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+class FormulaRun {
+public:
+  FormulaRun(Scene const& scene, RunOptions const& options)
+      : scene_(scene), options_(options), series_(options.out / "series.h5"),
+        follower_(*scene.formula->normal, scene.formula->drive), along_(scene.formula->along) {
+    record::FieldSeries const none(options.out); // of an earlier run are removed
+    record::StepLog const no_log(options.out);
+    add_step_columns(scene, series_);
+    samplers_ = add_formula_probes(scene, columns_of(series_));
+  }
+
+  RunResult go() {
+    result_.verdict = "finished";
+    if (reach(0, 0))
+      run_stages();
+    series_.flush();
+    return finish();
+  }
+
+  RunResult finish() {
+    result_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+    auto const evaluations = static_cast<double>(follower_.evaluations());
+    constexpr double operations = 30; // of a state, about
+    result_.phases = {{"assembly", 0},
+                      {"factorization", 0},
+                      {"contact", result_.seconds - output_},
+                      {"solve", 0},
+                      {"output", output_}};
+    result_.counters = {{"unknowns", 0},
+                        {"contact_unknowns", 0},
+                        {"evaluations", evaluations},
+                        {"work", operations * evaluations},
+                        {"cpu_seconds", cpu_seconds()},
+                        {"peak_memory", peak_memory()}};
+    return result_;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void run_stages() {
+    double start = 0;
+    for (auto const& stage : scene_.part.schedule.stages) {
+      double const dt = (stage.until - start) / stage.steps;
+      for (int step = 1; step <= stage.steps; ++step) {
+        if (stopped() || !reach(step == stage.steps ? stage.until : start + step * dt, dt))
+          return;
+        ++result_.steps;
+      }
+      start = stage.until;
+    }
+  }
+
+  /// The state at a time, recorded; false where there is none.
+  bool reach(double t, double dt) {
+    auto const& model = *scene_.half_space;
+    bool const forced = scene_.formula->drive == formula::Drive::force;
+    double const drive = forced ? model.force->value(t) : -model.shift[2].value(t);
+    auto const state = follower_.follow(drive);
+    if (!state) {
+      result_.verdict = "not converged";
+      result_.reason = fmt::format(
+          "at t = {:g} s the pull of {:g} {} is more than the contact holds (pull-off {:g}): it lets go", t,
+          -drive, model.grid.line ? "N/m" : "N", -formula::largest_pull(*scene_.formula->normal).force);
+      return false;
+    }
+    FormulaState now{t, *state, {model.shift[0].value(t), model.shift[1].value(t)}, {}};
+    move_along(now);
+    dynamics::Timer const timer(output_);
+    row_.assign({dt, 0});
+    for (auto const& sampler : samplers_)
+      sampler(now, row_);
+    series_.append(t, row_);
+    return true;
+  }
+
+  /// Of the two ways along one is nothing, or nothing acts.
+  void move_along(FormulaState& now) {
+    if (!along_)
+      return;
+    std::size_t const axis = changes(scene_.half_space->shift[1]) ? 1 : 0;
+    double const way = now.way[axis] - scene_.half_space->shift[axis].value(0);
+    double const radius = std::sqrt(now.normal.area / std::numbers::pi);
+    now.along[axis] = along_->move(way, now.normal.force, radius);
+  }
+
+  bool stopped() {
+    if (!(options_.stop != nullptr && options_.stop->load()) &&
+        !(options_.stop_after > 0 && ++asked_ >= options_.stop_after))
+      return false;
+    result_.verdict = "stopped";
+    result_.reason = "stopped on request";
+    return true;
+  }
+
+  Scene const& scene_;
+  RunOptions const& options_;
+  record::Series series_;
+  formula::Follower follower_;
+  std::optional<formula::Mindlin> along_;
+  std::vector<FormulaSampler> samplers_;
+  std::vector<double> row_;
+  RunResult result_;
+  double output_ = 0; ///< s
+  long asked_ = 0;
+  Clock::time_point began_ = Clock::now();
+};
+
+} // namespace
+
+RunResult run_formula(core::Input const& input, Scene const& scene, RunOptions const& options, Story& story) {
+  record::prepare_output(options.out);
+  auto manifest = manifest_of(input, scene, options, story, {});
+  record::write_manifest(options.out / "manifest.json", manifest);
+  FormulaRun running(scene, options);
+  RunResult result;
+  try {
+    result = running.go();
+  } catch (core::RunError const& error) {
+    result = running.finish();
+    result.verdict = "output failed";
+    result.reason = error.what();
+    return result;
+  }
+  if (!scene.formula->neglects.empty())
+    result.remarks.push_back(fmt::format("the formula ({}) leaves out {}", scene.formula->normal->name(),
+                                         scene.formula->neglects));
+  story.add_remarks(result.remarks);
+  if (!result.remarks.empty())
+    manifest["remarks"] = result.remarks;
+  manifest["ended"] = record::utc_now();
+  record::write_manifest(options.out / "manifest.json", manifest);
+  return result;
+}
+
+} // namespace stiction::scene
