@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "core/reader.hpp"
-#include "halfspace/grid.hpp"
+#include "halfspace/rough.hpp"
 
 namespace stiction::halfspace {
 
@@ -105,10 +105,12 @@ struct Map {
   }
 };
 
-using Shape = std::variant<Sphere, Cylinder, Punch, Wave, Map>;
+using Shape = std::variant<Sphere, Cylinder, Punch, Wave, Map, Rough>;
 
 /// At all points, m; of a map of another size nothing.
 [[nodiscard]] inline Vector heights(Shape const& shape, Grid const& grid) {
+  if (auto const* rough = std::get_if<Rough>(&shape))
+    return heights(*rough, grid);
   Vector all(grid.size());
   if (auto const* map = std::get_if<Map>(&shape)) {
     if (map->heights.size() != ix(grid.size()))

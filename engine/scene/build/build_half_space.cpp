@@ -113,6 +113,10 @@ void Builder::take_height_map(std::string const& name, HeightMapPart const& part
   bool const line = model.grid.line;
   if (part.young > 0)
     model.counterpart = halfspace::Elastic{part.young, part.poisson, model.body.depth};
+  if (auto const* rough = std::get_if<halfspace::Rough>(&part.surface))
+    for (auto const& one : rough->check(model.grid))
+      complain({"obstacles", name, "surface", one.path}, one.text);
+  settle();
   model.heights = halfspace::heights(part.surface, model.grid);
   if (model.heights.size() == 0)
     complain({"obstacles", name, "surface"},
