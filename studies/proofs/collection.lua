@@ -17,6 +17,7 @@ return {
   "hertz_3d",
   "half_space_hertz",
   "half_space_wave",
+  "half_space_rough",
   "cattaneo_mindlin",
   "half_space_friction",
   "materials",
