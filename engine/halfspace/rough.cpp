@@ -34,8 +34,9 @@ core::Schema const& Rough::schema() {
           .number("rms_height", &Rough::rms_height, "m", core::positive, Need::optional,
                   "root mean square of the heights of this very surface about their mean")
           .integer("seed", &Rough::seed, core::non_negative, Need::optional, "of the random phases")
-          .flag("scattered", &Rough::scattered,
-                "amplitudes are random, too: the spectrum's times Rayleigh's distribution of unit mean square")
+          .flag(
+              "scattered", &Rough::scattered,
+              "amplitudes are random, too: the spectrum's times Rayleigh's distribution of unit mean square")
           .choice("start", &Rough::start, {"touching", "mean"}, Need::optional,
                   "touching: the lowest point touches where it starts; mean: the mean plane lies on the half "
                   "space, whatever the number of points")
@@ -47,14 +48,16 @@ core::Complaints Rough::check() const {
   core::Complaints all;
   auto const complain = [&](char const* key, std::string text) { all.push_back({"", key, std::move(text)}); };
   if ((rms_slope > 0) == (rms_height > 0))
-    complain("rms_slope", rms_slope > 0 ? "and rms_height are both given; one follows from the other: leave one out"
-                                        : "is missing; give it, or rms_height");
+    complain("rms_slope", rms_slope > 0
+                              ? "and rms_height are both given; one follows from the other: leave one out"
+                              : "is missing; give it, or rms_height");
   if (longest > 0 && longest <= shortest)
     complain("longest", fmt::format("is {:g} m; give more than shortest = {:g} m", longest, shortest));
   if (roll_off > 0 && (roll_off < shortest || (longest > 0 && roll_off > longest)))
-    complain("roll_off", longest > 0 ? fmt::format("is {:g} m; give between shortest = {:g} m and longest = {:g} m",
-                                                   roll_off, shortest, longest)
-                                     : fmt::format("is {:g} m; give at least shortest = {:g} m", roll_off, shortest));
+    complain("roll_off", longest > 0
+                             ? fmt::format("is {:g} m; give between shortest = {:g} m and longest = {:g} m",
+                                           roll_off, shortest, longest)
+                             : fmt::format("is {:g} m; give at least shortest = {:g} m", roll_off, shortest));
   return all;
 }
 
@@ -170,24 +173,27 @@ core::Complaints Rough::check(Grid const& grid) const {
   core::Complaints all;
   auto const complain = [&](char const* key, std::string text) { all.push_back({"", key, std::move(text)}); };
   double const size = extent(grid);
-  for (auto const& [key, value] : {std::pair{"longest", longest}, {"roll_off", roll_off}, {"shortest", shortest}})
+  for (auto const& [key, value] :
+       {std::pair{"longest", longest}, {"roll_off", roll_off}, {"shortest", shortest}})
     if (value > size * (1 + 1e-9))
-      complain(key, fmt::format("is {:g} m; the half space has {:g} m, in which waves repeat: give at most that", value,
-                                size));
+      complain(key,
+               fmt::format("is {:g} m; the half space has {:g} m, in which waves repeat: give at most that",
+                           value, size));
   Spectrum const spectrum(*this, grid);
   if (2 * spectrum.most(grid.Lx) >= grid.nx || (!grid.line && 2 * spectrum.most(grid.Ly) >= grid.ny))
-    complain("shortest", fmt::format("is {:g} m; points {:g} m apart show waves longer than twice that: give more "
-                                     "points (eight a wave are some), or a longer one",
-                                     shortest, grid.line ? grid.dx() : std::max(grid.dx(), grid.dy())));
+    complain("shortest",
+             fmt::format("is {:g} m; points {:g} m apart show waves longer than twice that: give more "
+                         "points (eight a wave are some), or a longer one",
+                         shortest, grid.line ? grid.dx() : std::max(grid.dx(), grid.dy())));
   if (!all.empty())
     return all;
   bool any = false;
-  each_wave(spectrum, grid,
-            [&](Index m, Index n) { any = any || spectrum(wave_number(grid, m, n)) > 0; });
+  each_wave(spectrum, grid, [&](Index m, Index n) { any = any || spectrum(wave_number(grid, m, n)) > 0; });
   if (!any)
-    complain("shortest", fmt::format("is {:g} m: no wave between that and the longest fits the half space a whole "
-                                     "number of times; give less",
-                                     shortest));
+    complain("shortest",
+             fmt::format("is {:g} m: no wave between that and the longest fits the half space a whole "
+                         "number of times; give less",
+                         shortest));
   return all;
 }
 
@@ -232,7 +238,8 @@ Moments moments(Vector const& heights, Grid const& grid) {
   for (Index j = 0; j < grid.ny; ++j)
     for (Index m = 0; m <= last; ++m) {
       Index const n = 2 * j > grid.ny ? j - grid.ny : j;
-      double const twice = m == 0 || 2 * m == grid.nx ? 1 : 2, k = 2 * std::numbers::pi * wave_number(grid, m, n);
+      double const twice = m == 0 || 2 * m == grid.nx ? 1 : 2,
+                   k = 2 * std::numbers::pi * wave_number(grid, m, n);
       double const square = m + j == 0 ? 0 : twice * std::norm(waves[ix(j) * (ix(last) + 1) + ix(m)]);
       height += square;
       slope += k * k * square;

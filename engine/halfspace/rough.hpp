@@ -9,15 +9,15 @@ namespace stiction::halfspace {
 /// Where a surface of no lowest point of its own stands at the start.
 enum class Start { touching, mean };
 
-/// Waves of all wave vectors (2 pi m / Lx, 2 pi n / Ly) between a longest and a shortest wavelength, isotropic.
-/// Amplitudes and phases belong to wave vectors: a grid of other points samples the same surface.
+/// Waves of all wave vectors (2 pi m / Lx, 2 pi n / Ly) between a longest and a shortest wavelength,
+/// isotropic. Amplitudes and phases belong to wave vectors: a grid of other points samples the same surface.
 struct Rough {
   double hurst = 0;
-  double shortest = 0;    ///< m
-  double longest = 0;     ///< m; 0: the larger extent of the grid
-  double roll_off = 0;    ///< m; 0: longest
-  double rms_height = 0;  ///< m; 0: follows from rms_slope
-  double rms_slope = 0;   ///< of the gradient; 0: follows from rms_height
+  double shortest = 0;   ///< m
+  double longest = 0;    ///< m; 0: the larger extent of the grid
+  double roll_off = 0;   ///< m; 0: longest
+  double rms_height = 0; ///< m; 0: follows from rms_slope
+  double rms_slope = 0;  ///< of the gradient; 0: follows from rms_height
   int seed = 1;
   bool scattered = false; ///< amplitudes are random, too
   Start start = Start::touching;

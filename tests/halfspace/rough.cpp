@@ -84,8 +84,8 @@ TEST_CASE("amplitudes of a rough surface follow its spectrum, wave by wave") {
   auto const grid = plane(48, 24);
   auto const all = heights(rough, grid);
   double const flat = amplitude(all, grid, 2, 0);
-  CHECK(amplitude(all, grid, 0, 1) == doctest::Approx(flat).epsilon(1e-10));  // 1 m long, along y
-  CHECK(amplitude(all, grid, 4, 0) == doctest::Approx(flat).epsilon(1e-10));  // the roll-off
+  CHECK(amplitude(all, grid, 0, 1) == doctest::Approx(flat).epsilon(1e-10)); // 1 m long, along y
+  CHECK(amplitude(all, grid, 4, 0) == doctest::Approx(flat).epsilon(1e-10)); // the roll-off
   CHECK(amplitude(all, grid, 8, 0) == doctest::Approx(flat * std::pow(2, -1.7)).epsilon(1e-10));
   CHECK(amplitude(all, grid, 6, -4) == doctest::Approx(flat * std::pow(2.5, -1.7)).epsilon(1e-10));
   CHECK(amplitude(all, grid, 16, 0) == doctest::Approx(flat * std::pow(4, -1.7)).epsilon(1e-10)); // shortest

@@ -82,7 +82,8 @@ Section grid_numbers(GridFacts const& facts) {
     count(section, "rms gradient", moments.slope, "1", "of the waves through the points");
     count(section, "rms curvature", moments.curvature, "1/m", "of their Laplacian");
     count(section, "full pressure", 0.5 * facts.modulus() * moments.slope, "Pa",
-          "E* / 2 x rms gradient, rms about the mean where all touches; at mean pressures well below it, the part "
+          "E* / 2 x rms gradient, rms about the mean where all touches; at mean pressures well below it, the "
+          "part "
           "in contact is about 2 p / (E* x rms gradient)");
   }
   return section;
@@ -131,9 +132,10 @@ void warn_of_shortest(GridFacts const& facts, std::vector<Warning>& warnings) {
   auto const& grid = facts.model.grid;
   double const more = wanted * facts.spacing() / rough->shortest;
   warnings.push_back(
-      {fmt::format("obstacle {}: its shortest waves, of {}, have {:.3g} points (< {:g}): areas of contact are those "
-                   "of the grid",
-                   name, human(rough->shortest, "m"), rough->shortest / facts.spacing(), wanted),
+      {fmt::format(
+           "obstacle {}: its shortest waves, of {}, have {:.3g} points (< {:g}): areas of contact are those "
+           "of the grid",
+           name, human(rough->shortest, "m"), rough->shortest / facts.spacing(), wanted),
        fmt::format("give {:g} points along x, which show the same surface, or a longer shortest wave",
                    std::ceil(grid.nx * more))});
 }

@@ -139,9 +139,10 @@ void add_pairs(Scene const& scene, json& settings) {
 /// Of the heights as they are.
 json moments_of(halfspace::Model const& model) {
   auto const moments = halfspace::moments(model.heights, model.grid);
-  return {{"rms_height", {{"value", moments.height}, {"unit", "m"}, {"meaning", "about the mean"}}},
-          {"rms_slope", {{"value", moments.slope}, {"unit", "1"}, {"meaning", "of the gradient"}}},
-          {"rms_curvature", {{"value", moments.curvature}, {"unit", "1/m"}, {"meaning", "of the Laplacian"}}}};
+  return {
+      {"rms_height", {{"value", moments.height}, {"unit", "m"}, {"meaning", "about the mean"}}},
+      {"rms_slope", {{"value", moments.slope}, {"unit", "1"}, {"meaning", "of the gradient"}}},
+      {"rms_curvature", {{"value", moments.curvature}, {"unit", "1/m"}, {"meaning", "of the Laplacian"}}}};
 }
 
 json settings_of_half_space(Scene const& scene) {
@@ -152,8 +153,8 @@ json settings_of_half_space(Scene const& scene) {
     settings["bodies"][name] = record::describe(&body, HalfSpacePart::schema());
   for (auto const& [name, map] : scene.part.height_maps) {
     settings["obstacles"][name] = record::describe(&map, HeightMapPart::schema());
-    if (auto const* rough = std::get_if<halfspace::Rough>(&map.surface))
-      settings["obstacles"][name]["rough"] = record::describe(rough, halfspace::Rough::schema());
+    if (!std::holds_alternative<halfspace::Map>(map.surface)) // of which the heights would stand here
+      settings["obstacles"][name]["surface"] = describe(map.surface);
   }
   if (scene.half_space->grid.periodic)
     settings["heights"] = moments_of(*scene.half_space);
