@@ -98,7 +98,9 @@ TEST_CASE("amplitudes of a rough surface follow its spectrum, wave by wave") {
 
 TEST_CASE("seeds give other surfaces, and the same seed the same bits") {
   auto const grid = plane(64, 32);
-  auto one = asked(), other = one;
+  auto one = asked();
+  one.longest = 0.5; // many waves alike
+  auto other = one;
   other.seed = 6;
   Vector const first = heights(one, grid), again = heights(one, grid), second = heights(other, grid);
   CHECK(first == again);
