@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "halfspace/shapes.hpp"
+#include "halfspace/solver.hpp"
 
 namespace {
 
@@ -94,6 +95,57 @@ TEST_CASE("amplitudes of a rough surface follow its spectrum, wave by wave") {
   auto const profile = heights(rough, line(64));
   CHECK(amplitude(profile, line(64), 8, 0) ==
         doctest::Approx(amplitude(profile, line(64), 4, 0) * std::pow(2, -1.2)).epsilon(1e-10));
+}
+
+/// Rigid waves pressed by a mean pressure onto a half space with E* = 1 Pa.
+halfspace::Answer pressed(Vector const& gaps, Grid const& grid, double pressure) {
+  halfspace::Surface const surface(grid, halfspace::Compliance::of({1, 0, 0}, nullptr), 1);
+  contact::Problem problem;
+  problem.dim = 1;
+  problem.W = surface.delassus();
+  problem.free = gaps;
+  problem.points.resize(ix(grid.size()));
+  for (auto& point : problem.points)
+    point.area = grid.area();
+  halfspace::Wanted wanted;
+  wanted.force = pressure * grid.area() * grid.size();
+  return halfspace::Solver(surface).solve(problem, Vector::Zero(grid.size()), wanted);
+}
+
+TEST_CASE("where all of a rough surface touches, each wave has its own pressure") {
+  for (auto const& grid : {plane(40, 24), line(80)}) {
+    auto const gaps = heights(asked(), grid);
+    auto const answer = pressed(gaps, grid, 0.08);
+    REQUIRE_MESSAGE(answer.converged, answer.reason);
+    REQUIRE(answer.force.minCoeff() > 0);
+    Vector expected = Vector::Constant(grid.size(), 0.08);
+    for (int m = 0; m <= 16; ++m)
+      for (int n = grid.line || m == 0 ? int(!grid.line) : -8; n <= (grid.line ? 0 : 8); ++n) {
+        std::complex<double> sum = 0;
+        auto const turn = [&](Index i) {
+          return std::polar(1.0, 2 * pi * (m * grid.x(i) / grid.Lx + n * grid.y(i) / grid.Ly));
+        };
+        for (Index i = 0; i < grid.size(); ++i)
+          sum += gaps[i] * std::conj(turn(i));
+        double const k = 2 * pi * (grid.line ? m / grid.Lx : std::hypot(m / grid.Lx, n / grid.Ly));
+        for (Index i = 0; i < grid.size(); ++i)
+          expected[i] -= 0.5 * k * 2 * (sum * turn(i)).real() / grid.size();
+      }
+    CHECK((answer.force / grid.area() - expected).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
+
+TEST_CASE("a force finds what it presses of a rough surface at once") {
+  Grid const grid{256, 256, 1, 1, false, true};
+  Rough rough;
+  rough.hurst = 0.8;
+  rough.longest = 0.5;
+  rough.shortest = 1.0 / 16;
+  rough.rms_slope = 0.05;
+  rough.seed = 2;
+  auto const answer = pressed(heights(rough, grid), grid, 5e-4);
+  CHECK_MESSAGE(answer.converged, answer.reason);
+  CHECK(answer.force.minCoeff() >= 0);
 }
 
 TEST_CASE("seeds give other surfaces, and the same seed the same bits") {

@@ -13,6 +13,7 @@
 #include "scene/explain/explain.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/random_scenes.hpp"
+#include "scene/run/manifest.hpp"
 #include "scene/run/run.hpp"
 #include "threads.hpp"
 
@@ -181,6 +182,23 @@ TEST_CASE("steps of a half space that lead nowhere end at the limits of the sche
     CHECK_MESSAGE(result.reason.find(words) != std::string::npos, result.reason);
     CHECK(result.counters.at("work") > 0);
   }
+}
+
+TEST_CASE(
+    "explain and the manifest tell what rough heights are, and explain what points do not show of them") {
+  auto table = test::half_space_scene();
+  test::at(table, "obstacles.ball.surface") = test::make(
+      "surface.rough",
+      {{"hurst", test::value(0.8)}, {"rms_slope", test::value(0.1)}, {"shortest", test::value(0.1, "m")}});
+  test::at(table, "bodies.base.boundary") = test::text("periodic");
+  auto const told = scene::explain(table).warnings;
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].text.find("have 4 points (< 8)") != std::string::npos);
+  CHECK(told[0].change.find("give 32 points along x") != std::string::npos);
+  auto const scene = scene::build(table);
+  auto const settings = scene::manifest_of(table, scene, {})["settings"];
+  CHECK(settings["heights"]["rms_slope"]["value"].get<double>() == doctest::Approx(0.1).epsilon(1e-12));
+  CHECK(settings["obstacles"]["ball"]["surface"]["rough"]["seed"]["value"] == 1);
 }
 
 TEST_CASE("explain says what points of a half space cannot follow") {
