@@ -26,7 +26,7 @@ void refuse_heights(std::string const& path, std::string const& why, char const*
 constexpr double most_heights = 8192.0 * 8192.0;
 
 void check_count(std::string const& path, double nx, double ny) {
-  if (!(nx * ny > 0))
+  if (!(nx >= 1 && ny >= 1))
     refuse_heights(path, "holds no heights");
   if (nx * ny > most_heights)
     refuse_heights(
@@ -138,6 +138,7 @@ private:
                                  file_.ny + 1, line_, column, file_.nx));
     file_.nx = column;
     ++file_.ny;
+    detail::check_count(path_, file_.nx, file_.ny);
   }
 
   void take(string_view word, Index column) {

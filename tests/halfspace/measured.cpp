@@ -154,6 +154,7 @@ TEST_CASE("what is wrong with a file of heights is told with its place") {
   CHECK(holds(array("<f8", "1, 2, 3", six), "has 3 dimensions"));
   CHECK(holds(array("<f8", "3, 3", six), "announces 9 heights and holds 6"));
   CHECK(holds(array("<f8", "20000, 20000", six), "at most"));
+  CHECK(holds(array("<f8", "-2, -3", six), "no heights"));
   CHECK(holds(array("<f8", "2, 3", {1, 2, 3, 4, NAN, NAN}), "row 2, column 2: nan is a hole (1 more)"));
   CHECK(holds(told(written(folder, "a.npy", std::string("\x93NUMPY\x01", 7))), "is truncated"));
   CHECK(holds(told(written(folder, "a.h5", "\x89HDF\r\n")), "damaged"));

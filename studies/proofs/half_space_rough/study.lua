@@ -166,20 +166,41 @@ return stiction.study {
     end
   end,
   figures = function(cases)
-    local curves, x, of_bush, of_persson = {}, {}, {}, {}
+    local areas, slopes, x, of_bush, of_persson = {}, {}, {}, {}, {}
     for k, hurst in ipairs(exponents) do
       local load, mean, scatter = ensemble(cases, hurst)
-      curves[k] = { label = ("H = %.1f"):format(hurst), x = load, y = mean, error = scatter, style = "points" }
+      local over = function(list)
+        local slope = {}
+        for i, value in ipairs(list) do
+          slope[i] = value / load[i]
+        end
+        return slope
+      end
+      local beside = {} -- so that none hides another
+      for i, value in ipairs(load) do
+        beside[i] = value + (k - 2) * 0.0006
+      end
+      areas[k] = { label = ("H = %.1f"):format(hurst), x = load, y = mean, error = scatter, style = "points" }
+      slopes[k] = { label = areas[k].label, x = beside, y = over(mean), error = over(scatter), style = "points" }
     end
-    for i = 0, 44 do
-      x[i + 1] = i / 1000
-      of_bush[i + 1], of_persson[i + 1] = bush * x[i + 1], erf(math.sqrt(2) * x[i + 1])
+    for i = 1, 44 do
+      x[i] = i / 1000
+      of_bush[i], of_persson[i] = bush * x[i], erf(math.sqrt(2) * x[i])
     end
-    curves[#curves + 1] = { label = "Bush, Gibson, Thomas", x = x, y = of_bush }
-    curves[#curves + 1] = { label = "Persson", x = x, y = of_persson }
+    areas[#areas + 1] = { label = "Bush, Gibson, Thomas", x = x, y = of_bush }
+    areas[#areas + 1] = { label = "Persson", x = x, y = of_persson }
+    for k = 1, 2 do
+      local theory, y = areas[#exponents + k], {}
+      for i, value in ipairs(theory.y) do
+        y[i] = value / x[i]
+      end
+      slopes[#slopes + 1] = { label = theory.label, x = x, y = y }
+    end
     return {
       stiction.figure.lines { name = "area", title = "Contact of rough surfaces",
-        x = { label = "mean pressure / (E* h')" }, y = { label = "part in contact" }, curves = curves },
+        x = { label = "mean pressure / (E* h')" }, y = { label = "part in contact" }, curves = areas },
+      stiction.figure.lines { name = "kappa", title = "Contact of rough surfaces (bars: scatter over seeds)",
+        x = { label = "mean pressure / (E* h')" }, y = { label = "part in contact x E* h' / mean pressure" }, curves = slopes },
       stiction.figure.field { name = "map", title = "Contact pressure", array = "contact_pressure", unit = "MPa",
         case = cases:where { most = 0.04, hurst = 0.8, seed = 1 }[2] },
     }

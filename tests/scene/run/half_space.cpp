@@ -78,6 +78,16 @@ TEST_CASE("the work on a half space without friction is all stored") {
   }
 }
 
+TEST_CASE("pressures of a half space are told by their root mean square about the mean") {
+  auto const series = series_of(test::half_line_scene());
+  auto const& all = series.columns.at("line/pressure").values;
+  auto const points = Eigen::Map<Vector const>(all.data() + all.size() - 24, 24);
+  double const mean = points.mean();
+  REQUIRE(mean > 0);
+  CHECK(last(series, "joint/pressure_rms") ==
+        doctest::Approx(std::sqrt((points.array() - mean).square().mean())).epsilon(1e-12));
+}
+
 TEST_CASE("a force sinks a sphere into a half space as deep as that depth takes force") {
   auto table = test::half_space_scene();
   double const force = last(series_of(table), "ball/force_z");
