@@ -84,7 +84,8 @@ return stiction.study {
           values = values, resolution = "m spacing",
           tolerance = lambda == 0.5 and 0.01 or 0.02, run = its[#its] } -- at lambda = 1 the ramps stay
         for _, case in ipairs(its) do
-          check.within(case.id .. ": force that comes back after the largest, over that", comes_back(case), 0, 0.02) -- coarse points let go by rings
+          -- coarse points let go by rings
+          check.within(case.id .. ": force that comes back after the largest, over that", comes_back(case), 0, 0.02)
         end
       end
     end
