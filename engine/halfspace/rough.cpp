@@ -25,13 +25,13 @@ core::Schema const& Rough::schema() {
           "Persson 2001; Jacobs 2017"}
           .number("hurst", &Rough::hurst, "1", {0, 1, true, false}, Need::required, "exponent H")
           .number("shortest", &Rough::shortest, "m", core::positive, Need::required, "wavelength of all")
-          .number("longest", &Rough::longest, "m", core::positive, Need::optional,
-                  "wavelength of all; default the larger extent of the points")
-          .number("roll_off", &Rough::roll_off, "m", core::positive, Need::optional,
-                  "wavelength above which the spectrum is flat; default `longest`")
-          .number("rms_slope", &Rough::rms_slope, "1", core::positive, Need::optional,
-                  "root mean square of the gradient of this very surface; this or rms_height")
-          .number("rms_height", &Rough::rms_height, "m", core::positive, Need::optional,
+          .number("longest", &Rough::longest, "m", core::non_negative, Need::optional,
+                  "wavelength of all; 0: the larger extent of the points")
+          .number("roll_off", &Rough::roll_off, "m", core::non_negative, Need::optional,
+                  "wavelength above which the spectrum is flat; 0: `longest`")
+          .number("rms_slope", &Rough::rms_slope, "1", core::non_negative, Need::optional,
+                  "root mean square of the gradient of this very surface; either this or rms_height")
+          .number("rms_height", &Rough::rms_height, "m", core::non_negative, Need::optional,
                   "root mean square of the heights of this very surface about their mean")
           .integer("seed", &Rough::seed, core::non_negative, Need::optional, "of the random phases")
           .flag(
