@@ -136,8 +136,8 @@ void warn_of_shortest(GridFacts const& facts, std::vector<Warning>& warnings) {
            "obstacle {}: its shortest waves, of {}, have {:.3g} points (< {:g}): areas of contact are those "
            "of the grid",
            name, human(rough->shortest, "m"), rough->shortest / facts.spacing(), wanted),
-       fmt::format("give {:g} points along x, which show the same surface, or a longer shortest wave",
-                   std::ceil(grid.nx * more))});
+       fmt::format("give {:g} points along x, which show the same surface, or shortest = {}",
+                   std::ceil(grid.nx * more), human(wanted * facts.spacing(), "m"))});
 }
 
 } // namespace
