@@ -6,7 +6,8 @@
 #include <variant>
 
 #include "core/reader.hpp"
-#include "halfspace/grid.hpp"
+#include "halfspace/measured.hpp"
+#include "halfspace/rough.hpp"
 
 namespace stiction::halfspace {
 
@@ -105,10 +106,14 @@ struct Map {
   }
 };
 
-using Shape = std::variant<Sphere, Cylinder, Punch, Wave, Map>;
+using Shape = std::variant<Sphere, Cylinder, Punch, Wave, Map, Rough, Measured>;
 
 /// At all points, m; of a map of another size nothing.
 [[nodiscard]] inline Vector heights(Shape const& shape, Grid const& grid) {
+  if (auto const* rough = std::get_if<Rough>(&shape))
+    return heights(*rough, grid);
+  if (auto const* measured = std::get_if<Measured>(&shape))
+    return heights(*measured, grid);
   Vector all(grid.size());
   if (auto const* map = std::get_if<Map>(&shape)) {
     if (map->heights.size() != ix(grid.size()))

@@ -252,7 +252,7 @@ private:
         return false;
       vain = norm_ < 0.99 * best ? 0 : vain + 1;
       best = std::min(best, norm_);
-      if (vain > most_vain)
+      if (vain > (dry ? most_vain_dry : most_vain))
         return false;
     }
     return false;
@@ -353,6 +353,7 @@ private:
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2, rounded = 1e-9;
   static constexpr int most_vain = 8, most_moves = 2000;
+  static constexpr int most_vain_dry = 40; ///< sets of points that touch are found however residuals go
   static constexpr long most_inner = 200;
 
   Surface const& surface_;

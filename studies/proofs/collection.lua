@@ -18,6 +18,7 @@ return {
   "half_space_hertz",
   "half_space_wave",
   "half_space_wave_adhesion",
+  "half_space_rough",
   "cattaneo_mindlin",
   "half_space_friction",
   "materials",

@@ -13,9 +13,9 @@ namespace {
 namespace fuzz = stiction::fuzz;
 
 std::map<std::string, void (*)(std::string_view)> const targets{
-    {"stl", fuzz::stl},         {"msh", fuzz::msh},       {"mesh_file", fuzz::mesh_file},
-    {"problem", fuzz::problem}, {"series", fuzz::series}, {"result", fuzz::result},
-    {"script", fuzz::script}};
+    {"stl", fuzz::stl},         {"msh", fuzz::msh},         {"mesh_file", fuzz::mesh_file},
+    {"heights", fuzz::heights}, {"problem", fuzz::problem}, {"series", fuzz::series},
+    {"result", fuzz::result},   {"script", fuzz::script}};
 
 /// How many files there were; the name of each is printed first, so that a crash tells which it was.
 int replay(std::string const& target, std::filesystem::path const& folder) {

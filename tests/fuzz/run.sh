@@ -17,7 +17,7 @@ runtime=$("$clang" -print-file-name=libclang_rt.fuzzer-x86_64.a) # its name alon
 cd "$root"
 cmake --preset fuzz >/dev/null
 cmake --build "$build"
-[ $# -gt 0 ] || set -- stl msh mesh_file problem series result script
+[ $# -gt 0 ] || set -- stl msh heights mesh_file problem series result script
 
 found=0
 for target in "$@"; do

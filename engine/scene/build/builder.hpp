@@ -50,6 +50,7 @@ private:
   void refuse(Where const& where, bool given, std::string const& why);
   [[nodiscard]] bool given(Where const& where) const;
   void take_half_space(std::string const& name, HalfSpacePart const& part);
+  void take_heights(std::string const& name, halfspace::Shape const& surface);
   void take_height_map(std::string const& name, HeightMapPart const& part);
   void check_mean_gives(std::string const& name, Numbers const& along_normal);
   void take_half_space_pair(std::string const& name, PairPart const& part);

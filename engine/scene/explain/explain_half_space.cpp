@@ -114,7 +114,17 @@ Section grid_numbers(GridFacts const& facts) {
         "of pressure and shear, over the normal compliance: 0 for alike or incompressible sides (2 beta of "
         "Dundurs)");
   count(section, "rms slope", rms_slope(facts.model), "1",
-        "of the heights along x; a half space is of small slopes where it touches");
+        "of the heights along x, between points; a half space is of small slopes where it touches");
+  if (facts.model.grid.periodic) {
+    auto const moments = halfspace::moments(facts.model.heights, facts.model.grid);
+    count(section, "rms height", moments.height, "m", "about the mean");
+    count(section, "rms gradient", moments.slope, "1", "of the waves through the points");
+    count(section, "rms curvature", moments.curvature, "1/m", "of their Laplacian");
+    count(section, "full pressure", 0.5 * facts.modulus() * moments.slope, "Pa",
+          "E* / 2 x rms gradient, rms about the mean where all touches; at mean pressures well below it, the "
+          "part "
+          "in contact is about 2 p / (E* x rms gradient)");
+  }
   return section;
 }
 
@@ -151,6 +161,24 @@ void warn_of_range(GridFacts const& facts, std::vector<Warning>& warnings) {
                    human(facts.spacing() / number / 2, "m"))});
 }
 
+/// The shortest waves of a rough surface, in points.
+void warn_of_shortest(GridFacts const& facts, std::vector<Warning>& warnings) {
+  auto const& [name, part] = *facts.scene.part.height_maps.begin();
+  auto const* rough = std::get_if<halfspace::Rough>(&part.surface);
+  constexpr double wanted = 8;
+  if (rough == nullptr || rough->shortest >= wanted * facts.spacing())
+    return;
+  auto const& grid = facts.model.grid;
+  double const more = wanted * facts.spacing() / rough->shortest;
+  warnings.push_back(
+      {fmt::format(
+           "obstacle {}: its shortest waves, of {}, have {:.3g} points (< {:g}): areas of contact are those "
+           "of the grid",
+           name, human(rough->shortest, "m"), rough->shortest / facts.spacing(), wanted),
+       fmt::format("give {:g} points along x, which show the same surface, or shortest = {}",
+                   std::ceil(grid.nx * more), human(wanted * facts.spacing(), "m"))});
+}
+
 } // namespace
 
 Explanation explain_half_space(Scene const& scene) {
@@ -163,6 +191,7 @@ Explanation explain_half_space(Scene const& scene) {
     return explanation;
   explanation.sections.push_back(grid_cost(facts));
   warn_of_range(facts, explanation.warnings);
+  warn_of_shortest(facts, explanation.warnings);
   return explanation;
 }
 

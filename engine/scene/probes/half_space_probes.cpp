@@ -36,6 +36,14 @@ contact::Vec3 total_force(GridModel const& model, GridState const& state) {
 
 namespace {
 
+/// Dry forces along the normal, N.
+double dry_sum(GridModel const& model, GridState const& state) {
+  double sum = 0;
+  for (Index i = 0; i < model.grid.size(); ++i)
+    sum += state.dry[model.components() * i];
+  return sum;
+}
+
 struct GridContext {
   GridModel const& model;
   Columns const& series;
@@ -117,14 +125,18 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
   context.column("beta_mean", "1", "mean bond intensity over the surface");
   context.column("bonds", "1", "points with a bond");
   context.column("pressure_max", "Pa", "largest dry pressure");
+  context.column("pressure_rms", "Pa",
+                 "root mean square of the dry pressure about its mean over the surface");
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
   context.column("gap_min", "m", "smallest gap");
   context.column("gap_mean", "m", "mean gap over the surface");
   return [context_dim = context.dim(), &model = context.model, &series = context.series,
           name = context.name](GridState const& state, std::vector<double>& row) {
-    double counts[3] = {}, beta_max = 0, beta_sum = 0, bonds = 0, pressure = 0, along = 0, pull = 0;
+    double counts[3] = {}, beta_max = 0, beta_sum = 0, bonds = 0, pressure = 0, along = 0, pull = 0,
+           square = 0;
     Index const n = model.grid.size();
+    double const mean = dry_sum(model, state) / (n * model.grid.area());
     for (Index i = 0; i < n; ++i) {
       auto const at = contact_state(model, state, i);
       counts[static_cast<int>(at.status)] += 1;
@@ -132,13 +144,14 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
       beta_sum += at.bond.beta;
       bonds += at.bond.beta > 0 ? 1 : 0;
       pressure = std::max(pressure, at.dry[0]);
+      square += std::pow(at.dry[0] - mean, 2);
       along = std::max(along, at.adhesion.tail<2>().norm());
       pull = std::min(pull, at.adhesion[0]);
     }
     push_vector({model, series, name}, total_force(model, state), row);
-    row.insert(row.end(),
-               {counts[0], counts[1], counts[2], (counts[1] + counts[2]) * model.grid.area(), beta_max,
-                beta_sum / n, bonds, pressure, along, pull, state.gap.minCoeff(), state.gap.mean()});
+    row.insert(row.end(), {counts[0], counts[1], counts[2], (counts[1] + counts[2]) * model.grid.area(),
+                           beta_max, beta_sum / n, bonds, pressure, std::sqrt(square / n), along, pull,
+                           state.gap.minCoeff(), state.gap.mean()});
   };
 }
 

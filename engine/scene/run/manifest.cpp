@@ -136,14 +136,28 @@ void add_pairs(Scene const& scene, json& settings) {
   }
 }
 
+/// Of the heights as they are.
+json moments_of(halfspace::Model const& model) {
+  auto const moments = halfspace::moments(model.heights, model.grid);
+  return {
+      {"rms_height", {{"value", moments.height}, {"unit", "m"}, {"meaning", "about the mean"}}},
+      {"rms_slope", {{"value", moments.slope}, {"unit", "1"}, {"meaning", "of the gradient"}}},
+      {"rms_curvature", {{"value", moments.curvature}, {"unit", "1/m"}, {"meaning", "of the Laplacian"}}}};
+}
+
 json settings_of_half_space(Scene const& scene) {
   json settings;
   settings["scheme"] = describe(scene.part.scheme);
   settings["solver"] = describe(scene.part.solver);
   for (auto const& [name, body] : scene.part.half_spaces)
     settings["bodies"][name] = record::describe(&body, HalfSpacePart::schema());
-  for (auto const& [name, map] : scene.part.height_maps)
+  for (auto const& [name, map] : scene.part.height_maps) {
     settings["obstacles"][name] = record::describe(&map, HeightMapPart::schema());
+    if (!std::holds_alternative<halfspace::Map>(map.surface)) // of which the heights would stand here
+      settings["obstacles"][name]["surface"] = describe(map.surface);
+  }
+  if (scene.half_space->grid.periodic)
+    settings["heights"] = moments_of(*scene.half_space);
   add_pairs(scene, settings);
   settings["unknowns"] = scene.formula ? 0 : scene.half_space->components() * scene.half_space->grid.size();
   if (scene.formula)

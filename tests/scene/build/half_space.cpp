@@ -52,6 +52,29 @@ TEST_CASE("what does not go with a half space is refused") {
   check_refused("probes.energy.audit", test::flag(true), "is not for half spaces");
 }
 
+test::Input rough(std::initializer_list<std::pair<std::string const, test::Input>> more) {
+  auto table = test::make("surface.rough", {{"hurst", test::value(0.8)}, {"rms_slope", test::value(0.1)}});
+  for (auto const& [key, input] : more)
+    test::at(table, key) = input;
+  return table;
+}
+
+TEST_CASE("rough and measured surfaces that do not fit are told at their own keys") {
+  using test::value, test::text, test::make;
+  auto table = test::half_space_scene();
+  test::at(table, "obstacles.ball.surface") = rough({{"shortest", value(0.1, "m")}});
+  CHECK(test::complaints(table).empty());
+  char const* const at = "obstacles.ball.surface";
+  check_refused(at, rough({{"shortest", value(0.03, "m")}}),
+                "surface.shortest: is 0.03 m; points 0.025 m apart");
+  check_refused(at, rough({{"shortest", value(0.1, "m")}, {"longest", value(1, "m")}}),
+                "surface.longest: is 1 m");
+  check_refused(at, rough({{"shortest", value(0.1, "m")}, {"rms_height", value(1, "m")}}), "leave one out");
+  check_refused(at, rough({{"shortest", value(0.1, "m")}, {"seed", value(0.5)}}), "seed");
+  check_refused(at, make("surface.measured", {{"file", text("/none.csv")}}),
+                "surface.file: /none.csv: cannot be read");
+}
+
 TEST_CASE("a height map wants a half space, and a pull something that adheres") {
   auto table = test::half_space_scene();
   test::at(table, "bodies.base") = test::block({}, test::linear_elastic(1, 0));

@@ -13,6 +13,7 @@
 #include "scene/explain/explain.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/random_scenes.hpp"
+#include "scene/run/manifest.hpp"
 #include "scene/run/run.hpp"
 #include "threads.hpp"
 
@@ -75,6 +76,16 @@ TEST_CASE("the work on a half space without friction is all stored") {
     CHECK(last(series, "energy/strain") + last(series, "energy/scheme_loss") ==
           doctest::Approx(work).epsilon(1e-12));
   }
+}
+
+TEST_CASE("pressures of a half space are told by their root mean square about the mean") {
+  auto const series = series_of(test::half_line_scene());
+  auto const& all = series.columns.at("line/pressure").values;
+  auto const points = Eigen::Map<Vector const>(all.data() + all.size() - 24, 24);
+  double const mean = points.mean();
+  REQUIRE(mean > 0);
+  CHECK(last(series, "joint/pressure_rms") ==
+        doctest::Approx(std::sqrt((points.array() - mean).square().mean())).epsilon(1e-12));
 }
 
 TEST_CASE("a force sinks a sphere into a half space as deep as that depth takes force") {
@@ -181,6 +192,23 @@ TEST_CASE("steps of a half space that lead nowhere end at the limits of the sche
     CHECK_MESSAGE(result.reason.find(words) != std::string::npos, result.reason);
     CHECK(result.counters.at("work") > 0);
   }
+}
+
+TEST_CASE(
+    "explain and the manifest tell what rough heights are, and explain what points do not show of them") {
+  auto table = test::half_space_scene();
+  test::at(table, "obstacles.ball.surface") = test::make(
+      "surface.rough",
+      {{"hurst", test::value(0.8)}, {"rms_slope", test::value(0.1)}, {"shortest", test::value(0.1, "m")}});
+  test::at(table, "bodies.base.boundary") = test::text("periodic");
+  auto const told = scene::explain(table).warnings;
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].text.find("have 4 points (< 8)") != std::string::npos);
+  CHECK(told[0].change.find("give 32 points along x") != std::string::npos);
+  auto const scene = scene::build(table);
+  auto const settings = scene::manifest_of(table, scene, {})["settings"];
+  CHECK(settings["heights"]["rms_slope"]["value"].get<double>() == doctest::Approx(0.1).epsilon(1e-12));
+  CHECK(settings["obstacles"]["ball"]["surface"]["rough"]["seed"]["value"] == 1);
 }
 
 TEST_CASE("explain says what points of a half space cannot follow") {
