@@ -26,6 +26,9 @@ public:
     double const longest = surface.longest();
     least_hold_ = 1e-3 / longest;
     governed_ = longest;
+    unfelt_ = !wanted.force && !surface.mean_gives();
+    for (auto const& law : problem.adhesions)
+      strength_ = std::max(strength_, interface::scales(law).strength);
   }
 
   Answer run(Vector const& guess) {
@@ -108,9 +111,33 @@ private:
            after.potential > before.potential + pressing + rounding;
   }
 
+  /// The force of every point that no displacement tells of: where the mean of the surface stays, forces may grow
+  /// by the same at all points for ever without coming nearer to an answer. They are no yardstick then.
+  [[nodiscard]] double unfelt() const {
+    if (!unfelt_)
+      return 0;
+    return core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+             double part = 0;
+             for (Index i = first; i < last; ++i)
+               part += answer_.force[D * i];
+             return part;
+           }) /
+           double(n_);
+  }
+
+  /// How large the force of a point is, of which so much is unfelt, N.
+  [[nodiscard]] double yardstick(Index i, double unfelt) const {
+    Local<D> force = answer_.force.segment<D>(D * i);
+    double const whole = force.norm();
+    force[0] -= unfelt;
+    return unfelt == 0 ? whole
+                       : std::max(force.norm(), std::min(whole, strength_ * problem_.points[ix(i)].area));
+  }
+
   /// Residuals of all points, and how large they are.
   void evaluate() {
     F_.resize(D * n_);
+    double const unfelt = this->unfelt();
     std::array<contact::Verdict, core::most_pieces> verdicts;
     double const squares = core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
       double sum = 0;
@@ -122,8 +149,7 @@ private:
         double const pressed =
             std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * natural_;
         verdict.residual = std::max(verdict.residual, at.residual.norm() * natural_ / rho_ / area);
-        verdict.scale =
-            std::max({verdict.scale, answer_.force.segment<D>(D * i).norm() / area, pressed / area});
+        verdict.scale = std::max({verdict.scale, yardstick(i, unfelt) / area, pressed / area});
         sum += at.residual.squaredNorm();
       }
       return sum;
@@ -329,6 +355,8 @@ private:
 
   void finish() {
     answer_.verdict = contact::judge(shifted(), answer_.force, answer_.x);
+    if (unfelt_)
+      answer_.verdict.scale = std::min(answer_.verdict.scale, verdict_.scale);
     answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
     if (answer_.converged)
       return;
@@ -364,6 +392,8 @@ private:
   double rho_;     ///< as the map does: slips of many points together follow from little force, N/m
   LocalMatrix<D> own_;
   double least_hold_ = 0, governed_ = 0;
+  bool unfelt_ = false;  ///< the mean force of a displacement
+  double strength_ = 0;  ///< of adhesion, Pa
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;

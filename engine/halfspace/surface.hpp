@@ -36,6 +36,8 @@ public:
   [[nodiscard]] Dense block() const { return symbols_.block.topLeftCorner(components_, components_); }
   /// Largest of all compliances but that to the mean, m/N: of the longest wave.
   [[nodiscard]] double longest() const;
+  /// Does it give under the mean pressure? A periodic one without a depth does not.
+  [[nodiscard]] bool mean_gives() const { return symbols_.nn[0] > 0; }
   /// Products and solutions so far.
   [[nodiscard]] long products() const { return products_; }
   [[nodiscard]] long solutions() const { return solutions_; }

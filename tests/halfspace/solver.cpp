@@ -230,4 +230,25 @@ TEST_CASE("bonds of a half space do not break while it is pressed on") {
   CHECK(most > 2);
 }
 
+/// The mean of a periodic surface stays: forces that are the same at all points lead nowhere, however large.
+TEST_CASE("forces that a periodic half space does not feel are no yardstick") {
+  double const L = 1e-3, D = 1e-5, w = 0.002, modulus = 4e6, R = L * L / (4 * pi * pi * D);
+  double const sigma0 = 6 / std::cbrt(9 * R / (2 * pi * w * modulus * modulus)); // Maugis' lambda is 6
+  Surface const surface({500, 1, L, 1, true, true}, Compliance::of({3e6, 0.5, 0}, nullptr), 1);
+  auto problem = pressed(surface, {{}, interface::Dugdale{sigma0, w / sigma0}}, 0);
+  halfspace::Solver const solver(surface);
+  Vector force = Vector::Zero(surface.rows());
+  for (int step = 1; step <= 6; ++step) {
+    for (Index i = 0; i < problem.size(); ++i)
+      problem.free[i] = D * (1 - std::cos(2 * pi * surface.grid().x(i) / L)) - 1e-6 * step;
+    auto const answer = solver.solve(problem, force, {});
+    CAPTURE(step);
+    if (!answer.converged)
+      continue; // too long a step: a run halves it
+    CHECK(answer.force.maxCoeff() / surface.grid().area() < 10 * pi * modulus * D / L);
+    force = answer.force;
+  }
+  CHECK(force.sum() / L > 0);
+}
+
 } // namespace
