@@ -98,30 +98,31 @@ private:
     auto const& law = problem_.adhesions[ix(point.adhesion)];
     auto const bond = interface::advance<D>(law, point.bond, x);
     sum.bonds += bond.beta > 0 ? 1 : 0;
-    sum.potential +=
-        point.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, point.bond, x));
+    sum.potential += point.area * (interface::bond_energy(law, bond, x[0]) +
+                                   interface::dissipation<D>(law, point.bond, x));
   }
 
-  /// From where a step starts a displacement leads to less energy, but for the work of pressing, and with friction
-  /// to even less. Where friction acts energies are compared only if bonds broke: its own part is not among them.
+  /// From where a step starts a displacement leads to less energy, but for the work of pressing, and with
+  /// friction to even less. Where friction acts energies are compared only if bonds broke: its own part is
+  /// not among them.
   [[nodiscard]] static bool gained(Standing const& before, Standing const& after) {
     double const pressing = before.deepest * std::max(std::abs(before.force), std::abs(after.force));
     double const rounding = rounded * std::abs(before.potential);
-    return (D == 1 || after.bonds < before.bonds) &&
-           after.potential > before.potential + pressing + rounding;
+    return (D == 1 || after.bonds < before.bonds) && after.potential > before.potential + pressing + rounding;
   }
 
-  /// The force of every point that no displacement tells of: where the mean of the surface stays, forces may grow
-  /// by the same at all points for ever without coming nearer to an answer. They are no yardstick then.
+  /// The force of every point that no displacement tells of: where the mean of the surface stays, forces may
+  /// grow by the same at all points for ever without coming nearer to an answer. They are no yardstick then.
   [[nodiscard]] double unfelt() const {
     if (!unfelt_)
       return 0;
-    return core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
-             double part = 0;
-             for (Index i = first; i < last; ++i)
-               part += answer_.force[D * i];
-             return part;
-           }) /
+    return core::sum_of_pieces(n_, least_piece,
+                               [&](Index first, Index last) {
+                                 double part = 0;
+                                 for (Index i = first; i < last; ++i)
+                                   part += answer_.force[D * i];
+                                 return part;
+                               }) /
            double(n_);
   }
 
@@ -392,8 +393,8 @@ private:
   double rho_;     ///< as the map does: slips of many points together follow from little force, N/m
   LocalMatrix<D> own_;
   double least_hold_ = 0, governed_ = 0;
-  bool unfelt_ = false;  ///< the mean force of a displacement
-  double strength_ = 0;  ///< of adhesion, Pa
+  bool unfelt_ = false; ///< the mean force of a displacement
+  double strength_ = 0; ///< of adhesion, Pa
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;

@@ -61,6 +61,16 @@ bool evolves(AdhesionLaw const& adhesion) {
   return std::visit([](auto const& law) { return law.evolves; }, adhesion);
 }
 
+bool constant_traction(AdhesionLaw const& adhesion) {
+  return std::visit(
+      [](auto const& law) {
+        return requires {
+          law.constant_traction;
+        };
+      },
+      adhesion);
+}
+
 double bond_time(AdhesionLaw const& adhesion) {
   return if_evolving(
       adhesion, [](auto const& law) { return law.time(); }, 0.0);

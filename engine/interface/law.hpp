@@ -69,6 +69,8 @@ template<int D>
 [[nodiscard]] double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step);
 /// Does beta obey a rate in time, which a step integrates by implicit Euler?
 [[nodiscard]] bool evolves(AdhesionLaw const& adhesion);
+/// Does it pull with the same traction up to its range?
+[[nodiscard]] bool constant_traction(AdhesionLaw const& adhesion);
 /// s in which a bond that evolves forms or goes by its own rate; 0: it follows its opening at once.
 [[nodiscard]] double bond_time(AdhesionLaw const& adhesion);
 /// May the beta of a bond that evolves grow?

@@ -202,7 +202,8 @@ TEST_CASE("a half space is not left where energy has its maximum") {
   }
 }
 
-/// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them open.
+/// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them
+/// open.
 TEST_CASE("bonds of a half space do not break while it is pressed on") {
   Surface const surface({12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2);
   interface::Law const law{interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};

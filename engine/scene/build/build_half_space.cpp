@@ -167,14 +167,14 @@ void Builder::check_mean_gives(std::string const& name, Numbers const& along_nor
   constexpr double rounded = 1e-12;
   if (model.heights.mean() + lowest >= -rounded * std::abs(lowest))
     return;
-  complain({"obstacles", name, model.grid.line ? "y" : "z"},
-           fmt::format("goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays "
-                       "where it is{}): no force is enough; stay above {:g} m, give a force, or the half space "
-                       "{}",
-                       lowest, -(model.heights.mean() + lowest),
-                       model.body.depth > 0 ? ", as an incompressible layer cannot be squeezed" : "",
-                       -model.heights.mean(),
-                       model.body.depth > 0 ? "a Poisson's ratio below 0.5" : "a depth"));
+  complain(
+      {"obstacles", name, model.grid.line ? "y" : "z"},
+      fmt::format("goes down to {:g} m, {:g} m below where the surface is pressed flat (its mean stays "
+                  "where it is{}): no force is enough; stay above {:g} m, give a force, or the half space "
+                  "{}",
+                  lowest, -(model.heights.mean() + lowest),
+                  model.body.depth > 0 ? ", as an incompressible layer cannot be squeezed" : "",
+                  -model.heights.mean(), model.body.depth > 0 ? "a Poisson's ratio below 0.5" : "a depth"));
 }
 
 void Builder::take_half_space_pair(std::string const& name, PairPart const& part) {

@@ -65,7 +65,7 @@ Sticking sticking_of(interface::Law const& law) {
   if (!law.adhesion)
     return {};
   auto const scales = interface::scales(*law.adhesion);
-  return {scales.work, scales.strength, std::holds_alternative<interface::Dugdale>(*law.adhesion)};
+  return {scales.work, scales.strength, interface::constant_traction(*law.adhesion)};
 }
 
 /// What keeps any formula from the pair's law; empty: nothing.
@@ -76,7 +76,7 @@ std::string Chooser::unfit_law() const {
   if (law.adhesion && (interface::evolves(*law.adhesion) || law.lasts() || law.tangential()))
     return "its bonds have a memory, a rate or hold along the surface, and formulas take adhesion that is "
            "reversible and normal (dugdale, potential)";
-  if (law.friction && !std::holds_alternative<interface::Coulomb>(*law.friction))
+  if (law.mu_follows() || law.mu(interface::Status::slip) != law.mu(interface::Status::stick))
     return "formulas take friction of a constant coefficient (coulomb) only";
   double const coupling = std::abs(2 * compliance.coupling / compliance.normal);
   if (law.tangential() && coupling > 1e-9)
