@@ -77,12 +77,12 @@ function judge.runs(residuals)
   return variance > 0 and engine.beyond(-(runs + 0.5 - mean) / math.sqrt(variance)) or nil
 end
 
---- Directions in which some of the parameters are determined together, from the covariance of these: list of {error =,
---- powers = by place, the largest 1}, the best first.
-local function combinations(matrix, ks)
+--- Directions in which some of the parameters are determined together: list of {error =, powers = by place, the largest 1}, the best
+--- first. From a root of their covariance: small errors beside large ones would be lost in the covariance itself.
+local function combinations(judged, ks)
   local own, list = {}, {}
   for i, k in ipairs(ks) do
-    own[i] = numeric.map(ks, function(l) return matrix[k][l] end)
+    own[i] = numeric.map(judged.spreads, function(spread) return spread[k] end)
   end
   local values, vectors = engine.singular(own)
   for i = #values, 1, -1 do
@@ -94,7 +94,7 @@ local function combinations(matrix, ks)
     for k, x in pairs(powers) do
       powers[k] = x / largest
     end
-    list[#list + 1] = { error = math.sqrt(math.max(values[i], 0)) / math.abs(largest), powers = powers }
+    list[#list + 1] = { error = values[i] / math.abs(largest), powers = powers }
   end
   return list
 end
@@ -139,7 +139,7 @@ function judge.decide(judged, relative)
   if #mixed == 1 then
     mixed[2] = companion(judged, mixed[1])
   end
-  local list = #mixed > 1 and combinations(judged.covariance, mixed) or {}
+  local list = #mixed > 1 and combinations(judged, mixed) or {}
   for n, own in ipairs(list) do
     local powers = {}
     for i, x in pairs(own.powers) do
@@ -175,7 +175,8 @@ judge.doubt = doubt
 
 --- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
 --- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
---- correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =, fates = by place,
+--- spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =,
+--- fates = by place,
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
 --- errors are not known), runs = {by curve: the chance, or false}, rejected =}.
 --- about = {curves = {{name =, first =, last =}}, noise = (of a residual), share = (of differences)}.
@@ -190,9 +191,9 @@ function judge.of(problem, found, about)
     squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
   local floor = blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
-  local matrix, singular, vectors = {}, {}, {}
+  local matrix, singular, vectors, spreads = {}, {}, {}, {}
   if #free > 0 then
-    matrix, singular, vectors = linear.covariance(columns, floor)
+    matrix, singular, vectors, spreads = linear.covariance(columns, floor)
   end
   for _, row in ipairs(matrix) do
     for l in ipairs(row) do
@@ -207,6 +208,9 @@ function judge.of(problem, found, about)
   end
   judged.covariance, judged.correlations, judged.directions = matrix, correlations, vectors
   judged.eigenvalues = numeric.map(singular, function(x) return x * x / judged.factor end)
+  judged.spreads = numeric.map(spreads, function(spread)
+    return numeric.map(spread, function(x) return x * math.sqrt(judged.factor) end)
+  end)
   judge.decide(judged, judged.relative)
   judged.chance = problem.known and problem.loss == "squares" and judged.degrees > 0
     and engine.beyond(at.cost, judged.degrees) or nil

@@ -1,5 +1,6 @@
 -- Linear algebra of fits: columns as lists, what a step by Gauss and Newton gains, covariances from singular values.
 local engine = require "stiction.engine"
+local numeric = require "stiction.numeric"
 
 local linear = {}
 
@@ -70,21 +71,25 @@ function linear.step(columns, residuals, reach)
   return step, gain
 end
 
---- Inverse of the matrix of products of the columns, a list of lists; singular values below `floor` count as that.
+--- Inverse of the matrix of products of the columns, a list of lists; singular values below `floor` count as that. With it singular
+--- values and right vectors, and the lists whose products with themselves add up to it.
 function linear.covariance(columns, floor)
   local values, vectors = engine.singular(columns)
-  local matrix = {}
+  local matrix, spreads = {}, {}
+  for i, value in ipairs(values) do
+    spreads[i] = numeric.map(vectors[i], function(x) return x / math.max(value, floor, 1e-150) end)
+  end
   for k = 1, #columns do
     matrix[k] = {}
     for l = 1, #columns do
       local sum = 0
-      for i, value in ipairs(values) do
-        sum = sum + vectors[i][k] * vectors[i][l] / math.max(value, floor, 1e-150) ^ 2
+      for _, spread in ipairs(spreads) do
+        sum = sum + spread[k] * spread[l]
       end
       matrix[k][l] = sum
     end
   end
-  return matrix, values, vectors
+  return matrix, values, vectors, spreads
 end
 
 return linear
