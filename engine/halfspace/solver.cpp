@@ -10,6 +10,7 @@
 
 #include "core/threads.hpp"
 #include "halfspace/krylov.hpp"
+#include "halfspace/standing.hpp"
 
 namespace stiction::halfspace {
 
@@ -37,8 +38,10 @@ public:
     place();
     evaluate();
     Standing const before = standing();
-    if (!solve_from_here() || gained(before, standing()))
-      solve_by_small_moves();
+    torn_ = tells() && problem_.start.size() > 0 && before.bonds < bonds_at_start(problem_);
+    if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held())
+      if (!solve_from_held())
+        solve_by_small_moves();
     finish();
     return std::move(answer_);
   }
@@ -72,43 +75,71 @@ private:
     return hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 ? hold_ * problem_.points[ix(i)].area : 0;
   }
 
-  /// What tells whether a step of displacement with bonds that have a potential made energy.
-  struct Standing {
-    double potential = 0; ///< that surfaces and bonds have stored and lost in the step, J
-    double force = 0;     ///< that presses, N
-    double deepest = 0;   ///< how far points are pressed into each other, m
-    Index bonds = 0;      ///< points that are bonded
-  };
-  [[nodiscard]] Standing standing() const {
-    Standing sum;
-    if (wanted_.force || problem_.adhesions.empty() || interface::evolves(problem_.adhesions.front()))
-      return sum;
-    for (Index i = 0; i < n_; ++i) {
-      auto const& point = problem_.points[ix(i)];
-      Local<D> const x = answer_.x.segment<D>(D * i), force = answer_.force.segment<D>(D * i);
-      sum.deepest = std::max(sum.deepest, point.shift[0] - x[0]);
-      sum.force += force[0];
-      sum.potential += 0.5 * force.dot(x - problem_.free.segment<D>(D * i));
-      if (point.adhesion >= 0)
-        add_bond(point, x, sum);
-    }
-    return sum;
+  [[nodiscard]] bool tells() const {
+    return !wanted_.force && !problem_.adhesions.empty() && !interface::evolves(problem_.adhesions.front());
   }
-  void add_bond(contact::ProblemPoint const& point, Local<D> const& x, Standing& sum) const {
-    auto const& law = problem_.adhesions[ix(point.adhesion)];
-    auto const bond = interface::advance<D>(law, point.bond, x);
-    sum.bonds += bond.beta > 0 ? 1 : 0;
-    sum.potential += point.area * (interface::bond_energy(law, bond, x[0]) +
-                                   interface::dissipation<D>(law, point.bond, x));
+  [[nodiscard]] Standing standing() const {
+    return tells() ? halfspace::standing<D>(problem_, answer_.force, answer_.x) : Standing{};
   }
 
-  /// From where a step starts a displacement leads to less energy, but for the work of pressing, and with
-  /// friction to even less. Where friction acts energies are compared only if bonds broke: its own part is
-  /// not among them.
-  [[nodiscard]] static bool gained(Standing const& before, Standing const& after) {
-    double const pressing = before.deepest * std::max(std::abs(before.force), std::abs(after.force));
-    double const rounding = rounded * std::abs(before.potential);
-    return (D == 1 || after.bonds < before.bonds) && after.potential > before.potential + pressing + rounding;
+  /// Where a displacement tears bonds before any force changes, an answer without them is compared with what
+  /// there is while bonds are held where they were.
+  [[nodiscard]] bool gained_beside_held() {
+    Standing const after = standing();
+    if (!torn_ || after.bonds >= bonds_at_start(problem_))
+      return false;
+    Vector x = problem_.free;
+    surface_.add_product(guess_, x);
+    if (after.potential <= least_held<D>(problem_, guess_, x))
+      return false;
+    Answer const found = answer_;
+    bool const held = hold_bonds_at_start();
+    Standing const reference = standing();
+    answer_ = found;
+    evaluate();
+    return held && gained<D>(reference, after);
+  }
+  /// Bonds have the gaps of the last state, without slip, and all else no force.
+  bool hold_bonds_at_start() {
+    answer_.force.setZero();
+    system_ = {};
+    system_.own = own_;
+    for (Index i = 0; i < n_; ++i)
+      if (bonded_at_start(problem_, i))
+        system_.points.push_back(i);
+    LocalMatrix<D> const stiff = own_.inverse();
+    system_.B.assign(system_.points.size(), stiff);
+    system_.left.assign(system_.points.size(), stiff);
+    system_.yields.assign(system_.points.size(), true);
+    Vector to_go(D * system_.size());
+    for (Index k = 0; k < system_.size(); ++k) {
+      Index const i = system_.points[ix(k)];
+      to_go.segment<D>(D * k) = stiff * (problem_.start.segment<D>(D * i) - problem_.free.segment<D>(D * i));
+    }
+    Correction const made = Krylov<D>(surface_, system_, false).solve(to_go, 0, 1e-8, most_inner);
+    answer_.krylov += made.iterations;
+    for (Index k = 0; k < system_.size(); ++k)
+      answer_.force.segment<D>(D * system_.points[ix(k)]) = made.force.segment<D>(D * k);
+    place();
+    evaluate();
+    for (Index k = 0; k < system_.size(); ++k) {
+      Index const i = system_.points[ix(k)];
+      to_go.segment<D>(D * k) = answer_.x.segment<D>(D * i) - problem_.start.segment<D>(D * i);
+    }
+    return to_go.cwiseAbs().maxCoeff() < 1e-3 * (problem_.start - problem_.free).cwiseAbs().maxCoeff();
+  }
+  bool solve_from_held() {
+    if (!torn_ || !hold_bonds_at_start())
+      return false;
+    Standing const held = standing();
+    return solve_from_here() && !gained<D>(held, standing());
+  }
+  [[nodiscard]] double steepest() const {
+    double most = 0;
+    for (auto const& point : problem_.points)
+      if (point.adhesion >= 0)
+        most = std::max(most, interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
+    return most;
   }
 
   /// The force of every point that no displacement tells of: where the mean of the surface stays, forces may
@@ -309,15 +340,13 @@ private:
   /// Where a bond snaps or forms at once: points are held near where they are, less and less, so that the
   /// energy falls from answer to answer until none is held.
   void solve_by_small_moves() {
-    double steepest = 0;
-    for (auto const& point : problem_.points)
-      if (point.adhesion >= 0)
-        steepest =
-            std::max(steepest, interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
+    double const steepest = this->steepest();
     if (steepest == 0 || wanted_.force)
       return;
-    answer_.force = guess_;
-    place();
+    if (!torn_ || !hold_bonds_at_start()) {
+      answer_.force = guess_;
+      place();
+    }
     hold_ = 2 * steepest;
     double most_moved = 0, least = 1e-3 * steepest;
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
@@ -380,7 +409,7 @@ private:
     return lifted_;
   }
 
-  static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2, rounded = 1e-9;
+  static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
   static constexpr int most_vain = 8, most_moves = 2000;
   static constexpr int most_vain_dry = 40; ///< sets of points that touch are found however residuals go
   static constexpr long most_inner = 200;
@@ -399,6 +428,7 @@ private:
   Vector F_; ///< N
   Vector guess_, near_;
   double hold_ = 0, norm_ = 0; ///< N/m^3; N
+  bool torn_ = false;          ///< does the step tear bonds before any force changes?
   contact::Verdict verdict_;
   Linearised<D> system_;
   contact::Problem lifted_;

@@ -15,6 +15,7 @@ Stepper::Stepper(Model const& model)
   problem_.dim = model.components();
   problem_.W = surface_.delassus();
   problem_.free.resize(surface_.rows());
+  problem_.start = Vector::Zero(surface_.rows());
   problem_.points.resize(ix(model.grid.size()));
   if (model.law.adhesion)
     problem_.adhesions.push_back(*model.law.adhesion);
@@ -55,6 +56,7 @@ void Stepper::begin(State const& old, State const& next, double dt) {
   int const D = problem_.dim;
   for (Index i = 0; i < problem_.size(); ++i) {
     problem_.free[D * i] = model_->heights[i] + next.lift;
+    problem_.start[D * i] = old.gap[i];
     for (int c = 1; c < D; ++c)
       problem_.free[D * i + c] = old.along[ix(c - 1)] - next.along[ix(c - 1)] - old.u[D * i + c];
     auto& point = problem_.points[ix(i)];

@@ -175,6 +175,9 @@ TEST_CASE("a half space that snaps is answered, with less energy than before") {
   CHECK_MESSAGE(answer.converged, answer.reason);
   double strongest = 0;
   for (int step = 0; step < 12; ++step) {
+    problem.start = answer.x;
+    for (Index i = 0; i < problem.size(); ++i)
+      problem.points[std::size_t(i)].bond.old = interface::initial_bond(*law.adhesion, answer.x[i]);
     problem.free.array() += 2e-3;
     answer = solver.solve(problem, answer.force, {});
     CHECK_MESSAGE(answer.converged, answer.reason);
@@ -229,6 +232,42 @@ TEST_CASE("bonds of a half space do not break while it is pressed on") {
     most = bonded;
   }
   CHECK(most > 2);
+}
+
+/// A step beyond the bonds' range is not to tear them: that takes more energy than it can do work.
+TEST_CASE("bonds of a half space do not break because a step is longer than their range") {
+  Surface const surface({12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2);
+  interface::Law const law{interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};
+  auto problem = pressed(surface, law, 0);
+  for (Index i = 0; i < problem.size(); ++i) {
+    double const x = surface.grid().x(i);
+    problem.free[2 * i] = x * x / 0.1 - 1e-4;
+    problem.free[2 * i + 1] = 0;
+  }
+  halfspace::Solver const solver(surface);
+  auto answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
+  CHECK_MESSAGE(answer.converged, answer.reason);
+  auto const bonds = [&] {
+    Index sum = 0;
+    for (Index i = 0; i < problem.size(); ++i)
+      sum += answer.x[2 * i] < law.range() ? 1 : 0;
+    return sum;
+  };
+  Index const before = bonds();
+  CHECK(before > 2);
+  for (double const step : {1e-5, 2.75e-5, 2e-5}) {
+    CAPTURE(step);
+    problem.start = answer.x;
+    for (Index i = 0; i < problem.size(); ++i) {
+      problem.start[2 * i + 1] = 0;
+      problem.points[std::size_t(i)].bond.old = interface::initial_bond(*law.adhesion, answer.x[2 * i]);
+      problem.free[2 * i] += step;
+      problem.free[2 * i + 1] -= answer.x[2 * i + 1];
+    }
+    answer = solver.solve(problem, answer.force, {});
+    CHECK_MESSAGE(answer.converged, answer.reason);
+    CHECK(bonds() == before);
+  }
 }
 
 /// The mean of a periodic surface stays: forces that are the same at all points lead nowhere, however large.

@@ -1,0 +1,80 @@
+// How an answer stands for energy: what tells whether a step of displacement with bonds that have a potential
+// made any.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "contact/problem/problem.hpp"
+
+namespace stiction::halfspace {
+
+struct Standing {
+  double potential = 0; ///< that surfaces and bonds have stored and lost in the step, J
+  double force = 0;     ///< that presses, N
+  double deepest = 0;   ///< how far points are pressed into each other, m
+  Index bonds = 0;      ///< points that are bonded
+};
+
+/// Forces and x of every point, [D points], N and m.
+template<int D>
+[[nodiscard]] Standing standing(contact::Problem const& problem, Vector const& force, Vector const& x) {
+  Standing sum;
+  for (Index i = 0; i < problem.size(); ++i) {
+    auto const& point = problem.points[ix(i)];
+    contact::Local<D> const at = x.segment<D>(D * i), f = force.segment<D>(D * i);
+    sum.deepest = std::max(sum.deepest, point.shift[0] - at[0]);
+    sum.force += f[0];
+    sum.potential += 0.5 * f.dot(at - problem.free.segment<D>(D * i));
+    if (point.adhesion < 0)
+      continue;
+    auto const& law = problem.adhesions[ix(point.adhesion)];
+    auto const bond = interface::advance<D>(law, point.bond, at);
+    sum.bonds += bond.beta > 0 ? 1 : 0;
+    sum.potential += point.area * (interface::bond_energy(law, bond, at[0]) +
+                                   interface::dissipation<D>(law, point.bond, at));
+  }
+  return sum;
+}
+
+/// From where a step starts a displacement leads to less energy, but for the work of pressing, and with
+/// friction to even less. Where friction acts energies are compared only if bonds broke: its own part is not
+/// among them.
+template<int D> [[nodiscard]] bool gained(Standing const& before, Standing const& after) {
+  constexpr double rounding = 1e-9;
+  double const pressing = before.deepest * std::max(std::abs(before.force), std::abs(after.force));
+  double const more = after.potential - before.potential;
+  return (D == 1 || after.bonds < before.bonds) && more > pressing + rounding * std::abs(before.potential);
+}
+
+[[nodiscard]] inline bool bonded_at_start(contact::Problem const& problem, Index i) {
+  auto const& point = problem.points[ix(i)];
+  return point.adhesion >= 0 && point.bond.old.beta > 0;
+}
+
+[[nodiscard]] inline Index bonds_at_start(contact::Problem const& problem) {
+  Index sum = 0;
+  for (Index i = 0; i < problem.size(); ++i)
+    sum += bonded_at_start(problem, i) ? 1 : 0;
+  return sum;
+}
+
+/// At least so much there is while bonds are held where they were at the start of a step, J, with the forces
+/// of then: a body's energy is convex, and forces are its slope. x: what forces lead to now.
+template<int D>
+[[nodiscard]] double least_held(contact::Problem const& problem, Vector const& force, Vector const& x) {
+  double sum = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    auto const& point = problem.points[ix(i)];
+    contact::Local<D> const start = problem.start.segment<D>(D * i), free = problem.free.segment<D>(D * i);
+    sum += force.segment<D>(D * i).dot(start - 0.5 * (x.segment<D>(D * i) + free));
+    if (point.adhesion < 0)
+      continue;
+    auto const& law = problem.adhesions[ix(point.adhesion)];
+    auto const bond = interface::advance<D>(law, point.bond, start);
+    sum += point.area *
+           (interface::bond_energy(law, bond, start[0]) + interface::dissipation<D>(law, point.bond, start));
+  }
+  return sum;
+}
+
+} // namespace stiction::halfspace
