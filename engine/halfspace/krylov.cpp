@@ -2,6 +2,7 @@
 #include "halfspace/krylov.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "linear/krylov.hpp"
@@ -9,7 +10,8 @@
 namespace stiction::halfspace {
 
 namespace {
-constexpr int basis = 40; // of GMRES, before it is restarted
+constexpr Index least_basis = 40, most_basis = 200; // of GMRES, before it is restarted
+constexpr Index basis_arrays = 30;                  // of all points, that a basis may take as room
 } // namespace
 
 template<int D>
@@ -143,6 +145,12 @@ template<int D> void Krylov<D>::prepare_lift() {
   lift_sum_ = normal_sum(lift_force_);
 }
 
+/// As large as room allows: restarts forget the few ways in which a surface is about to snap.
+template<int D> int Krylov<D>::basis() const {
+  Index const vectors = basis_arrays * surface_->rows() / (2 * D * system_->size());
+  return static_cast<int>(std::clamp(vectors, least_basis, most_basis));
+}
+
 /// GMRES, restarted. If lifted, vectors end with the lift, or with the sum of normal forces over the root of
 /// their number.
 template<int D>
@@ -178,7 +186,7 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
   double const start = residual.norm();
   for (double before = start; before > part * start && made.iterations < most;) {
     auto const end = linear::gmres(apply_all, undo_all, residual, step,
-                                   linear::KrylovLimits<>{part * start / before, basis});
+                                   linear::KrylovLimits<>{part * start / before, basis()});
     made.iterations += end.iterations;
     apply_all(step, answer);
     made.force += step.head(n);

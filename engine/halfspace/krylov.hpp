@@ -32,6 +32,7 @@ private:
   void undo(Vector const& few, Vector& result);
   void undo_symmetric(Vector const& few, Vector& result);
   void masked_solve(Vector const& few, Vector& result);
+  [[nodiscard]] int basis() const;
   [[nodiscard]] double normal_sum(Vector const& few) const;
 
   Surface const* surface_;
