@@ -53,11 +53,14 @@ std::vector<std::vector<Line>> split(MapSpec const& map) {
 Layout lay_out(FigureSpec const& figure, MapSpec const& map) {
   Layout layout;
   layout.blocks = split(map);
-  layout.picture.width = figure.width;
   auto const blocks = static_cast<double>(layout.blocks.size());
-  double const room = figure.width - 2 * points(edge) - (blocks - 1) * points(block_space);
-  layout.block = room / blocks;
-  layout.labels = layout.block - static_cast<double>(map.columns.size()) * points(column_width);
+  double const around = 2 * points(edge) + (blocks - 1) * points(block_space);
+  double const cells = static_cast<double>(map.columns.size()) * points(column_width);
+  layout.labels = (figure.width - around) / blocks - cells;
+  for (auto const& row : map.rows)
+    layout.labels = std::max(layout.labels, measure(row.label, row_size).width + points(map_space));
+  layout.block = layout.labels + cells;
+  layout.picture.width = std::ceil(around + blocks * layout.block);
   for (auto const& column : map.columns)
     layout.head = std::max(layout.head, measure(column, row_size).width + points(map_space));
   std::size_t lines = 0;
