@@ -30,6 +30,7 @@ return {
   "maugis_dugdale",
   "half_space_adhesion",
   "half_space_formula",
+  "half_space_agreement",
   "dcb",
   "peeled_film",
   "capstan",

@@ -5,8 +5,8 @@
 --    | elements |            points of a        shear: cylinder pressed, then moved along with Coulomb's friction
 --    |__________|            half space
 --
--- Each side is refined twice; the block is doubled twice. Slopes are so small that a block of finite strain would be none
--- the wiser, and elasticity is linear. What is compared is a pure number: force, pull-off, work of friction.
+-- Each side is refined twice; the block is doubled twice. Slopes are so small, and elasticity linear, that large strains do not
+-- enter. What is compared is a pure number: force, pull-off, work of friction.
 --
 --     ./stiction run studies/proofs/half_space_agreement
 local stiction = require "stiction"
@@ -16,7 +16,8 @@ local line, numeric = stiction.reference.line_contact, stiction.numeric
 local maugis = stiction.reference.maugis
 local scenes, bars = require "scenes", require "bars"
 
-local main = { sphere = 20, pull_off = 20, shear = 10 } -- size of the middle block over the length unit
+local main = { sphere = 80, pull_off = 20, shear = 10 } -- size of the middle block over the length unit
+local far = { sphere = 1, pull_off = 2, shear = 2 } -- order of what a block changes, in a / size: its depth enters at the first
 local contacts = { "sphere", "pull_off", "shear" }
 local meaning = { sphere = "P over 4/3 E* a^2 a/R", pull_off = "pull-off over pi w R", shear = "W E* / (mu P)^2 at Q = 0.6 mu P" }
 
@@ -75,13 +76,15 @@ end
 --- All cases of one contact: three meshes in the middle block, the finest also in two others, three of points.
 local function cases_of(contact, meshes, points)
   local list = {}
+  local function add(side, cells, size, dots)
+    list[#list + 1] = { contact = contact, side = side, cells = cells, size = size, points = dots, poisson = meshes.poisson }
+  end
   for level = 1, 3 do
-    list[#list + 1] = { contact = contact, side = "mesh", cells = meshes[level], size = main[contact], points = 0, poisson = meshes.poisson }
-    list[#list + 1] = { contact = contact, side = "points", cells = 0, size = 0, points = points[level], poisson = meshes.poisson }
+    add("mesh", meshes[level], main[contact], 0)
+    add("points", 0, 0, points[level])
   end
-  for _, size in ipairs { main[contact] / 2, 2 * main[contact] } do
-    list[#list + 1] = { contact = contact, side = "mesh", cells = meshes[3], size = size, points = 0, poisson = meshes.poisson }
-  end
+  add("mesh", meshes[3], main[contact] / 2, 0)
+  add("mesh", meshes[3], main[contact] * 2, 0)
   return list
 end
 
@@ -105,12 +108,13 @@ local function sides(cases, contact)
   local function results(its) return numeric.map(its, function(case) return case.results.value end) end
   local meshes, dots = picked("mesh", main[contact], "cells"), picked("points", 0, "points")
   local of_mesh, of_points = results(meshes), results(dots)
-  local blocks = { picked("mesh", main[contact] / 2, "cells")[1].results.value, of_mesh[3], picked("mesh", 2 * main[contact], "cells")[1].results.value }
+  local function in_block(size) return picked("mesh", size, "cells")[1].results.value end
+  local blocks = { in_block(main[contact] / 2), of_mesh[3], in_block(main[contact] * 2) }
   local mesh_bar, mesh_order = bars.of(of_mesh, 2)
   local point_bar, point_order = bars.of(of_points, 2)
-  local block_bar, block_order = bars.of(blocks, 2)
+  local block_bar, block_order = bars.of(blocks, far[contact])
   local rest = blocks[3] - blocks[2]
-  local reach = block_order and rest / (2 ^ math.min(block_order, 2) - 1) or 0
+  local reach = block_order and rest / (2 ^ math.min(block_order, far[contact]) - 1) or 0
   return {
     mesh = { value = of_mesh[3] + rest + reach, bar = mesh_bar + block_bar, cells = mesh_bar, block = block_bar, order = mesh_order,
       block_order = block_order, finest = meshes[3], list = meshes, shift = rest + reach },
@@ -127,11 +131,15 @@ return stiction.study {
     bond = { 1e-9, "w over E* R, of the adhesion: a / R ~ 1e-3" }, lambda = { 0.5, "Maugis' parameter" }, mu = { 0.5, "" },
     share = { 0.6, "of Q over mu P where the work of friction is compared" } },
   chosen = { coarse = { 2.5, "largest cells of the meshes for the cylinder over a, the same in all blocks" },
-    growth = { 1.15, "of cells outside the fine zone" }, extent = { 6, "of the points over a" }, ramp = { 0.1, "the same law on both sides" },
-    press = { 2, "the answer does not depend on them" }, down = { 6, "the way down does not matter: the law has no memory" }, up = { 46, "a twentieth of the depth unit each" },
-    along = { 36, "between which a parabola is laid" }, depth = { 0.5, "over Maugis' unit" }, above = { 1.8, "over it: beyond the largest force, before the mesh lets go, where statics end" },
+    growth = { 1.15, "of cells outside the fine zone" }, extent = { 6, "of the points over a" },
+    ramp = { 0.1, "the same law on both sides" },
+    press = { 2, "the answer does not depend on them" },
+    down = { 6, "the way down does not matter: the law has no memory" },
+    up = { 46, "a twentieth of the depth unit each" }, along = { 36, "between which a parabola is laid" },
+    depth = { 0.5, "over Maugis' unit" },
+    above = { 1.8, "beyond the largest force, before the mesh lets go, where statics end" },
     sink = { 1.5, "of the cylinder over a^2/R" }, way = { 3, "of the cylinder along, over mu a^2/R" } },
-  sweep = sweep { sphere = { meshes, dots }, pull_off = { { 32, 64, 128, poisson = 0.48 }, dots },
+  sweep = sweep { sphere = { meshes, dots }, pull_off = { { 24, 48, 96, poisson = 0.48 }, dots },
     shear = { { 10, 20, 40, poisson = 0.49 }, { 128, 256, 512 } } },
   quick = { sweep = sweep { sphere = { { 8, 16, 32, poisson = 0.4 }, { 32, 64, 128 } },
     pull_off = { { 16, 32, 64, poisson = 0.48 }, { 32, 64, 128 } }, shear = { { 6, 12, 24, poisson = 0.49 }, { 64, 128, 256 } } } },
