@@ -171,7 +171,8 @@ return stiction.study {
       end
       local known = exact(by.mesh.finest.p)
       local curves = { curve("elements, endless block", by.mesh, 1), curve("half space", by.points, 2) }
-      curves[3] = { label = contact == "pull_off" and "Maugis, no ramp" or "theory", x = { 0.01, 30 }, y = { known, known }, style = "dash", colour = 4 }
+      curves[3] = { label = contact == "pull_off" and "Maugis, no ramp" or "theory", x = { 0.01, 30 }, y = { known, known },
+        style = "dash", colour = 4 }
       list[k] = stiction.figure.lines { name = contact, title = contact:gsub("_", "-"), x = { label = "time", unit = "s", log = true },
         y = { label = meaning[contact] }, curves = curves, legend = "below" }
     end
