@@ -37,13 +37,19 @@ function adoption.find(plan, rows)
   end
 end
 
---- Gives a row the folder that it adopts; its results are to be made anew.
+local function in_hand(plan, row) return ("%s/%s@adopted"):format(plan.folder, row.case.id) end
+
+--- Takes the folder that a row adopts out of the way of all others, which may be after each other's.
+function adoption.lift(plan, row)
+  engine.rename(plan.folder .. "/" .. row.adopted, in_hand(plan, row))
+end
+
+--- Gives a row the folder that was lifted for it; its results are to be made anew.
 function adoption.take(plan, row)
   local own = plan.folder .. "/" .. row.case.id
-  engine.rename(plan.folder .. "/" .. row.adopted, own .. "@adopted")
   output.settle(plan.folder, { row.case })
   engine.remove(own)
-  engine.rename(own .. "@adopted", own)
+  engine.rename(in_hand(plan, row), own)
   row.result.parameters = output.plain(row.case.p)
   output.write_result_in(own, row.result)
   row.adopted = nil

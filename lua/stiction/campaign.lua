@@ -37,6 +37,8 @@ local function tell_unread(plan)
   end
 end
 
+local function is_wanted(plan, row) return not plan.wanted or plan.wanted[row.case.id] end
+
 --- What stands of the plan's cases: rows as evaluation.row gives them.
 function campaign.survey(plan)
   local rows, few = {}, #plan.cases <= many
@@ -56,8 +58,7 @@ end
 local function evaluate(plan, rows, all)
   local count = 0
   for _, row in ipairs(rows) do
-    local wanted = all and (not plan.wanted or plan.wanted[row.case.id])
-    if row.stale or wanted and row.computed and not plan.study.problem then
+    if row.stale or all and is_wanted(plan, row) and row.computed and not plan.study.problem then
       evaluation.anew(plan.study, plan.folder, row, plan.options)
       count = count + 1
     end
@@ -131,18 +132,20 @@ end
 --- The folders of the cases that run or are shown are theirs from now on; of shared ones, those that will run get theirs
 --- when they begin.
 local function settle(plan, rows, pending)
-  if not plan.office then
-    output.settle(plan.folder, pending)
-  end
-  for _, row in ipairs(rows) do
-    if row.computed and (row.adopted or row.place ~= row.case.id) then
-      if plan.office then
-        plan.office:alone(row.case.id, settle_row, plan, row)
-      else
-        settle_row(plan, row)
+  local function each(picks, act)
+    for _, row in ipairs(rows) do
+      if row.computed and picks(row) and plan.office then
+        plan.office:alone(row.case.id, act, plan, row)
+      elseif row.computed and picks(row) then
+        act(plan, row)
       end
     end
   end
+  each(function(row) return row.adopted end, adoption.lift)
+  if not plan.office then
+    output.settle(plan.folder, pending)
+  end
+  each(function(row) return row.adopted or row.place ~= row.case.id end, settle_row)
 end
 
 function campaign.rows_with_result(rows)
@@ -160,9 +163,11 @@ local function pending_cases(plan, rows)
   local pending, fingerprints = {}, {}
   for _, row in ipairs(rows) do
     fingerprints[row.case.id] = row.fingerprint
-    local wanted = not plan.wanted or plan.wanted[row.case.id]
-    if wanted and (plan.options.force or not row.computed) then
+    if is_wanted(plan, row) and (plan.options.force or not row.computed) then
       pending[#pending + 1] = row.case
+      if row.adopted then -- it runs anew all the same
+        row.adopted, row.computed, row.done, row.stale = nil, false, false, false
+      end
     end
   end
   return pending, fingerprints

@@ -79,6 +79,23 @@ holds "a damaged history was overwritten" grep -q nothing out/other/mu0.2/series
 expect 0 "mu0.2  started (1 of 1)" "$stiction" run below/other --out out/other --no-figures --case mu0.2 --force
 expect 0 "checks held" "$stiction" results below/other --out out/other
 
+# cases take over folders that are after each other's: two that swap, one whose own is to run, and none of those forced
+changed swap 's/sweep = { mu = { 0, 0.2, 0.4 } }/sweep = { { mu = 0, n = 1 }, { mu = 0.2, n = 2 } }/
+s/^  quick = {.*//
+s/^  scene = /  case_id = function(p) return ("case%d"):format(p.n) end,\
+  scene = /'
+expect 0 "case2  finished" "$stiction" run swap --no-figures
+sed -i 's/{ mu = 0, n = 1 }, { mu = 0.2, n = 2 }/{ mu = 0.2, n = 1 }, { mu = 0, n = 2 }/' swap/study.lua
+expect 0 "results of 2 cases made anew|checks held" "$stiction" run swap --no-figures
+ran 0
+holds "swapped results: $(cat out/swap/summary.csv)" grep -q '^case2,0,.*,finished,' out/swap/summary.csv
+sed -i 's/{ mu = 0.2, n = 1 }, { mu = 0, n = 2 }/{ mu = 0.3, n = 1 }, { mu = 0.2, n = 2 }/' swap/study.lua
+expect 0 "case1  started (1 of 1)|checks held" "$stiction" run swap --no-figures
+ran 1
+sed -i 's/^  chosen = {/  chosen = { unread = { 1, "by scenes" },/' swap/study.lua
+expect 0 "case2  started (2 of 2)|checks held" "$stiction" run swap --no-figures --jobs 1 --force
+ran 2
+
 # scenes that draw random numbers do not depend on those made before
 changed dice 's/friction = stiction.friction.coulomb { mu = p.mu }/friction = stiction.friction.coulomb { mu = p.mu + 0.01*math.random() }/'
 expect 0 "3 of 3" sh -c '"$1" run dice --no-figures --jobs 1; echo "$(grep -c ,finished, out/dice/summary.csv) of 3"' sh "$stiction"
