@@ -85,17 +85,20 @@ private:
   /// Where a displacement tears bonds before any force changes, an answer without them is compared with what
   /// there is while bonds are held where they were.
   [[nodiscard]] bool gained_beside_held() {
+    if (!torn_)
+      return false;
     Standing const after = standing();
-    if (!torn_ || after.bonds >= bonds_at_start(problem_))
+    if (after.bonds >= bonds_at_start(problem_))
       return false;
     Vector x = problem_.free;
     surface_.add_product(guess_, x);
     if (after.potential <= least_held<D>(problem_, guess_, x))
       return false;
-    Answer const found = answer_;
+    Vector const found = answer_.force;
     bool const held = hold_bonds_at_start();
     Standing const reference = standing();
-    answer_ = found;
+    answer_.force = found;
+    place();
     evaluate();
     return held && gained<D>(reference, after);
   }

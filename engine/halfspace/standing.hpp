@@ -15,23 +15,29 @@ struct Standing {
   Index bonds = 0;      ///< points that are bonded
 };
 
+/// Adds what a point's bond at x has stored and lost in the step.
+template<int D>
+void add_bond(contact::Problem const& problem, Index i, contact::Local<D> const& x, Standing& sum) {
+  auto const& point = problem.points[ix(i)];
+  if (point.adhesion < 0)
+    return;
+  auto const& law = problem.adhesions[ix(point.adhesion)];
+  auto const bond = interface::advance<D>(law, point.bond, x);
+  sum.bonds += bond.beta > 0 ? 1 : 0;
+  sum.potential +=
+      point.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, point.bond, x));
+}
+
 /// Forces and x of every point, [D points], N and m.
 template<int D>
 [[nodiscard]] Standing standing(contact::Problem const& problem, Vector const& force, Vector const& x) {
   Standing sum;
   for (Index i = 0; i < problem.size(); ++i) {
-    auto const& point = problem.points[ix(i)];
     contact::Local<D> const at = x.segment<D>(D * i), f = force.segment<D>(D * i);
-    sum.deepest = std::max(sum.deepest, point.shift[0] - at[0]);
+    sum.deepest = std::max(sum.deepest, problem.points[ix(i)].shift[0] - at[0]);
     sum.force += f[0];
     sum.potential += 0.5 * f.dot(at - problem.free.segment<D>(D * i));
-    if (point.adhesion < 0)
-      continue;
-    auto const& law = problem.adhesions[ix(point.adhesion)];
-    auto const bond = interface::advance<D>(law, point.bond, at);
-    sum.bonds += bond.beta > 0 ? 1 : 0;
-    sum.potential += point.area * (interface::bond_energy(law, bond, at[0]) +
-                                   interface::dissipation<D>(law, point.bond, at));
+    add_bond<D>(problem, i, at, sum);
   }
   return sum;
 }
@@ -62,19 +68,13 @@ template<int D> [[nodiscard]] bool gained(Standing const& before, Standing const
 /// of then: a body's energy is convex, and forces are its slope. x: what forces lead to now.
 template<int D>
 [[nodiscard]] double least_held(contact::Problem const& problem, Vector const& force, Vector const& x) {
-  double sum = 0;
+  Standing sum;
   for (Index i = 0; i < problem.size(); ++i) {
-    auto const& point = problem.points[ix(i)];
     contact::Local<D> const start = problem.start.segment<D>(D * i), free = problem.free.segment<D>(D * i);
-    sum += force.segment<D>(D * i).dot(start - 0.5 * (x.segment<D>(D * i) + free));
-    if (point.adhesion < 0)
-      continue;
-    auto const& law = problem.adhesions[ix(point.adhesion)];
-    auto const bond = interface::advance<D>(law, point.bond, start);
-    sum += point.area *
-           (interface::bond_energy(law, bond, start[0]) + interface::dissipation<D>(law, point.bond, start));
+    sum.potential += force.segment<D>(D * i).dot(start - 0.5 * (x.segment<D>(D * i) + free));
+    add_bond<D>(problem, i, start, sum);
   }
-  return sum;
+  return sum.potential;
 }
 
 } // namespace stiction::halfspace

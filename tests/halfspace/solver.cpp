@@ -205,17 +205,32 @@ TEST_CASE("a half space is not left where energy has its maximum") {
   }
 }
 
-/// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them
-/// open.
-TEST_CASE("bonds of a half space do not break while it is pressed on") {
-  Surface const surface({12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2);
-  interface::Law const law{interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};
+Surface few_points() {
+  return {{12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2};
+}
+
+/// Far shorter than a step.
+interface::Law short_bonds() {
+  return {interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};
+}
+
+/// Points in a line under a roller that has come down so far, m.
+contact::Problem under_roller(Surface const& surface, interface::Law const& law, double down) {
   auto problem = pressed(surface, law, 0);
   for (Index i = 0; i < problem.size(); ++i) {
     double const x = surface.grid().x(i);
-    problem.free[2 * i] = x * x / 0.1;
+    problem.free[2 * i] = x * x / 0.1 - down;
     problem.free[2 * i + 1] = 0;
   }
+  return problem;
+}
+
+/// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them
+/// open.
+TEST_CASE("bonds of a half space do not break while it is pressed on") {
+  Surface const surface = few_points();
+  interface::Law const law = short_bonds();
+  auto problem = under_roller(surface, law, 0);
   halfspace::Solver const solver(surface);
   Vector force = Vector::Zero(surface.rows());
   Index most = 0;
@@ -236,14 +251,9 @@ TEST_CASE("bonds of a half space do not break while it is pressed on") {
 
 /// A step beyond the bonds' range is not to tear them: that takes more energy than it can do work.
 TEST_CASE("bonds of a half space do not break because a step is longer than their range") {
-  Surface const surface({12, 1, 0.01, 1, true, false}, Compliance::of({1e6, 0.5, 0}, nullptr), 2);
-  interface::Law const law{interface::Coulomb{0.3}, interface::Dugdale{1e6, 1e-6, 0.05}};
-  auto problem = pressed(surface, law, 0);
-  for (Index i = 0; i < problem.size(); ++i) {
-    double const x = surface.grid().x(i);
-    problem.free[2 * i] = x * x / 0.1 - 1e-4;
-    problem.free[2 * i + 1] = 0;
-  }
+  Surface const surface = few_points();
+  interface::Law const law = short_bonds();
+  auto problem = under_roller(surface, law, 1e-4);
   halfspace::Solver const solver(surface);
   auto answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
   CHECK_MESSAGE(answer.converged, answer.reason);
