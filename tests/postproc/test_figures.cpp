@@ -185,6 +185,30 @@ TEST_CASE("a panel has its title above its parts and shares its height among the
             .code == 2);
 }
 
+TEST_CASE("a map of many columns is wider, so that its rows keep their labels") {
+  auto const map = [](int columns) {
+    std::string heads, cells;
+    for (int i = 0; i < columns; ++i) {
+      heads += std::string(i > 0 ? "," : "") + R"({"label":"a"})";
+      cells += "x";
+    }
+    return R"({"name":"it","kind":"map","columns":[)" + heads +
+           R"(],"kinds":[{"letter":"x","label":"y"}],"rows":[{"group":"g","label":"a row","cells":")" +
+           cells + R"("}]})";
+  };
+  auto const draws = [&](std::string const& name, int columns) {
+    auto const drawn = draw(name, map(columns));
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.messages);
+    return Image(work / name / "it.png");
+  };
+  Image const few = draws("few", 5), many = draws("many", 60);
+  CHECK(few.width() < many.width());
+  auto const labels = [](Image const& image) { // grey in the first tenth of an inch
+    return image.count({110, 110, 110}, {0, 0.05, 60.0 / image.width(), 0.95});
+  };
+  CHECK(labels(many) > 0);
+}
+
 TEST_CASE("a wrong spec ends with 2 and says where") {
   auto const unit = draw("unit", simple_lines(R"("file":"case0/series.h5","y":"/crown/beta")", "MPa"));
   CHECK(unit.code == 2);
