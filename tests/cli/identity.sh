@@ -95,6 +95,7 @@ ran 1
 sed -i 's/^  chosen = {/  chosen = { unread = { 1, "by scenes" },/' swap/study.lua
 expect 0 "case2  started (2 of 2)|checks held" "$stiction" run swap --no-figures --jobs 1 --force
 ran 2
+holds "results are made anew of what runs anyway" [ "$(grep -c "made anew" output)" = 0 ]
 
 # scenes that draw random numbers do not depend on those made before
 changed dice 's/friction = stiction.friction.coulomb { mu = p.mu }/friction = stiction.friction.coulomb { mu = p.mu + 0.01*math.random() }/'
