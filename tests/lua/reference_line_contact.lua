@@ -71,3 +71,32 @@ test("going back: nothing at first, the mirror image at the end, Q in between", 
   near(back(-3e5)(0.3 * a), -hertz.shear(0.3 * a, a, p0, c, mu), 1e-12)
   near(total(back(1e5), a), 1e5, 1e-3)
 end)
+
+test("sliding: Hertz without coupling; with it the force is held and the surface follows the cylinder", function()
+  local P, R, E = 1e3, 0.02, 3e6
+  local alone, p0 = hertz.sliding(P, R, E, 0), hertz.peak_pressure(P, R, E)
+  near(alone.half_width, hertz.half_width(P, R, E), 1e-12)
+  equal(alone.centre, 0)
+  near(alone.pressure(0.3 * alone.half_width), hertz.pressure(0.3 * alone.half_width, alone.half_width, p0), 1e-12)
+
+  local coupled = hertz.sliding(P, R, E, 0.4)
+  local a, e, n = coupled.half_width, coupled.centre, 20000
+  --- The integral of p(t) / (x - t) by midpoints of the angle, which lie evenly about the point X.
+  local function conjugate(X)
+    local sum = 0
+    for i = 1, n do
+      local at, width = a * math.cos(math.pi * (i - 0.5) / n), math.pi / n * a * math.sin(math.pi * (i - 0.5) / n)
+      sum = sum + coupled.pressure(e + at) / (X - at) * width
+    end
+    return sum
+  end
+  local function slope(k) -- of the surface where the k-th and the next midpoint are equally far in angle
+    local X = a * math.cos(math.pi * k / n)
+    return (conjugate(X) / math.pi - 0.4 * coupled.pressure(e + X)) * 2 / E, (e + X) / R
+  end
+  for _, k in ipairs { n // 5, n // 2, 4 * n // 5 } do
+    local found, known = slope(k)
+    near(found, known, 1e-3)
+  end
+  near(total(function(x) return coupled.pressure(x + e) end, a), P, 1e-3)
+end)

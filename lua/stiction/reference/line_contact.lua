@@ -75,4 +75,22 @@ function line_contact.shear_back(x, half_width, peak, mu, forces)
   return line_contact.shear(x, half_width, peak, c, mu) - line_contact.shear(x, half_width, peak, back, 2 * mu)
 end
 
+--- A cylinder that slides along +x over a half space of another stiffness, where pressure and shear couple by Dundurs' beta:
+--- {alpha, half_width a, centre e, pressure(x)}, with tan(pi alpha) = beta mu, P = pi E* a^2 (1 - 4 alpha^2) / (4 R),
+--- e = -2 alpha a and p = E* cos(pi alpha) / (2 R) (a - X)^(1/2 + alpha) (a + X)^(1/2 - alpha), X = x - e.
+--- Source: Bufler 1959; Johnson 1985, section 8.2. Derived in studies/proofs/half_space_unlike/README.md.
+function line_contact.sliding(force, radius, modulus, coupled_friction)
+  local alpha = math.atan(coupled_friction) / math.pi
+  local a = math.sqrt(4 * force * radius / (math.pi * modulus * (1 - 4 * alpha ^ 2)))
+  local e = -2 * alpha * a
+  local function pressure(x)
+    local before, behind = a - (x - e), a + (x - e)
+    if before <= 0 or behind <= 0 then
+      return 0
+    end
+    return modulus * math.cos(math.pi * alpha) / (2 * radius) * before ^ (0.5 + alpha) * behind ^ (0.5 - alpha)
+  end
+  return { alpha = alpha, half_width = a, centre = e, pressure = pressure }
+end
+
 return line_contact

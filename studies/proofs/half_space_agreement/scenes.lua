@@ -1,4 +1,4 @@
--- The three contacts, each on a finite body by elements ("mesh") and on a half space by its points ("points").
+-- The four contacts, each on a finite body by elements ("mesh") and on a half space by its points ("points").
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, kg, Pa, N = units.m, units.s, units.kg, units.Pa, units.N
@@ -29,11 +29,11 @@ end
 --- What both sides share: the law, the stages, the probes.
 local function common(p, names)
   local pair = { secondary = names.secondary, primary = names.primary }
-  local last = p.contact == "sphere" and 1 or 2
-  local stages = { stiction.stage { to = 1*s, steps = p.contact == "sphere" and p.press or p.down } }
+  local last = (p.contact == "sphere" or p.contact == "unlike") and 1 or 2
+  local stages = { stiction.stage { to = 1*s, steps = ({ sphere = p.press, unlike = p.grip })[p.contact] or p.down } }
   if p.contact == "pull_off" then
     pair.adhesion = adhesion(p)
-  elseif p.contact == "shear" then
+  elseif p.contact ~= "sphere" then
     pair.friction = stiction.friction.coulomb { mu = p.mu }
   end
   if last == 2 then
@@ -47,7 +47,7 @@ end
 --- Way of the counterpart into the surface and along it at 0, 1 and 2 s.
 local function paths(p)
   local _, _, d = scenes.scales(p)
-  if p.contact == "sphere" then
+  if p.contact == "sphere" or p.contact == "unlike" then
     return { 0*s, 1*s }, { 0*m, -d * m }
   elseif p.contact == "pull_off" then
     return { 0*s, 1*s, 2*s }, { 0*m, -p.depth * d * m, p.above * d * m }

@@ -4,6 +4,7 @@
 --     __'-._.-'__     and     __'-._.-'__       pull_off: drawn off under Dugdale's adhesion
 --    | elements |            points of a        shear: cylinder pressed, then moved along with Coulomb's friction
 --    |__________|            half space
+--                                               unlike: sphere pressed with Coulomb's friction, nu = 0
 --
 -- Each side is refined twice; the block is doubled twice. Slopes are so small, and elasticity linear, that large strains do not
 -- enter. What is compared is a pure number: force, pull-off, work of friction.
@@ -16,10 +17,11 @@ local line, numeric = stiction.reference.line_contact, stiction.numeric
 local maugis = stiction.reference.maugis
 local scenes, bars = require "scenes", require "bars"
 
-local main = { sphere = 80, pull_off = 20, shear = 10 } -- size of the middle block over the length unit
-local far = { sphere = 1, pull_off = 2, shear = 2 } -- order of what a block changes, in a / size: its depth enters at the first
-local contacts = { "sphere", "pull_off", "shear" }
-local meaning = { sphere = "P over 4/3 E* a^2 a/R", pull_off = "pull-off over pi w R", shear = "W E* / (mu P)^2 at Q = 0.6 mu P" }
+local main = { sphere = 80, pull_off = 20, shear = 10, unlike = 80 } -- size of the middle block over the length unit
+local far = { sphere = 1, pull_off = 2, shear = 2, unlike = 1 } -- order of what a block changes, in a / size: its depth enters at the first
+local contacts = { "sphere", "pull_off", "shear", "unlike" }
+local meaning = { sphere = "P over 4/3 E* a^2 a/R", pull_off = "pull-off over pi w R", shear = "W E* / (mu P)^2 at Q = 0.6 mu P",
+  unlike = "P over 4/3 E* a^2 a/R, mu = 0.5, nu = 0" }
 
 --- Work of friction by Q = share mu P, a parabola through the three steps about it; times E*/(mu P)^2.
 local function friction_work(run, p)
@@ -63,7 +65,7 @@ end
 
 --- What theory says, for the figure only.
 local function exact(p)
-  if p.contact == "sphere" then
+  if p.contact == "sphere" or p.contact == "unlike" then
     return 1
   elseif p.contact == "pull_off" then
     return maugis.pull_off(p.lambda)
@@ -71,6 +73,19 @@ local function exact(p)
   local E, a, P = 1, 1, math.pi / 4 -- with R = a
   local c = line.stick_half_width(a, p.share * p.mu * P, p.mu, P)
   return line.friction_work(a, line.peak_pressure(P, 1, E), c, p.mu, E) / (p.mu * P) ^ 2
+end
+
+local by_theory = { pull_off = "Maugis, no ramp", unlike = "without friction" }
+
+--- The least and the largest time of both sides, s.
+local function times_of(by)
+  local least, most = math.huge, 0
+  for _, side in pairs(by) do
+    for _, case in ipairs(side.list) do
+      least, most = math.min(least, case.results.seconds), math.max(most, case.results.seconds)
+    end
+  end
+  return { least, most }
 end
 
 --- All cases of one contact: three meshes in the middle block, the finest also in two others, three of points.
@@ -134,15 +149,17 @@ return stiction.study {
     growth = { 1.15, "of cells outside the fine zone" }, extent = { 6, "of the points over a" },
     ramp = { 0.1, "the same law on both sides" },
     press = { 2, "the answer does not depend on them" },
+    grip = { 16, "while pressed with friction, the same on both sides" },
     down = { 6, "the way down does not matter: the law has no memory" },
     up = { 46, "a twentieth of the depth unit each" }, along = { 36, "between which a parabola is laid" },
     depth = { 0.5, "over Maugis' unit" },
     above = { 1.8, "beyond the largest force, before the mesh lets go, where statics end" },
     sink = { 1.5, "of the cylinder over a^2/R" }, way = { 3, "of the cylinder along, over mu a^2/R" } },
   sweep = sweep { sphere = { meshes, dots }, pull_off = { { 24, 48, 96, poisson = 0.48 }, dots },
-    shear = { { 10, 20, 40, poisson = 0.49 }, { 128, 256, 512 } } },
+    shear = { { 10, 20, 40, poisson = 0.49 }, { 128, 256, 512 } }, unlike = { { 16, 32, 64, poisson = 0 }, { 32, 64, 128 } } },
   quick = { sweep = sweep { sphere = { { 8, 16, 32, poisson = 0.4 }, { 32, 64, 128 } },
-    pull_off = { { 16, 32, 64, poisson = 0.48 }, { 32, 64, 128 } }, shear = { { 6, 12, 24, poisson = 0.49 }, { 64, 128, 256 } } } },
+    pull_off = { { 16, 32, 64, poisson = 0.48 }, { 32, 64, 128 } }, shear = { { 6, 12, 24, poisson = 0.49 }, { 64, 128, 256 } },
+    unlike = { { 8, 16, 32, poisson = 0 }, { 16, 32, 64 } } } },
   case_id = function(p)
     return p.side == "mesh" and ("%s_mesh_%d_in_%d"):format(p.contact, p.cells, p.size) or ("%s_points_%d"):format(p.contact, p.points)
   end,
@@ -171,7 +188,7 @@ return stiction.study {
       end
       local known = exact(by.mesh.finest.p)
       local curves = { curve("elements, endless block", by.mesh, 1), curve("half space", by.points, 2) }
-      curves[3] = { label = contact == "pull_off" and "Maugis, no ramp" or "theory", x = { 0.01, 30 }, y = { known, known },
+      curves[3] = { label = by_theory[contact] or "theory", x = times_of(by), y = { known, known },
         style = "dash", colour = 4 }
       list[k] = stiction.figure.lines { name = contact, title = contact:gsub("_", "-"), x = { label = "time", unit = "s", log = true },
         y = { label = meaning[contact] }, curves = curves, legend = "below" }
