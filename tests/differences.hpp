@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <doctest/doctest.h>
 #include <string>
 
 #include "core/types.hpp"
@@ -51,6 +52,12 @@ template<class F> Rate rate(F const& f, Dense const& exact, Vector const& x, dou
       result.second_order = false;
   }
   return result;
+}
+
+/// Second order, and a small error at the third step.
+inline void check_rate(Rate const& rate, char const* what) {
+  CHECK_MESSAGE(rate.second_order, what << ": " << rate.words());
+  CHECK(rate.errors[2] <= 1e-5 * (1 + rate.scale));
 }
 
 } // namespace stiction::test

@@ -101,9 +101,4 @@ inline std::vector<Encounter<3>> encounters(std::integral_constant<int, 3> /*D*/
   return all;
 }
 
-inline void check_rate(Rate const& rate, char const* what) {
-  CHECK_MESSAGE(rate.second_order, what << ": " << rate.words());
-  CHECK(rate.errors[2] <= 1e-5 * (1 + rate.scale));
-}
-
 } // namespace stiction::test

@@ -56,11 +56,6 @@ Eigen::Vector3d resultant(PointKinematics<2> const& point, Vector const& row, st
   return sum;
 }
 
-void check_rate(Rate const& rate, char const* what) {
-  CHECK_MESSAGE(rate.second_order, what << ": " << rate.words());
-  CHECK(rate.errors[2] <= 1e-5 * (1 + rate.scale));
-}
-
 } // namespace
 
 TEST_SUITE("contact") {

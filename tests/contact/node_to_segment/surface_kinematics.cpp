@@ -50,11 +50,6 @@ std::vector<double> carried(std::vector<double> x, Mat<3> const& turn, Vec3 cons
   return x;
 }
 
-void check_rate(Rate const& rate, char const* what) {
-  CHECK_MESSAGE(rate.second_order, what << ": " << rate.words());
-  CHECK(rate.errors[2] <= 1e-5 * (1 + rate.scale));
-}
-
 } // namespace
 
 TEST_SUITE("contact") {
