@@ -29,7 +29,8 @@ Dense softened(PointLaws const& laws, Dense const& compliance) {
 }
 
 SmallBlock holding(SmallBlock const& S) {
-  Eigen::JacobiSVD<SmallBlock> const parts(S, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::JacobiSVD<SmallBlock, Eigen::NoQRPreconditioner> const parts(S, Eigen::ComputeFullU |
+                                                                             Eigen::ComputeFullV);
   SmallBlock D = SmallBlock::Zero(S.rows(), S.cols());
   for (Index k = 0; k < S.cols(); ++k) {
     Eigen::Vector<double, Eigen::Dynamic> const v = parts.matrixV().col(k);
