@@ -83,7 +83,7 @@ sed -i 's/"force_x",$/"farce_x",/; s/{ 2, 5, 8 }/{ 2, 4, 8 }/' soft/study.lua
 expect 2 "no result 'farce_x'" "$stiction" trade soft
 
 # what was measured of the repository's own studies still stands beside them, is of their present words and still comes out
-for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die ladder rungs; do
+for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die ladder all_rungs; do
   expect 0 "--accuracy 10%:|of the default's work|checks held" "$stiction" run "$here/../../studies/trade/$name" \
     --accuracy 10% --no-figures --out "$name"
   holds "$name: what was measured is checked" grep -q "within its error of what" "$name/checks.json"

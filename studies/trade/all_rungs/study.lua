@@ -5,7 +5,7 @@
 --            |   R   |           space and section: the block that it is, `block` times a high and wide, held below
 --      _______'-._.-'_______     half_space, formula: an endless one
 --
---     ./stiction trade studies/trade/rungs
+--     ./stiction trade studies/trade/all_rungs
 local stiction = require "stiction"
 local units = stiction.units
 local mm, s = units.mm, units.s
