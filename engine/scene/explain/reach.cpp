@@ -15,11 +15,12 @@ constexpr double pi = std::numbers::pi;
 /// space in series, over P / (pi E* L); by linear elements under a small contact (half_space_reach).
 constexpr double bar_end = 2;
 
-/// Large strains of rubber-like laws change the force by -0.12 to 0.06 of the slope
-/// (half_space_reach).
-constexpr double of_law = 0.12;
-/// Of the slope squared: sphere against paraboloid 0.1, the rest the second order of the terms above.
-constexpr double of_second_order = 0.32;
+/// What large strains change, over the slope, between laws of rubber (half_space_reach: neo-Hooke -0.13 to
+/// -0.06, Mooney-Rivlin without C10 -0.03 to 0.06).
+constexpr double law_least = -0.13, law_most = 0.06;
+/// Over the slope squared, always smaller: sphere against paraboloid -0.1, the rest the second order of what
+/// is inward.
+constexpr double second_order = -0.32;
 
 /// Johnson 1985, 5.8: (1 - M) of a layer whose base is held, or slides.
 double lack(double t, double poisson, bool stuck) {
@@ -47,17 +48,21 @@ double base_number(double poisson, bool stuck) {
 }
 
 double ReachError::total() const {
-  return std::max(thickness, sides) + strain;
+  return std::max(base + larger, sides + smaller);
 }
 
 ReachError error_of(Reach const& reach) {
   double const a = reach.contact, h = reach.thickness, L = reach.width, nu = reach.poisson, s = reach.slope;
   double const bar = h / ((1 - nu * nu) * L * L) - bar_end / L;
-  double const inward =
-      (1 - 2 * nu) / (1 - nu) / pi; // of points that move inward, and of pressures that tilt
-  double const law = reach.small_strain ? 0 : of_law * s + reach.softening;
-  return {in_series(2 * a / pi * base_number(nu, reach.stuck) / h), std::max(0.0, 2 * a / pi * bar),
-          reach.balance * (inward * s + law + of_second_order * s * s)};
+  double const inward = (1 - 2 * nu) / (1 - nu) / pi; // points move inward, and pressures tilt
+  double const most = (inward + (reach.small_strain ? 0 : law_most)) * s;
+  double const least =
+      (inward + (reach.small_strain ? 0 : law_least)) * s + second_order * s * s - reach.softening;
+  ReachError error{in_series(2 * a / pi * base_number(nu, reach.stuck) / h), std::max(0.0, 2 * a / pi * bar),
+                   std::max(0.0, most), std::max(0.0, -least)};
+  if (reach.balance > 1) // where it pulls what is larger is smaller
+    error.larger = error.smaller = reach.balance * std::max(error.larger, error.smaller);
+  return error;
 }
 
 double contact_radius(double depth, double radius, double work_over_modulus) {

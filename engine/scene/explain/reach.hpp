@@ -16,12 +16,12 @@ struct Reach {
   double balance = 1; ///< sum of what presses and what pulls over the larger of force and pull-off; 1: dry
 };
 
-/// Of the force at the same approach, or of the pull-off, over the larger of the two.
+/// By how much the block's force is larger or smaller than the half space's at the same approach, over it; of
+/// adhesion the pull-off, too, over the larger of the two. Each at most about.
 struct ReachError {
-  double thickness = 0; ///< force of the block is larger by this
-  double sides = 0;     ///< smaller
-  double strain = 0;    ///< either
-  /// The block cannot be both too stiff and too soft.
+  double base = 0;                ///< larger, by the base below
+  double sides = 0;               ///< smaller, by sides that give way; not beside the base
+  double larger = 0, smaller = 0; ///< by strains and slopes
   [[nodiscard]] double total() const;
 };
 

@@ -1,7 +1,7 @@
 -- Which scenes: the map, row by row, and others by dice, from which nothing was made.
 local design = { lambdas = { 0.2, 0.5, 1 } }
 
-local thicks = { 0.01, 0.02, 0.04, 0.07, 0.12, 0.2, 0.35, 0.6 } -- a/h
+local thicks = { 0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.2, 0.5 } -- a/h
 
 local function row(t)
   local p = { kind = "sphere", poisson = 0.49, law = "neo_hookean", base = "stuck", slope = 0.01, squat = 4, lambda = 0 }
@@ -12,7 +12,7 @@ end
 --- Rows of the map: {group, label, parameters}; squat is L/h.
 local function rows()
   local list = {}
-  local function add(group, label, t) list[#list + 1] = { group = group, label = label, p = row(t) } end
+  local function add(group, label, t) list[#list + 1] = { number = #list + 1, group = group, label = label, p = row(t) } end
   for _, law in ipairs { "linear_elastic", "neo_hookean" } do
     for _, poisson in ipairs { 0.3, 0.49 } do
       for _, slope in ipairs { 0.01, 0.1, 0.3, 0.6 } do
@@ -58,8 +58,8 @@ local function thrown(count, seed)
   for k = 1, count do
     local kind = k % 5 == 0 and "pull" or k % 5 == 1 and "punch" or "sphere"
     local p = row { kind = kind, poisson = 0.495 * throw(), law = throw() < 0.3 and "linear_elastic" or "neo_hookean",
-      base = throw() < 0.3 and "smooth" or "stuck", slope = between(0.003, kind == "sphere" and 0.6 or 0.1), squat = between(0.25, 8) }
-    p.thick = between(0.003, 0.6)
+      base = throw() < 0.3 and "smooth" or "stuck", slope = between(0.002, kind == "sphere" and 0.6 or 0.1), squat = between(0.25, 8) }
+    p.thick = between(0.0015, 0.6)
     p.lambda = kind == "pull" and design.lambdas[1 + math.floor(#design.lambdas * throw())] or 0
     list[k] = p
   end

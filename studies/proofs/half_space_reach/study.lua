@@ -9,7 +9,6 @@
 --
 --     ./stiction run studies/proofs/half_space_reach
 local stiction = require "stiction"
-local numeric = stiction.numeric
 local scenes, design, reading = require "scenes", require "design", require "reading"
 
 local quick = { every = 19, finer = 5, dice = 5 }
@@ -20,16 +19,17 @@ return stiction.study {
   chosen = {
     cells = { 16, "over a, on the coarser of two meshes; the finer has twice as many" },
     growth = { 1.22, "of cells away from the contact, on the coarser; on the finer its root" },
-    steps = { 4, "down; the answer does not depend on them" }, up = { 46, "a twentieth of Maugis' unit each" },
+    steps = { 4, "down; the answer does not depend on them" }, up = { 23, "a tenth of Maugis' unit each; block and half space the same" },
     depth = { 0.5, "over Maugis' unit, before it is drawn off" }, above = { 1.8, "beyond the largest force" },
     ramp = { 0.5, "of Dugdale's traction, the same in block and half space" },
   },
-  sweep = design.sweep { every = 1, finer = 5, dice = 80 },
+  sweep = design.sweep { every = 1, finer = 11, dice = 80 },
   quick = { sweep = design.sweep(quick) },
   case_id = function(p) return ("%s_%d_mesh_%d"):format(p.set, p.number, p.level) end,
   scene = scenes.scene,
   results = {
-    { name = "force", unit = "1", meaning = "force at the largest approach over that of the half space; of a pull over pi w R", reading.force },
+    { name = "force", unit = "1", meaning = "force at the largest approach over that of the half space; of a pull over pi w R",
+      reading.force },
     { name = "stiffness", unit = "1", meaning = "its change with the approach over Maugis' unit, of a pull", reading.stiffness },
     { name = "pull_off", unit = "1", meaning = "largest force that is held, over pi w R", reading.pull_off },
     { name = "bound", unit = "1", meaning = "of the error, by explain", function(_, p)
@@ -39,8 +39,7 @@ return stiction.study {
   check = function(cases, check)
     local all = reading.scenes(cases)
     for _, set in ipairs { "map", "dice" } do
-      local list = numeric.map(all[set], function(scene) return scene end)
-      local wrong = reading.wrong(list)
+      local wrong = reading.wrong(all[set])
       for _, share in ipairs(reading.shares) do
         check.equal(("%s: scenes promised to %g %% and off by more"):format(set, 100 * share), wrong[share], 0, 0)
       end
