@@ -45,7 +45,7 @@ std::optional<scene::Line> said(Input const& input) {
 TEST_CASE("what a base takes from the depth is that of a layer by elasticity") {
   CHECK(scene::base_number(0, false) == doctest::Approx(1.16758).epsilon(1e-4));
   CHECK(scene::base_number(0.4, false) == scene::base_number(0, false));
-  // Dimitriadis et al. 2002 fitted 2 c / pi = 1.133 where nothing can be compressed and the base holds
+  // Dimitriadis 2002 fitted 2 c / pi = 1.133 where nothing can be compressed and the base holds
   CHECK(2 / pi * scene::base_number(0.5, true) == doctest::Approx(1.133).epsilon(0.01));
   CHECK(scene::base_number(0.5, true) == doctest::Approx(1.77022).epsilon(1e-4));
   CHECK(scene::base_number(0, true) == doctest::Approx(1.21106).epsilon(1e-4));
