@@ -60,11 +60,9 @@ double reached(contact::RigidPolyline const& line, double up, double depth) {
 /// Nothing where the counterpart is neither a sphere nor a profile, or not about the axis.
 std::optional<Profile> profile_of(Facts const& all, PairFacts const& pair) {
   auto const& shape = all.scene->model->rigids[pair.rigid].shape;
-  auto const centred = [](core::Numbers const& centre) { return centre.empty() || centre[0] == 0; };
-  auto const* circle = std::get_if<contact::RigidCircle>(&shape);
-  auto const* sphere = std::get_if<contact::RigidSphere>(&shape);
-  if (pair.radius > 0 &&
-      ((circle != nullptr && centred(circle->centre)) || (sphere != nullptr && centred(sphere->centre))))
+  auto const* circle = std::get_if<contact::RigidCircle>(&shape); // off the axis a torus
+  bool const off_axis = circle != nullptr && !circle->centre.empty() && circle->centre[0] != 0;
+  if (pair.radius > 0 && !off_axis)
     return Profile{pair.radius, 0};
   auto const* line = std::get_if<contact::RigidPolyline>(&shape);
   double const most =

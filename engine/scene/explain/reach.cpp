@@ -32,8 +32,12 @@ double lack(double t, double poisson, bool stuck) {
 
 /// F / F0 - 1 where F = F0(depth + c F) of a sphere, F0 ~ depth^1.5, x = 2 a c / pi, to the second order, and
 /// no less than the next one.
-double in_series(double x) {
+double stiffened(double x) {
   return x + 7.0 / 6 * x * x + x * x * x;
+}
+/// 1 - F / F0 where F = F0(depth - c F): no less than to the second order, and less than all of it.
+double softened(double x) {
+  return x > 0 ? x / (1 + x) : 0;
 }
 
 } // namespace
@@ -58,7 +62,7 @@ ReachError error_of(Reach const& reach) {
   double const most = (inward + (reach.small_strain ? 0 : law_most)) * s;
   double const least =
       (inward + (reach.small_strain ? 0 : law_least)) * s + second_order * s * s - reach.softening;
-  ReachError error{in_series(2 * a / pi * base_number(nu, reach.stuck) / h), std::max(0.0, 2 * a / pi * bar),
+  ReachError error{stiffened(2 * a / pi * base_number(nu, reach.stuck) / h), softened(2 * a / pi * bar),
                    std::max(0.0, most), std::max(0.0, -least)};
   if (reach.balance > 1) // where it pulls what is larger is smaller
     error.larger = error.smaller = reach.balance * std::max(error.larger, error.smaller);

@@ -75,23 +75,31 @@ local function add(list, group, number, p, levels)
   end
 end
 
---- Each at two levels of mesh, every `finer`th of the map at three; every `every`th column and row of the map.
+--- Each at two levels of mesh, every `finer`th of the map at three; of the map every `every`th; for pulls also blocks as good
+--- as half spaces.
 function design.sweep(t)
-  local list = {}
+  local list, pulled = {}, {}
+  local function keep(group, number, p, last)
+    add(list, group, number, p, { 0, last })
+    pulled[p.lambda] = p.kind == "pull" or nil
+  end
   for i, entry in ipairs(design.rows) do
     for j, thick in ipairs(thicks) do
       local number = #thicks * (i - 1) + j
       if (i + 3 * j) % t.every == 0 then
         entry.p.thick = thick
-        add(list, "map", number, entry.p, { 0, entry.p.kind ~= "pull" and number % t.finer == 0 and 2 or 1 })
+        keep("map", number, entry.p, entry.p.kind ~= "pull" and number % t.finer == 0 and 2 or 1)
       end
     end
   end
   for k, p in ipairs(thrown(t.dice, 20261126)) do
-    add(list, "dice", k, p, { 0, 1 })
+    keep("dice", k, p, 1)
   end
-  for k, lambda in ipairs(design.lambdas) do -- for pulls: as good as a half space
-    add(list, "endless", k, row { kind = "pull", law = "linear_elastic", slope = 1e-3, squat = 1, thick = 5e-3, lambda = lambda }, { 0, 1 })
+  for k, lambda in ipairs(design.lambdas) do
+    local p = row { kind = "pull", law = "linear_elastic", slope = 1e-3, squat = 1, thick = 5e-3, lambda = lambda }
+    if pulled[lambda] then
+      add(list, "endless", k, p, { 0, 1 })
+    end
   end
   return list
 end

@@ -11,7 +11,7 @@
 local stiction = require "stiction"
 local scenes, design, reading = require "scenes", require "design", require "reading"
 
-local quick = { every = 19, finer = 5, dice = 5 }
+local quick = { every = 29, finer = 7, dice = 5 }
 
 return stiction.study {
   title = "Where a half space would do",
