@@ -46,10 +46,10 @@ local function shape(p)
   if p.kind ~= "punch" then
     return stiction.rigid.sphere { centre = { 0*m, 1 / p.slope * m }, radius = 1 / p.slope * m }
   end
-  local points, n = { 0*m, 0*m }, 40
-  for i = 0, n do
-    local r = flat_part * (1 + i / n)
-    points[#points + 1], points[#points + 2] = r * m, (r - flat_part) ^ 2 / (2 * rounding(p)) * m
+  local points, n, curve = {}, 80, 2 * rounding(p)
+  for i = 0, n do -- as close along the flat part, where a spline bulges
+    local r = 2 * flat_part * i / n
+    points[#points + 1], points[#points + 2] = r * m, math.max(0, r - flat_part) ^ 2 / curve * m
   end
   return stiction.rigid.polyline { points = points }
 end
