@@ -25,6 +25,8 @@ local function rows()
     for _, squat in ipairs { 1, 0.5, 0.25 } do
       add(("narrow block, a/R = 0.01, ν = %g"):format(poisson), ("L/h = %g"):format(squat), { squat = squat, poisson = poisson })
     end
+  end
+  for _, poisson in ipairs { 0.3, 0.49 } do
     add("sliding base, a/R = 0.01", ("ν = %g"):format(poisson), { base = "smooth", poisson = poisson })
   end
   for _, poisson in ipairs { 0.3, 0.49 } do

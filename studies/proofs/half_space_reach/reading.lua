@@ -194,11 +194,11 @@ local function picture(name, title, map, value)
   return stiction.figure.map { name = name, title = title, blocks = 1, columns = columns, kinds = kinds, rows = rows_of(map, value) }
 end
 
---- Bound against error, both in %, of one set.
+--- Bound against error of one set; errors too small to see stand at 0.01 %.
 local function against(list, label, colour)
   local x, y = {}, {}
   for i, scene in ipairs(list) do
-    x[i], y[i] = 100 * math.max(math.abs(scene.error), 1e-4), 100 * scene.bound
+    x[i], y[i] = math.max(math.abs(scene.error), 1e-4), scene.bound
   end
   return { label = label, x = x, y = y, style = "points", colour = colour }
 end
@@ -212,7 +212,7 @@ function reading.figures(all)
       x = { label = "error of the half space", unit = "%", log = true, range = { 1e-4, 3 } },
       y = { label = "bound told beforehand", unit = "%", log = true, range = { 1e-4, 3 } },
       curves = { against(all.map, "the map", 0), against(all.dice, "thrown by dice", 1),
-        { label = "equal", x = { 0.01, 300 }, y = { 0.01, 300 }, style = "dash", colour = 6 } } } }
+        { label = "equal", x = { 1e-4, 3 }, y = { 1e-4, 3 }, style = "dash", colour = 6 } } } }
 end
 
 return reading
