@@ -11,12 +11,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// 2.09 to 2.34 for Poisson's ratios from 0 to 0.5: what the end of a long bar is stiffer than bar and half
-/// space in series, over P / (pi E* L); by linear elements under a small contact (half_space_reach).
+/// What the end of a long bar is stiffer than bar and half space in series, over P / (pi E* L): 2.09 to 2.34
+/// for Poisson's ratios from 0 to 0.5, measured with linear elasticity and a small contact.
 constexpr double bar_end = 2;
 
-/// What large strains change, over the slope, between laws of rubber (half_space_reach: neo-Hooke -0.13 to
-/// -0.06, Mooney-Rivlin without C10 -0.03 to 0.06).
+/// What large strains change, over the slope: for laws of rubber on an endless block, measured. Neo-Hooke
+/// -0.13 to -0.06 at Poisson's ratios of 0 to 0.49, Mooney-Rivlin without C10 -0.03 to 0.06 (at 0.3 and
+/// 0.49).
 constexpr double law_least = -0.13, law_most = 0.06;
 /// Over the slope squared, always smaller: sphere against paraboloid -0.1, the rest the second order of what
 /// is inward.
