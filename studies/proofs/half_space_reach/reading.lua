@@ -208,7 +208,7 @@ function reading.figures(all)
   local measured = picture("measured", "measured: a half space is right", all.map, function(scene) return math.abs(scene.error) end)
   local told = picture("told", "told by explain", all.map, function(scene) return scene.bound end)
   return { figure.panel { name = "map", columns = 2, width = "double", figures = { measured, told } },
-    figure.lines { name = "bound", title = "what explain tells, and what is", legend = "top left",
+    figure.lines { name = "bound", title = "what explain tells, and what is", legend = "below",
       x = { label = "error of the half space", unit = "%", log = true, range = { 1e-4, 3 } },
       y = { label = "bound told beforehand", unit = "%", log = true, range = { 1e-4, 3 } },
       curves = { against(all.map, "the map", 0), against(all.dice, "thrown by dice", 1),
