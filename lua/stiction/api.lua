@@ -28,6 +28,7 @@ local own = {
   schemes = calls.functions(copy(schemes), "schemes"),
   claim = claim,
   sample = sample.functions,
+  explain = function(scene) return engine.explain(scene) end,
 }
 
 --- The table for studies in `folder`; nil: file names stand from the current folder on. note(path, text): told of files

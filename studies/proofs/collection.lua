@@ -31,6 +31,7 @@ return {
   "half_space_adhesion",
   "half_space_formula",
   "half_space_agreement",
+  "half_space_reach",
   "dcb",
   "peeled_film",
   "capstan",

@@ -21,6 +21,18 @@ test("unknown categories and kinds are told with what was meant", function()
   fails("material.blatz_ko takes one table", function() return stiction.material.blatz_ko(3) end)
 end)
 
+test("a study asks what explain tells of a scene", function()
+  local u = stiction.units
+  local told = stiction.explain(stiction.scene {
+    bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 1*u.m, 1*u.m }, cells = { 2, 2 } }, density = 1*u.kg/u.m^3,
+      material = stiction.material.linear_elastic { young = 1*u.Pa, poisson = 0 } } },
+    motions = { stiction.motion.fix { set = "block.bottom" } }, scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*u.s, steps = 1 } } },
+  })
+  equal(told.sections[1].title, "Body block")
+  equal(#told.warnings, 0)
+end)
+
 local function refused(part, value)
   fails(part, engine.validate, { thing = value })
 end

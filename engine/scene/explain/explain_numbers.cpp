@@ -113,6 +113,7 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
         "above 0.5 Newton has a hard time");
   if (facts.adheres())
     add_adhesion(all, facts, section);
+  add_half_space(all, facts, section);
   explanation.sections.push_back(std::move(section));
 }
 

@@ -10,6 +10,15 @@
 
 namespace stiction::scene {
 
+double kept_stiffness(material::Material const& law, double strain) {
+  double const stretch = std::max(1 - strain, 0.01), squared = stretch * stretch;
+  material::Voigt<4, Pack> strains = material::Voigt<4, Pack>::Zero(); // the first lane is at rest
+  strains[0].set(1, (squared - 1) / 2);
+  material::Response<4, Pack> at;
+  solid::respond<4>(law, material::Wanted::tangent, {&strains, 1}, {&at, 1});
+  return (at.stress[0][1] + squared * at.tangent(0, 0)[1]) / at.tangent(0, 0)[0];
+}
+
 namespace {
 
 constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive length: the limit, the aim
@@ -113,16 +122,6 @@ void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
         {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps may be halved",
                      pair.pair->name, part),
          more_steps(all, pair.motion.closing_stage, part / good_part)});
-}
-
-/// Of its stiffness at rest against compression along x by this strain, sides held.
-double kept_stiffness(material::Material const& law, double strain) {
-  double const stretch = std::max(1 - strain, 0.01), squared = stretch * stretch;
-  material::Voigt<4, Pack> strains = material::Voigt<4, Pack>::Zero(); // the first lane is at rest
-  strains[0].set(1, (squared - 1) / 2);
-  material::Response<4, Pack> at;
-  solid::respond<4>(law, material::Wanted::tangent, {&strains, 1}, {&at, 1});
-  return (at.stress[0][1] + squared * at.tangent(0, 0)[1]) / at.tangent(0, 0)[0];
 }
 
 /// Where nothing of it is left, in words; "" where that is nowhere.

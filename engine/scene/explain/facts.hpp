@@ -101,6 +101,10 @@ void describe_springs(Facts const& facts, Explanation& explanation);
 void warn_of_springs(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_numbers.cpp: the numbers that decide.
 void describe_numbers(Facts const& facts, Explanation& explanation);
+/// explain_reach.cpp: whether a half space would do, where that can be said.
+void add_half_space(Facts const& facts, PairFacts const& pair, Section& section);
+/// explain_warnings.cpp: of its stiffness at rest against compression by this strain, sides held.
+[[nodiscard]] double kept_stiffness(material::Material const& law, double strain);
 /// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any
 /// purpose.
 bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::BulkSystem const& bulk,
