@@ -24,11 +24,11 @@ core::Schema const& Measured::schema() {
                 "of the heights, such as \"um\"; where the file does not say it")
           .numbers("size", &Measured::size, "m", Need::optional,
                    "extent {x, y}, on a line {x}; where the file does not say it. It has to be that of the "
-                   "half space")
+                   "half space, or of the rigid height map")
           .choice("interpolation", &Measured::interpolation, {"none", "bilinear", "bicubic"}, Need::optional,
-                  "to the points of the half space; none: there have to be as many")
+                  "to the points; none: there have to be as many")
           .number("seam", &Measured::seam, "1", core::positive, Need::optional,
-                  "a periodic half space refuses maps whose rms step over the seam, where it is repeated, is "
+                  "a periodic surface refuses maps whose rms step over the seam, where it is repeated, is "
                   "more "
                   "than so many times that between neighbours")
           .choice("start", &Measured::start, {"touching", "mean"}, Need::optional,
@@ -80,7 +80,7 @@ void check_size(Measured const& measured, HeightFile const& file, Grid const& gr
       refuse("size", fmt::format("is {:g} m along {}, and {} says {:g} m; leave it out", measured.size[k],
                                  "xy"[k], measured.file, size));
     if (std::abs(size - wanted.at(k)) > rounded * wanted.at(k))
-      refuse("size", fmt::format("of {} is {:g} m along {}; the half space has {:g} m: give it the same",
+      refuse("size", fmt::format("of {} is {:g} m along {}; the surface is {:g} m wide: give it the same",
                                  measured.file, size, "xy"[k], wanted.at(k)));
   }
 }
@@ -91,7 +91,7 @@ void check_points(Measured const& measured, HeightFile const& file, Grid const& 
   bool const same = file.nx == grid.nx && file.ny == grid.ny;
   if (!same && measured.interpolation == Measured::Between::nothing)
     refuse("interpolation",
-           fmt::format("is none, and {} has {} x {} heights, the half space {} x {} points; give it as "
+           fmt::format("is none, and {} has {} x {} heights, the surface {} x {} points; give it as "
                        "many, or interpolation = \"bilinear\" or \"bicubic\"",
                        measured.file, file.nx, file.ny, grid.nx, grid.ny));
 }
@@ -99,12 +99,11 @@ void check_points(Measured const& measured, HeightFile const& file, Grid const& 
 void check_seam(Measured const& measured, HeightFile const& file, Grid const& grid) {
   double const steps = grid.periodic ? seam(file) : 0;
   if (steps > measured.seam)
-    refuse(
-        "seam",
-        fmt::format("{}: where it is repeated its steps are {:.3g} times those between neighbours (rms), "
-                    "more than {:g}: it is not periodic; give the half space boundary = \"free\", or a map "
-                    "whose rims fit",
-                    measured.file, steps, measured.seam));
+    refuse("seam",
+           fmt::format("{}: where it is repeated its steps are {:.3g} times those between neighbours (rms), "
+                       "more than {:g}: it is not periodic; give boundary = \"free\", or a map "
+                       "whose rims fit",
+                       measured.file, steps, measured.seam));
 }
 
 /// The first of up to four neighbours along an axis, and their weights.

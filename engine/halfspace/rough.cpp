@@ -17,7 +17,8 @@ core::Schema const& Rough::schema() {
   static auto const made =
       core::Describe<Rough>{
           "rough",
-          "self-affine roughness, isotropic and periodic in the size of the half space: a sum of waves with "
+          "self-affine roughness, isotropic and periodic in the size of what it lies over: a sum of waves "
+          "with "
           "the power spectrum C = const from the longest wavelength to the roll-off, C ~ k^(-2 - 2 H) from "
           "there to the shortest (on a line k^(-1 - 2 H)), and random phases. Amplitudes are the spectrum's, "
           "not random, unless `scattered`. They belong to wavelengths, not to points: more points show the "
@@ -177,7 +178,7 @@ core::Complaints Rough::check(Grid const& grid) const {
        {std::pair{"longest", longest}, {"roll_off", roll_off}, {"shortest", shortest}})
     if (value > size * (1 + 1e-9))
       complain(key,
-               fmt::format("is {:g} m; the half space has {:g} m, in which waves repeat: give at most that",
+               fmt::format("is {:g} m; the surface is {:g} m wide, in which waves repeat: give at most that",
                            value, size));
   Spectrum const spectrum(*this, grid);
   if (2 * spectrum.most(grid.Lx) >= grid.nx || (!grid.line && 2 * spectrum.most(grid.Ly) >= grid.ny))
@@ -191,7 +192,7 @@ core::Complaints Rough::check(Grid const& grid) const {
   each_wave(spectrum, grid, [&](Index m, Index n) { any = any || spectrum(wave_number(grid, m, n)) > 0; });
   if (!any)
     complain("shortest",
-             fmt::format("is {:g} m: no wave between that and the longest fits the half space a whole "
+             fmt::format("is {:g} m: no wave between that and the longest fits the surface a whole "
                          "number of times; give less",
                          shortest));
   return all;

@@ -97,7 +97,7 @@ struct Map {
   double scale = 1;      ///< m
   static core::Schema const& schema() {
     static auto const made =
-        core::Describe<Map>{"map", "any heights at the points of the half space", ""}
+        core::Describe<Map>{"map", "any heights at the points of the surface", ""}
             .numbers("heights", &Map::heights, "1", core::Need::required,
                      "at every point, along x first: a list of numbers, or a function of x and y in m")
             .number("scale", &Map::scale, "m", core::positive, core::Need::optional, "of the numbers")

@@ -1,4 +1,4 @@
--- Heights over the points of a half space from a function.
+-- Heights over the points of a half space, or of a rigid map, from a function.
 local fault = require "stiction.fault"
 local units = require "stiction.units"
 
@@ -9,7 +9,7 @@ local function si(value)
     return value.si
   end
   if type(value) ~= "number" then
-    fault.script("the half space needs its size and points as lists of numbers before heights can be a function of x and y")
+    fault.script("size and points are needed as lists of numbers before heights can be a function of x and y")
   end
   return value
 end

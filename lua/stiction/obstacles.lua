@@ -35,6 +35,9 @@ local shape_of = {
   end,
 }
 shape_of["rigid.sphere"] = shape_of["rigid.circle"]
+shape_of["rigid.height_map"] = function(_, settings) -- over its size, as a line
+  return settings and settings.profile and { points = plain(settings.profile) }
+end
 
 --- The times of a case's frames, s.
 local function frame_times(case)
@@ -73,7 +76,8 @@ end
 --- where none can be drawn. One that is free and followed by no probe is left out, as nothing tells where it is.
 --- `moving`: on their paths, else as at the start.
 function obstacles.of(case, moving)
-  local scene = manifest.read(case.folder).scene
+  local written = manifest.read(case.folder)
+  local scene, settings = written.scene, (written.settings or {}).obstacles or {}
   if type(scene) ~= "table" or scene.kinematics == "three_dimensional" then
     return nil
   end
@@ -82,8 +86,8 @@ function obstacles.of(case, moving)
     local given = scene.obstacles[name]
     local make = shape_of[given.shape.kind]
     local followed = not moving or (plain(given.mass) or 0) == 0 or probe_of(scene, name)
-    if make and followed then
-      local entry = make(given.shape)
+    local entry = make and followed and make(given.shape, settings[name])
+    if entry then
       entry.hollow = given.shape.side == "inside" or nil
       entry.pivot = plain(given.pivot)
       entry.path = moving and path_of(case, scene, name) or nil

@@ -34,12 +34,23 @@ local function with(part, key, value)
   return setmetatable(changed, meta)
 end
 
---- Heights that are functions of x and y as numbers at the points of the scene's half space.
+local function is_function(surface)
+  return is(surface, "surface.map") and type(surface.heights) == "function"
+end
+
+--- Heights that are functions of x and y as numbers at the points of a rigid height map.
+local function sample_map(map)
+  if is_function(map.surface) then
+    map.surface = with(map.surface, "heights", half_space.sample(map.surface.heights, map))
+  end
+end
+
+--- The same at the points of the scene's half space.
 local function sample_heights(scene)
   for _, body in pairs(type(scene.bodies) == "table" and scene.bodies or {}) do
     if is(body, "body.half_space") then
       for name, map in pairs(type(scene.obstacles) == "table" and scene.obstacles or {}) do
-        if is(map, "obstacle.height_map") and is(map.surface, "surface.map") and type(map.surface.heights) == "function" then
+        if is(map, "obstacle.height_map") and is_function(map.surface) then
           local surface = with(map.surface, "heights", half_space.sample(map.surface.heights, body))
           scene.obstacles = copy(scene.obstacles)
           scene.obstacles[name] = with(map, "surface", surface)
@@ -60,6 +71,8 @@ local function construct(kind, t, folder)
   end
   if kind.tag == "scene.scene" then
     sample_heights(part)
+  elseif kind.tag == "rigid.height_map" then
+    sample_map(part)
   end
   meta_of[part] = { tag = kind.tag, place = engine.where(), __metatable = "part" }
   return setmetatable(part, meta_of[part])

@@ -62,6 +62,28 @@ inline contact::RigidSurface cube(double half, mesh::CellKind kind) {
   return surface_of(nodes, kind, halves);
 }
 
+/// height(x, y) on equally many points along each axis, about the origin.
+template<class Height>
+contact::RigidHeights height_map(core::Numbers size, int points, contact::RigidHeights::Rim rim,
+                                 Height const& height, core::Numbers normal = {}) {
+  contact::RigidHeights map;
+  map.size = std::move(size);
+  map.points.assign(map.size.size(), points);
+  map.boundary = rim;
+  map.normal = std::move(normal);
+  auto const middle = [&](int i, double length) { return ((i + 0.5) / points - 0.5) * length; };
+  for (int j = 0; j < (map.size.size() > 1 ? points : 1); ++j)
+    for (int i = 0; i < points; ++i)
+      map.heights.push_back(height(middle(i, map.size[0]), map.size.size() > 1 ? middle(j, map.size[1]) : 0));
+  contact::prepare(map);
+  return map;
+}
+
+/// Three waves along x and y, no two alike.
+inline double rolling(double x, double y) {
+  return 0.1 * std::cos(x + 0.3) + 0.05 * std::sin(2 * x - y) + 0.08 * std::cos(y - 1);
+}
+
 /// Every shape of the plane, from both sides, with open and penetrating points.
 inline std::vector<Encounter<2>> encounters(std::integral_constant<int, 2> /*D*/) {
   using namespace contact;
@@ -74,6 +96,9 @@ inline std::vector<Encounter<2>> encounters(std::integral_constant<int, 2> /*D*/
   for (auto const smoothing : {Smoothing::spline, Smoothing::polyline})
     for (bool const closed : {true, false})
       shapes.emplace_back(polyline(ellipse(16, 3, 2), closed, smoothing));
+  for (auto const rim : {RigidHeights::Rim::periodic, RigidHeights::Rim::free})
+    for (core::Numbers const& normal : {core::Numbers{0, 1}, {-3, -4}})
+      shapes.emplace_back(height_map({6.283185307179586}, 11, rim, rolling, normal));
   std::vector<Encounter<2>> all;
   for (auto const& shape : shapes)
     for (auto const& p : {Vec2(1.3, 2.05), Vec2(-1.9, 1.4), Vec2(-0.9, -2.9)})
@@ -94,6 +119,9 @@ inline std::vector<Encounter<3>> encounters(std::integral_constant<int, 3> /*D*/
     shapes.emplace_back(cube(half, mesh::CellKind::tri3));
     shapes.emplace_back(cube(half, mesh::CellKind::quad4));
   }
+  for (auto const rim : {RigidHeights::Rim::periodic, RigidHeights::Rim::free})
+    for (core::Numbers const& normal : {core::Numbers{0, 0, 1}, {-3, 1, -4}})
+      shapes.emplace_back(height_map({6.283185307179586, 6.283185307179586}, 11, rim, rolling, normal));
   std::vector<Encounter<3>> all;
   for (auto const& shape : shapes)
     for (auto const& p : {Vec3(1.3, 2.05, 0.7), Vec3(-1.9, 0.6, -1.2), Vec3(0.5, -0.9, 1.6)})

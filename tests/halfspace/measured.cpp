@@ -258,7 +258,7 @@ TEST_CASE("a measured map that does not fit the half space is refused") {
   other.map.size = {};
   CHECK(holds(other.told("size"), "does not say how wide"));
   other.map.size = {3, 3};
-  CHECK(holds(other.told("size"), "3 m along y; the half space has 2 m"));
+  CHECK(holds(other.told("size"), "3 m along y; the surface is 2 m wide"));
   other.map.size = {3};
   CHECK(holds(other.told("size"), "give {x, y}"));
   other = sound;

@@ -8,10 +8,12 @@ std::string unfit(Obstacle const& obstacle, int dim, bool axisymmetric) {
 }
 
 void prepare(Obstacle& obstacle) {
-  if (auto* line = std::get_if<RigidPolyline>(&obstacle))
-    prepare(*line);
-  if (auto* surface = std::get_if<RigidSurface>(&obstacle))
-    prepare(*surface);
+  std::visit(
+      [](auto& shape) {
+        if constexpr (requires { prepare(shape); })
+          prepare(shape);
+      },
+      obstacle);
 }
 
 } // namespace stiction::contact

@@ -2,6 +2,7 @@
 #pragma once
 #include <variant>
 
+#include "contact/obstacle/obstacle_heights.hpp"
 #include "contact/obstacle/obstacle_polyline.hpp"
 #include "contact/obstacle/obstacle_shapes.hpp"
 #include "contact/obstacle/obstacle_surface.hpp"
@@ -13,7 +14,7 @@ namespace stiction::contact {
 using interface::Local;
 
 using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline,
-                              RigidSurface>;
+                              RigidSurface, RigidHeights>;
 
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {

@@ -70,7 +70,11 @@ double slip_2d(RigidPolyline const& line, Foot from, Foot to) {
 
 View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot) {
   auto const& [positions, curve] = fixed(line);
-  auto const [c, a, aa, aaa] = curve.evaluate(foot, positions).by_xi;
+  return view_from(curve.evaluate(foot, positions), x);
+}
+
+View2d view_from(CurvePoint const& foot, Vec2 const& x) {
+  auto const& [c, a, aa, aaa] = foot.by_xi;
   double const length = a.norm();
   Vec2 const walk = a / length, n = right_of(walk);
   double const gap = n.dot(x - c), bend = n.dot(aa), q = length * length - gap * bend;

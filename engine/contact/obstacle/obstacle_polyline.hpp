@@ -32,5 +32,7 @@ void prepare(RigidPolyline& line);
 /// Along the curve, on closed ones the short way round.
 [[nodiscard]] double slip_2d(RigidPolyline const& line, Foot from, Foot to);
 [[nodiscard]] View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot);
+/// From a point whose nearest one on a curve this is; the solid to the left when walking.
+[[nodiscard]] View2d view_from(CurvePoint const& foot, Vec2 const& x);
 
 } // namespace stiction::contact

@@ -14,7 +14,12 @@ std::vector<std::string> sides() {
 }
 constexpr auto side_meaning = "the side that is touched; \"inside\": the shape is hollow";
 
-/// A complaint if `given` is neither left out nor of `dim` components.
+bool off_axis(core::Numbers const& centre) {
+  return !centre.empty() && centre[0] != 0;
+}
+
+} // namespace
+
 std::string wrong_count(char const* name, core::Numbers const& given, int dim) {
   if (given.empty() || given.size() == static_cast<std::size_t>(dim))
     return "";
@@ -22,7 +27,6 @@ std::string wrong_count(char const* name, core::Numbers const& given, int dim) {
          (dim == 2 ? "2, {x, y}" : "3, {x, y, z}");
 }
 
-/// As wrong_count, and a direction must not vanish.
 std::string wrong_direction(char const* name, core::Numbers const& given, int dim) {
   if (auto const wrong = wrong_count(name, given, dim); !wrong.empty())
     return wrong;
@@ -38,12 +42,6 @@ std::string first_of(std::initializer_list<std::string> complaints) {
       return complaint;
   return "";
 }
-
-bool off_axis(core::Numbers const& centre) {
-  return !centre.empty() && centre[0] != 0;
-}
-
-} // namespace
 
 core::Schema const& RigidPlane::schema() {
   static auto const made = core::Describe<RigidPlane>{"plane", "rigid half-space", ""}

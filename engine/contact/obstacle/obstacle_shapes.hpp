@@ -57,6 +57,11 @@ struct RigidTorus {
 [[nodiscard]] std::string unfit(RigidCylinder const& cylinder, int dim, bool axisymmetric);
 [[nodiscard]] std::string unfit(RigidTorus const& torus, int dim, bool axisymmetric);
 
+/// A complaint if `given` is neither left out nor of `dim` components; of a direction also if it vanishes.
+[[nodiscard]] std::string wrong_count(char const* name, core::Numbers const& given, int dim);
+[[nodiscard]] std::string wrong_direction(char const* name, core::Numbers const& given, int dim);
+[[nodiscard]] std::string first_of(std::initializer_list<std::string> complaints);
+
 /// The point that `given` names; the origin if it is empty.
 template<int D> [[nodiscard]] Vec<D> point_or_origin(core::Numbers const& given) {
   return given.empty() ? Vec<D>::Zero() : Vec<D>(Eigen::Map<Vec<D> const>(given.data()));

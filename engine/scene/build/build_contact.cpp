@@ -45,6 +45,11 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   rigid.shape = part.shape;
   if (auto const words = contact::unfit(part.shape, model.dim(), axisymmetric); !words.empty())
     return complain({"obstacles", name, "shape"}, words);
+  if (auto* map = std::get_if<contact::RigidHeights>(&rigid.shape)) {
+    take_heights(name, *part.surface, *map);
+    if (map->heights.empty())
+      return;
+  }
   try {
     contact::prepare(rigid.shape);
   } catch (core::InputError const& error) {

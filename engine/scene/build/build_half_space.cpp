@@ -110,34 +110,13 @@ void Builder::take_half_space(std::string const& name, HalfSpacePart const& part
   scene_.half_space->body = {part.young, part.poisson, part.depth};
 }
 
-/// Complaints of the surface at its own keys.
-void Builder::take_heights(std::string const& name, halfspace::Shape const& surface) {
-  auto& model = *scene_.half_space;
-  core::Complaints all;
-  try {
-    auto const* rough = std::get_if<halfspace::Rough>(&surface);
-    all = rough != nullptr ? rough->check(model.grid) : core::Complaints{};
-    if (all.empty())
-      model.heights = halfspace::heights(surface, model.grid);
-  } catch (core::InputError const& error) {
-    all = error.complaints();
-  }
-  for (auto const& one : all)
-    complain({"obstacles", name, "surface", one.path}, one.text);
-  settle();
-}
-
 void Builder::take_height_map(std::string const& name, HeightMapPart const& part) {
   auto& model = *scene_.half_space;
   bool const line = model.grid.line;
   if (part.young > 0)
     model.counterpart = halfspace::Elastic{part.young, part.poisson, model.body.depth};
-  take_heights(name, part.surface);
-  if (model.heights.size() == 0)
-    complain({"obstacles", name, "surface"},
-             fmt::format("has {} heights; the half space has {} points ({} x {})",
-                         std::get<halfspace::Map>(part.surface).heights.size(), model.grid.size(),
-                         model.grid.nx, model.grid.ny));
+  model.heights = heights_of({"obstacles", name, "surface"}, part.surface, model.grid);
+  settle();
   check_no_z({"obstacles", name, "z"}, part.z);
   check_path_end({"obstacles", name, "times"}, part.times);
   char const* const normal = line ? "y" : "z";

@@ -50,12 +50,16 @@ private:
   void refuse(Where const& where, bool given, std::string const& why);
   [[nodiscard]] bool given(Where const& where) const;
   void take_half_space(std::string const& name, HalfSpacePart const& part);
-  void take_heights(std::string const& name, halfspace::Shape const& surface);
   void take_height_map(std::string const& name, HeightMapPart const& part);
   void check_mean_gives(std::string const& name, Numbers const& along_normal);
   void take_half_space_pair(std::string const& name, PairPart const& part);
   void check_half_space_scheme();
   void check_half_space_probe(std::string const& name, ProbePart const& part);
+
+  // build_heights.cpp
+  [[nodiscard]] Vector heights_of(Where const& where, halfspace::Shape const& surface,
+                                  halfspace::Grid const& grid);
+  void take_heights(std::string const& name, halfspace::Shape const& surface, contact::RigidHeights& map);
 
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);

@@ -205,6 +205,10 @@ core::Schema const& ObstaclePart::schema() {
 
 void ObstaclePart::read_nested(Reader& reader) {
   shape = nested_choice<contact::Obstacle>(reader, "shape", Need::required);
+  if (std::holds_alternative<contact::RigidHeights>(shape)) {
+    auto map = reader.child("shape", Need::required);
+    surface = nested_choice<halfspace::Shape>(map, "surface", Need::required);
+  }
   check_paths(reader, *this);
   check_path(reader, times, angle, "angle");
   if (mass > 0)

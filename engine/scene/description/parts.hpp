@@ -78,6 +78,7 @@ struct HeightMapPart {
 /// A rigid obstacle and where it goes: along paths, or, with a mass, where the forces take it.
 struct ObstaclePart {
   contact::Obstacle shape;
+  std::optional<halfspace::Shape> surface; ///< of a height map
   Numbers times, x, y, z, angle; ///< s, m, m, m, rad
   Numbers pivot, axis;           ///< m; 1
   double mass = 0, inertia = 0;  ///< kg, kg m^2 (per metre of depth in plane strain)

@@ -35,6 +35,7 @@ double size_of(contact::Obstacle const& shape) {
       return high - low;
     }
     double operator()(contact::RigidSurface const&) const { return 0; } // of a file with its own scale
+    double operator()(contact::RigidHeights const& map) const { return std::ranges::max(map.size); }
   } size;
   return std::visit(size, shape);
 }

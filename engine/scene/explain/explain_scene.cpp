@@ -1,4 +1,5 @@
 // What the scene models, in plain words: bodies, obstacles, pairs, motions, and how the run goes.
+#include <cmath>
 #include <fmt/format.h>
 
 #include "scene/description/human.hpp"
@@ -140,9 +141,26 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
   explanation.sections.push_back(std::move(section));
 }
 
-void add_obstacle(std::string const& name, ObstaclePart const& part, Explanation& explanation) {
+/// Of a height map: the smallest radius of its peaks.
+void add_peaks(Facts const& all, std::string const& name, Section& section) {
+  for (auto const& rigid : all.scene->model->rigids) {
+    if (rigid.name != name)
+      continue;
+    double const radius = contact::sharpest_peak(std::get<contact::RigidHeights>(rigid.shape));
+    if (std::isfinite(radius))
+      section.lines.push_back({"peaks", "radii down to " + human(radius, "m"), radius, "m", ""});
+  }
+}
+
+void add_obstacle(Facts const& all, std::string const& name, ObstaclePart const& part,
+                  Explanation& explanation) {
   Section section{"Obstacle " + name, {}};
   add(section, "shape", chosen("rigid", part.shape));
+  if (part.surface &&
+      !std::holds_alternative<halfspace::Map>(*part.surface)) // of which all heights would stand here
+    add(section, "surface", chosen("surface", *part.surface));
+  if (part.surface)
+    add_peaks(all, name, section);
   add_paths(section, "moves", part);
   if (!part.angle.empty())
     add(section, "turns", path_words(part.times, part.angle, "rad"));
@@ -257,7 +275,7 @@ void describe_scene(Facts const& facts, Explanation& explanation) {
   for (auto const& body : facts.bodies)
     add_body(facts, body, explanation);
   for (auto const& [name, obstacle] : part.obstacles)
-    add_obstacle(name, obstacle, explanation);
+    add_obstacle(facts, name, obstacle, explanation);
   for (auto const& pair : facts.pairs)
     add_pair(facts, pair, explanation);
   Section motions{"Motions", {}};

@@ -217,6 +217,23 @@ void coarse_points(PairFacts const& pair, Warnings& warnings) {
                    pair.pair->name, pair.part->primary, pair.part->secondary)});
 }
 
+/// A peak between two points of contact is not seen.
+void sharp_peaks(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (pair.primary)
+    return;
+  auto const* map = std::get_if<contact::RigidHeights>(&all.scene->model->rigids[pair.rigid].shape);
+  double const radius = map == nullptr ? pair.size : contact::sharpest_peak(*map);
+  if (radius >= pair.size)
+    return;
+  warnings.push_back(
+      {fmt::format("pair {}: peaks of {} have radii down to {}, cells of {} are {}: they are met by single "
+                   "points, whose areas and forces are those of the mesh",
+                   pair.pair->name, pair.part->primary, human(radius, "m"), pair.part->secondary,
+                   human(pair.size, "m")),
+       fmt::format("cells of {} of at most {}, or a surface without such short waves", pair.part->secondary,
+                   human(radius, "m"))});
+}
+
 /// The axis along which all nodes share one coordinate; -1 if there is none.
 int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
   double const extent = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
@@ -363,6 +380,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     strain(all, pair, warnings);
     quadratic_faces(all, pair, warnings);
     coarse_points(pair, warnings);
+    sharp_peaks(all, pair, warnings);
     if (pair.pair->law.adhesion)
       adhesion(all, pair, warnings);
   }

@@ -2,6 +2,7 @@
 #include "scene/run/manifest.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/bulk/bulk_choice.hpp"
 #include "mesh/topology/quality.hpp"
@@ -168,6 +169,18 @@ json settings_of_half_space(Scene const& scene) {
   return settings;
 }
 
+/// What follows from the heights of a rigid map.
+json facts_of(contact::RigidHeights const& map) {
+  json facts = json::object();
+  if (double const radius = contact::sharpest_peak(map); std::isfinite(radius))
+    facts["peak_radius"] = {{"value", radius}, {"unit", "m"}, {"meaning", "smallest of its peaks"}};
+  if (map.points.size() == 1)
+    facts["profile"] = {{"value", contact::profile(map)},
+                        {"unit", "m"},
+                        {"meaning", "points of its surface at the start, x and y in turn"}};
+  return facts;
+}
+
 json settings_of(Scene const& scene) {
   if (scene.half_space)
     return settings_of_half_space(scene);
@@ -188,6 +201,9 @@ json settings_of(Scene const& scene) {
     if (body.remesh)
       settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
   }
+  for (auto const& rigid : scene.model->rigids)
+    if (auto const* map = std::get_if<contact::RigidHeights>(&rigid.shape))
+      settings["obstacles"][rigid.name] = facts_of(*map);
   add_pairs(scene, settings);
   for (auto const& body : scene.model->bodies)
     settings["meshes"][body->name] = quality_of(body->mesh);
