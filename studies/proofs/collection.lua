@@ -32,6 +32,7 @@ return {
   "half_space_formula",
   "half_space_agreement",
   "half_space_reach",
+  "rough_stamp",
   "dcb",
   "peeled_film",
   "capstan",

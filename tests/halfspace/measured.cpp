@@ -263,7 +263,7 @@ TEST_CASE("a measured map that does not fit the half space is refused") {
   CHECK(holds(other.told("size"), "give {x, y}"));
   other = sound;
   other.grid.nx = 4;
-  CHECK(holds(other.told("interpolation"), "3 x 2 heights, the half space 4 x 2"));
+  CHECK(holds(other.told("interpolation"), "3 x 2 heights, the surface 4 x 2"));
   other = sound;
   other.grid.periodic = true;
   other.map.seam = 0.5;
