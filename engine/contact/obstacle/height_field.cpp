@@ -111,24 +111,30 @@ void HeightField::make_levels() {
     nx = (nx + 1) / 2;
     ny = (ny + 1) / 2;
     Level level{nx, ny, {}, {}};
-    level.low.resize(ix(nx) * ix(ny));
-    level.high.resize(level.low.size());
-    std::size_t const below = levels_.size();
-    Index const wide = below == 0 ? nu_ : levels_.back().nx, tall = below == 0 ? nv_ : levels_.back().ny;
+    level.low.reserve(ix(nx) * ix(ny));
+    level.high.reserve(ix(nx) * ix(ny));
     for (Index b = 0; b < nx * ny; ++b) {
-      Index const i = 2 * (b % nx), j = 2 * (b / nx);
-      auto [low, high] = bounds(below, i, j);
-      for (auto const& [k, l] : {std::pair{i + 1, j}, {i, j + 1}, {i + 1, j + 1}})
-        if (k < wide && l < tall) {
-          auto const [least, most] = bounds(below, k, l);
-          low = std::min(low, least);
-          high = std::max(high, most);
-        }
-      level.low[ix(b)] = low;
-      level.high[ix(b)] = high;
+      auto const [low, high] = bounds_of_four(levels_.size(), 2 * (b % nx), 2 * (b / nx));
+      level.low.push_back(low);
+      level.high.push_back(high);
     }
     levels_.push_back(std::move(level));
   }
+}
+
+/// Of block (i, j), the next ones along u and v, and that across, as far as there are any.
+std::pair<double, double> HeightField::bounds_of_four(std::size_t level, Index i, Index j) const {
+  Index const wide = level == 0 ? nu_ : levels_[level - 1].nx,
+              tall = level == 0 ? nv_ : levels_[level - 1].ny;
+  auto [low, high] = bounds(level, i, j);
+  for (auto const& [k, l] : {std::pair{i + 1, j}, {i, j + 1}, {i + 1, j + 1}}) {
+    if (k >= wide || l >= tall)
+      continue;
+    auto const [least, most] = bounds(level, k, l);
+    low = std::min(low, least);
+    high = std::max(high, most);
+  }
+  return {low, high};
 }
 
 /// A cell lies between the least and the largest of its coefficients.

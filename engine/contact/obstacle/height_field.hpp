@@ -1,5 +1,6 @@
 // A smooth surface over a plane through heights on a regular grid, and its nearest point.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "contact/surface/foot.hpp"
@@ -67,6 +68,7 @@ private:
 
   void make_levels();
   [[nodiscard]] std::pair<double, double> bounds(std::size_t level, Index i, Index j) const;
+  [[nodiscard]] std::pair<double, double> bounds_of_four(std::size_t level, Index i, Index j) const;
   [[nodiscard]] Block block(std::size_t level, Index i, Index j, Vec3 const& point) const;
   void look_into(Block const& block, Vec3 const& point, Best& best) const;
   void look_at_cell(Index i, Index j, Vec3 const& point, Best& best) const;

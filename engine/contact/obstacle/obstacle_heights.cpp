@@ -130,7 +130,7 @@ core::Schema const& RigidHeights::schema() {
           "height_map",
           "rigid half-space whose surface stands back from its plane by heights: rough, measured, or any; "
           "smooth between its points",
-          "de Boor 1978"}
+          ""}
           .nested("surface", "surface", Need::required,
                   "its heights, as over a half space: peaks, where they are least, touch first")
           .numbers("size", &RigidHeights::size, "m", Need::required,
@@ -181,7 +181,8 @@ double sharpest_peak(RigidHeights const& map) {
              ny = map.points.size() > 1 ? static_cast<Index>(map.points[1]) : Index{1};
   double most = 0; // principal curvature, convex
   for (Index b = 0; b < nx * ny; ++b) {
-    double const v = ny > 1 ? (b / nx + 0.5) * map.size[1] / ny : 0;
+    Index const row = b / nx;
+    double const v = ny > 1 ? (row + 0.5) * map.size[1] / ny : 0;
     auto const h = field.at((b % nx + 0.5) * map.size[0] / nx, v);
     double const s2 = 1 + h.u * h.u + h.v * h.v;
     double const mean =

@@ -79,12 +79,12 @@ struct HeightMapPart {
 struct ObstaclePart {
   contact::Obstacle shape;
   std::optional<halfspace::Shape> surface; ///< of a height map
-  Numbers times, x, y, z, angle; ///< s, m, m, m, rad
-  Numbers pivot, axis;           ///< m; 1
-  double mass = 0, inertia = 0;  ///< kg, kg m^2 (per metre of depth in plane strain)
-  Numbers inertia_tensor;        ///< kg m^2: {xx, yy, zz} or {xx, yy, zz, xy, yz, zx}; empty: `inertia`
-  Numbers velocity, force;       ///< m/s, N; empty: none
-  Numbers spin;                  ///< rad/s: about the pivot, one number in 2D, three in 3D
+  Numbers times, x, y, z, angle;           ///< s, m, m, m, rad
+  Numbers pivot, axis;                     ///< m; 1
+  double mass = 0, inertia = 0;            ///< kg, kg m^2 (per metre of depth in plane strain)
+  Numbers inertia_tensor;  ///< kg m^2: {xx, yy, zz} or {xx, yy, zz, xy, yz, zx}; empty: `inertia`
+  Numbers velocity, force; ///< m/s, N; empty: none
+  Numbers spin;            ///< rad/s: about the pivot, one number in 2D, three in 3D
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 };
