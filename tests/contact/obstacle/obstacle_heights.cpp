@@ -104,6 +104,18 @@ TEST_SUITE("contact") {
     }
   }
 
+  TEST_CASE(
+      "the flank of a peak is nearer than the ground below a point, though both are nearest around them") {
+    auto const peak = [](double x, double y) { return 0.3 * (1 - std::exp(-(x * x + y * y) / 0.02)); };
+    auto const map = height_map({2, 2}, 64, RigidHeights::Rim::periodic, peak);
+    Vec3 const p(0.4, 0.02, 0.1);
+    auto const at = seen<3>(map, p);
+    REQUIRE(at.found);
+    CHECK(at.gap == doctest::Approx(nearest_of_all(peak, p, 0.45)).epsilon(1e-2));
+    CHECK(at.gap < 0.39); // 0.4 down
+    CHECK(at.frame(0, 0) > 0.5);
+  }
+
   TEST_CASE("a periodic height map goes on for ever, across its seam too") {
     auto const map = waves(12);
     auto const line = height_map({2}, 12, RigidHeights::Rim::periodic, egg_box);
