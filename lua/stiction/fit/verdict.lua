@@ -104,6 +104,8 @@ local function on_model(fit, judged, lines)
   end
   if judged.coarse then
     lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
+  elseif judged.rejected and fit.starts == 1 then
+    lines[#lines + 1] = "the search began in one place; whether others end lower is not known (fit.starts says how many to try)"
   end
 end
 
