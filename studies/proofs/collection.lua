@@ -21,6 +21,7 @@ return {
   "half_space_rough",
   "cattaneo_mindlin",
   "half_space_friction",
+  "half_space_unlike",
   "materials",
   "point_laws",
   "cohesive_laws",

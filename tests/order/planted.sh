@@ -8,10 +8,12 @@ trap 'rm -rf "$tree"' EXIT
 clean_tree() {
   rm -rf "$tree"
   mkdir -p "$tree/engine/core" "$tree/engine/mesh" "$tree/engine/contact/surface" "$tree/engine/contact/mortar" "$tree/engine/solid" "$tree/lua/bind" "$tree/postproc" \
-    "$tree/studies/paper/pull_off" "$tree/tests"
+    "$tree/studies/paper/pull_off" "$tree/studies/proofs/first_proof" "$tree/studies/proofs/second_proof" "$tree/tests"
   printf 'set(STICTION_LAYERS core mesh solid contact)\nset(STICTION_ROOMS_contact surface mortar)\n' > "$tree/engine/CMakeLists.txt"
   printf '// A.\n#include "contact/surface/a.hpp"\n#include "mesh/a.hpp"\n' > "$tree/engine/contact/mortar/a.cpp"
   echo '-- A study.' > "$tree/studies/paper/pull_off/study.lua"
+  echo '-- A proof.' > "$tree/studies/proofs/first_proof/study.lua"
+  printf -- '-- All proofs.\nreturn {\n  "first_proof",\n}\n' > "$tree/studies/proofs/collection.lua"
   printf '// One thing.\n#include <vector>\n#include "core/a.hpp"\n' > "$tree/engine/mesh/a.hpp"
   printf '// Two lines that are\n// one sentence.\n#include "mesh/a.hpp"\n' > "$tree/engine/solid/a.cpp"
   printf '// Reads files.\n#include "core/a.hpp"\n#include "local.hpp"\n' > "$tree/postproc/a.cpp"
@@ -52,4 +54,5 @@ refuses 'does not open with a comment' lua/b.lua '-- no sentence\n'
 refuses 'more than 500' tests/b.cpp "// B.\n$(printf '%0500d' 0 | sed 's/0/\\n/g')"
 refuses 'names a test with' tests/b.cpp '// B.\nTEST_CASE("one; two") {}\n'
 refuses 'names a test with' tests/b.cpp '// B.\n  TEST_CASE("the range [0 1]") {}\n'
+refuses 'does not stand in collection.lua' studies/proofs/second_proof/study.lua '-- B.\n'
 echo "every planted breach was found"
