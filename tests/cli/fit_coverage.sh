@@ -25,11 +25,20 @@ noisy() { # NAME SEED SIGMA "HEADER" FILE: the truth with noise of the deviation
     { printf "%s,%.9g\n", $1, $2 + sigma * sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }' "truth_$1.csv" >"$5"
 }
 
+edited() { # FILE "WORDS"...: the edits of a study took hold
+  file=$1
+  shift
+  for words in "$@"; do
+    holds "$file has no '$words': the study that it is made from has changed" grep -qF -- "$words" "$file"
+  done
+}
+
 make_soft() {
   changed soft 's/^  quick = .*/  fit = { parameters = { young = { 0.1*MPa, 10*MPa, scale = "log" }, mu = { 0.02, 0.5, start = 0.15 } },\
     data = { drag = { file = "drag.csv", x = "time", y = "force", sigma = 0.05*units("N\/m"),\
         against = { x = "time", y = "sole\/force_x", y_sign = -1, after = 1*s } } } },\
   quick = { sweep = { mu = { 0.2 } }, set = { steps = 5 } },/'
+  edited soft/study.lua 'drag = { file = "drag.csv"'
   truth 'sweep = { mu = { 0.1 } }, chosen = { young = { 1.2*u.MPa, "the truth" } }' soft '
     local x, y, force = {}, {}, cases[1]:series("sole", "force_x")
     for i, t in ipairs(cases[1].time) do
@@ -43,6 +52,8 @@ noise_soft() { noisy drag "$1" 0.05 "time [s],force [N/m]" soft/drag.csv; }
 make_pull() {
   mkdir pull
   sed '/^    finer = /d; s/0.05\*mm, "twenty/0.1*mm, "ten/; s/steps = { 150, /steps = { 50, /' "$studies/fit/pull_off/study.lua" >pull/study.lua
+  edited pull/study.lua '0.1*mm, "ten' 'steps = { 50, '
+  holds "pull/study.lua still has a finer mesh" [ "$(grep -c '^    finer = ' pull/study.lua)" = 0 ]
   touch pull/slow.csv pull/middle.csv pull/quick.csv
   truth 'chosen = { young = { 0.8*u.MPa, "" .. "the truth" }, w = { 0.6*u.J/u.m^2, "the truth" },
     b = { 0.03*u.N*u.s/u.m, "the truth" } }' pull '
@@ -70,6 +81,8 @@ make_peel() {
     data = { pull = { file = "pull.csv", x = "time", y = "force", sigma = 0.5*N\/m, against = { x = "time", y = "pull\/force_y" } } } },/
     s/given = { young = 100\*MPa, /given = { young = 100*MPa, w = 10*J\/m^2, /; s/length = { 6.4\*mm/length = { 4*mm/
     s/lift = { 4\*mm/lift = { 2*mm/; s/C = { 1e9/C = { 2e8/; s/steps = { 200/steps = { 80/' "$studies/examples/peeling_tape/study.lua" >peel/study.lua
+  edited peel/study.lua 'pull = { file = "pull.csv"' 'given = { young = 100*MPa, w = 10*J/m^2, ' 'length = { 4*mm' 'lift = { 2*mm' \
+    'C = { 2e8' 'steps = { 80'
   truth 'given = { w = 10*u.J/u.m^2 }' peel 'write("pull", cases[1].time, cases[1]:series("pull", "force_y"))'
   true_values="w 10 young 1e8"
 }

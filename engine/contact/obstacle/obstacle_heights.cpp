@@ -10,6 +10,7 @@
 
 #include "contact/obstacle/obstacle_polyline.hpp"
 #include "core/error.hpp"
+#include "mesh/cells/quadrature.hpp"
 
 namespace stiction::contact {
 
@@ -90,13 +91,11 @@ double walk_of(FixedHeights const& map) {
 
 /// Length of the curve between two places of one cell, by Gauss' points.
 double length_within(HeightField const& field, double from, double to) {
-  static constexpr std::array<double, 2> place{0.3399810435848563, 0.8611363115940526},
-      weight{0.6521451548625461, 0.3478548451374538};
+  static auto const rule = mesh::cube_rule(1, 4);
   double const middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0;
-  for (std::size_t k = 0; k < place.size(); ++k)
-    for (double const s : {-place.at(k), place.at(k)})
-      sum += weight.at(k) * std::hypot(1.0, field.at(middle + s * half, 0).u);
+  for (Index k = 0; k < rule.weights.size(); ++k)
+    sum += rule.weights[k] * std::hypot(1.0, field.at(middle + rule.points(k, 0) * half, 0).u);
   return half * sum;
 }
 

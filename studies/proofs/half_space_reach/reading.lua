@@ -36,13 +36,13 @@ local function extrapolated(coarse, fine, kind)
   return fine + rest, math.abs(rest) + between[kind]
 end
 
---- a/h of a base's spring c / h: pi E* in these units; c by linear elasticity, for pulls' endless block alone.
-local base_number = 1.74
+--- int_0^inf 1 - M dt of linear elasticity (engine/scene/explain/reach.hpp), by base and Poisson's ratio.
+local springs = { stuck = { [0.3] = 1.37685, [0.49] = 1.73745 }, smooth = { [0.3] = 1.16758, [0.49] = 1.16758 } }
 
 --- Of an endless half space at these meshes: force (brought to the same approach) and pull-off.
 local function half_space(endless)
   local p, r = endless.p, endless.results
-  local force = scenes.force(p) / (math.pi * scenes.modulus(p)) * base_number * p.thick / scenes.depth(p)
+  local force = scenes.force(p) / (math.pi * scenes.modulus(p)) * springs.stuck[0.49] * p.thick / scenes.depth(p)
   return { force = r.force * (1 - force * r.stiffness), pull_off = r.pull_off }
 end
 
@@ -123,9 +123,6 @@ function reading.change_by_third(cases)
   end
   return most
 end
-
---- int_0^inf 1 - M dt of linear elasticity (engine/scene/explain/reach.hpp), by base and Poisson's ratio.
-local springs = { stuck = { [0.3] = 1.37685, [0.49] = 1.73745 }, smooth = { [0.3] = 1.16758, [0.49] = 1.16758 } }
 
 local function row_of(map, t)
   for _, scene in ipairs(map) do

@@ -106,7 +106,7 @@ return stiction.study {
   given = { young = { 3*MPa, "" }, length = { 100*um, "of a period" }, seed = { 1, "" }, slope = { 0.1, "rms" },
     w = { 0.05 * J/m^2, "" }, b = { 0.5, "N s/m for a square metre: a bond takes 10 s" }, range = { 0.3*um, "u0 of the bonds" },
     mu = { 0.3, "" } },
-  chosen = { heights = { 8*um, "pressed, over the slope: a tenth touches" }, down = { 8, "nothing but the area depends on them" },
+  chosen = { heights = { 8*um, "pressed, over the slope: 8 % touches" }, down = { 8, "nothing but the area depends on them" },
     hold = { 4, "bonds grow evenly: exact in any number" }, steps = { 100, "twice as many change the strength by less than 5 %" } },
   sweep = sweep({ 0.01, 0.03, 0.1, 0.3, 1, 3, 10 }, { slow, even, fast }, 64),
   quick = { sweep = sweep({ 0.1, 1, 10 }, { slow, fast }, 64) },
