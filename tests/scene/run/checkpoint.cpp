@@ -188,6 +188,24 @@ TEST_CASE("so do bodies that are solved for by multigrid") {
   CHECK(check_in_pieces(table, dice, 20) > 2);
 }
 
+TEST_CASE("so does a body that slides over a rigid height map") {
+  auto table = foot();
+  test::at(table, "bodies.foot.material") = neo_hookean();
+  test::at(table, "obstacles.floor") = test::make(
+      "obstacle",
+      {{"shape", test::make("rigid.height_map",
+                            {{"surface", test::make("surface.rough", {{"hurst", test::value(0.8)},
+                                                                      {"shortest", test::value(0.5, "m")},
+                                                                      {"rms_slope", test::value(0.05)},
+                                                                      {"seed", test::value(3)}})},
+                             {"size", test::values({4}, "m")},
+                             {"points", test::values({32})}})}});
+  test::Dice dice(4);
+  Case once;
+  REQUIRE(once.run(table).verdict == "finished");
+  CHECK(check_in_pieces(table, dice, 20) > 2);
+}
+
 TEST_CASE("so do steps that are cut and grow again") {
   auto table = foot();
   test::at(table, "bodies.foot.material") = neo_hookean();
