@@ -151,6 +151,20 @@ TEST_CASE("where the estimate does not hold nothing is said of a half space") {
   auto rubbed = dented(1e-3);
   at(rubbed, "pairs.touch.friction") = coulomb(0.3);
   CHECK(!said(rubbed));
+  auto swelling = dented(1e-3, -0.1);
+  CHECK(!said(swelling));
+  auto foam = dented(1e-3);
+  at(foam, "bodies.block.material") = make("material.blatz_ko", {{"shear_modulus", value(1e6, "Pa")}});
+  CHECK(!said(foam));
+  auto rubber = dented(1e-3);
+  auto const mooney = [](double c10, double c01) {
+    return make("material.mooney_rivlin",
+                {{"C10", value(c10, "Pa")}, {"C01", value(c01, "Pa")}, {"bulk_modulus", value(1e7, "Pa")}});
+  };
+  at(rubber, "bodies.block.material") = mooney(2e5, 1e5);
+  CHECK(said(rubber));
+  at(rubber, "bodies.block.material") = mooney(4e5, -1e5);
+  CHECK(!said(rubber));
   auto ring = dented(1e-3);
   at(ring, "obstacles.ball.shape") =
       make("rigid.circle", {{"centre", values({3, 2}, "m")}, {"radius", value(2, "m")}});
