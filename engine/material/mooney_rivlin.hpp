@@ -23,6 +23,8 @@ struct MooneyRivlin {
   [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
+  /// Is it known what large strains change of a dent (scene/explain/reach)?
+  [[nodiscard]] bool dent_is_measured() const { return c10 >= 0 && c01 >= 0; }
   [[nodiscard]] Moduli moduli() const { return Moduli::from(2 * (c10 + c01), bulk_modulus); }
 
   [[nodiscard]] core::Complaints check() const {

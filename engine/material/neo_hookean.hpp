@@ -21,6 +21,8 @@ struct NeoHookean {
   [[nodiscard]] Response<N, S> respond(Voigt<N, S> const& strain) const {
     return isochoric<N, wanted>(*this, strain);
   }
+  /// Is it known what large strains change of a dent (scene/explain/reach)?
+  [[nodiscard]] bool dent_is_measured() const { return true; }
   [[nodiscard]] Moduli moduli() const { return {young, poisson}; }
 
   static core::Schema const& schema() {
