@@ -88,6 +88,8 @@ std::pair<double, double> depths(mesh::Mesh const& mesh, Plane const& plane) {
 
 /// How far the boundary reaches past a map that is not repeated, in words; "" where it is covered.
 std::string past_rim(contact::RigidHeights const& map, mesh::Mesh const& mesh, mesh::Set const& set) {
+  if (map.boundary == contact::RigidHeights::Rim::periodic)
+    return "";
   for (std::size_t k = 0; k < map.size.size(); ++k) {
     double low = 0, high = map.size[k];
     for (Index const node : set.nodes) {

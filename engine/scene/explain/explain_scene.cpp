@@ -69,7 +69,7 @@ void add_relief(Facts const& all, std::string const& name, Section& section) {
     return;
   auto const& part = *all.scene->part.bodies.at(name).relief;
   auto const& made = found->second;
-  add(section, "relief", settings("relief", &part, ReliefPart::schema()));
+  add(section, "relief", settings("", &part, ReliefPart::schema()));
   if (!std::holds_alternative<halfspace::Map>(part.surface)) // of which all heights would stand here
     add(section, "surface", chosen("surface", part.surface));
   add(section, "heights",
