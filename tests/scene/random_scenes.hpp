@@ -274,7 +274,7 @@ private:
       std::vector<double> heights;
       for (int k = 0; k < (dim_ == 3 ? 36 : 6); ++k)
         heights.push_back(reliefs_.between(0, 0.01));
-      surface = make("surface.map", {{"heights", values(heights)}});
+      surface = make("surface.map", {{"heights", values(heights)}, {"scale", value(1, "m")}});
     }
     core::Table parts{{"set", text("bottom")},
                       {"surface", std::move(surface)},
