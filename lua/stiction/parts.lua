@@ -38,7 +38,7 @@ local function is_function(surface)
   return is(surface, "surface.map") and type(surface.heights) == "function"
 end
 
---- Heights that are functions of x and y as numbers at the points of a rigid height map.
+--- Heights that are functions of x and y as numbers at the points of a rigid height map or a relief.
 local function sample_map(map)
   if is_function(map.surface) then
     map.surface = with(map.surface, "heights", half_space.sample(map.surface.heights, map))
@@ -71,7 +71,7 @@ local function construct(kind, t, folder)
   end
   if kind.tag == "scene.scene" then
     sample_heights(part)
-  elseif kind.tag == "rigid.height_map" then
+  elseif kind.tag == "rigid.height_map" or kind.tag == "relief.relief" then
     sample_map(part)
   end
   meta_of[part] = { tag = kind.tag, place = engine.where(), __metatable = "part" }

@@ -147,6 +147,11 @@ axis("sheet", "in plane stress", { "punch", "slide" }, {
   { "venant", { sheet = true, material = "st_venant_kirchhoff" } },
   { "mean", { sheet = true, interpolation = "mean_dilatation" }, want = "refused" },
 })
+axis("relief", "waves of the sole, amplitude [m]", { "punch" }, {
+  { "1e-15", { relief = 1e-15 } }, { "1e-9", { relief = 1e-9 } }, { "1e-5", { relief = 1e-5 } }, { "1e-3", { relief = 1e-3 } },
+  { "3e-3", { relief = 3e-3 } }, { "folded", { relief = 4e-3 }, want = "refused" },
+  { "rubber", { relief = 1e-3, material = "neo_hookean" } }, { "dry", { relief = 1e-3, without = { "C" } } },
+})
 axis("relax", "time in which the body relaxes [s]", { "punch", "slide", "slide_mortar", "drop", "crowd", "fold", "tie" }, {
   { "0", { relax = 0 }, want = "refused" }, { "1e-9", { relax = 1e-9 } }, { "1e-3", { relax = 1e-3 } }, { "1", { relax = 1 } },
   { "1e9", { relax = 1e9 } }, { "share_0", { relax = 1, share = 0 }, want = "refused" }, { "share_1e-9", { relax = 0.1, share = 1e-9 } },

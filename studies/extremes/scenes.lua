@@ -40,10 +40,16 @@ end
 
 local function body_of(q, u, mesh, t)
   return stiction.body { mesh = mesh, material = material_of(q, u, t and t.factor), density = q.rho * u.kg / u.m^3,
-    interpolation = q.interpolation, plane_stress = q.sheet, velocity = t and t.velocity,
+    interpolation = q.interpolation, plane_stress = q.sheet, velocity = t and t.velocity, relief = t and t.relief,
     relaxing = q.relax and { { share = q.share, bulk_share = q.bulk_share, time = q.relax * u.s } } or nil,
     damping = q.eta and stiction.damping.kelvin_voigt { shear_viscosity = q.eta * u.Pa * u.s,
       bulk_viscosity = q.eta * u.Pa * u.s } or nil }
+end
+
+--- Of two waves over its sole, `relief` high.
+local function relief_of(q, u)
+  return q.relief and stiction.relief { set = "bottom", size = { q.size * u.m }, points = { 512 },
+    surface = stiction.surface.wave { amplitude = q.relief * u.m, wavelengths = { q.size / 2 * u.m } } } or nil
 end
 
 local function block(u, origin, size, cells)
@@ -108,7 +114,8 @@ scenes.punch = {
     pull = 1e-3, steps = 20, sink = 0 },
   make = function(q, u)
     return {
-      bodies = { block = body_of(q, u, block(u, { -q.size / 2, -q.sink }, { q.size, q.height }, q.cells)) },
+      bodies = { block = body_of(q, u, block(u, { -q.size / 2, -q.sink }, { q.size, q.height }, q.cells),
+        { relief = relief_of(q, u) }) },
       obstacles = floor(), pairs = { touch = pair_of(q, u, "block.bottom", "floor") },
       motions = { path(q, u, { set = "block.top", times = { 0, 1, 2, 3 }, x = { 0, 0, 0, 0 },
         y = { 0, -q.press, -q.press, q.pull }, turn = q.turn }) },

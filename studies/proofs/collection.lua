@@ -34,6 +34,7 @@ return {
   "half_space_agreement",
   "half_space_reach",
   "rough_stamp",
+  "rough_body",
   "dcb",
   "peeled_film",
   "capstan",

@@ -21,6 +21,15 @@ test("unknown categories and kinds are told with what was meant", function()
   fails("material.blatz_ko takes one table", function() return stiction.material.blatz_ko(3) end)
 end)
 
+test("heights that are a function become numbers at the points of a relief, of which other parts keep the function", function()
+  local u = stiction.units
+  local ramp = stiction.surface.map { heights = function(x, y) return 10 * x + y end }
+  local relief = stiction.relief { set = "top", surface = ramp, size = { 2*u.m, 1*u.m }, points = { 4, 2 } }
+  equal(table.concat(relief.surface.heights, " "), "-7.75 -2.75 2.25 7.25 -7.25 -2.25 2.75 7.75")
+  equal(engine.part(relief.surface), "surface.map")
+  equal(type(ramp.heights), "function")
+end)
+
 test("a study asks what explain tells of a scene", function()
   local u = stiction.units
   local told = stiction.explain(stiction.scene {

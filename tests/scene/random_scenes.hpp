@@ -77,7 +77,8 @@ class RandomScenes {
 public:
   explicit RandomScenes(unsigned seed)
       : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
-        constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000), folds_(seed + 7000) {}
+        constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000), folds_(seed + 7000),
+        reliefs_(seed + 8000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -112,6 +113,8 @@ public:
                      scene.words.find(", alike") != std::string::npos; // no contact at the nodes of either
     if (!led && folds_.one_in(2))
       touch_itself(scene);
+    if (kinematics_ != "axisymmetric" && reliefs_.one_in(3))
+      roughen(scene);
     return scene;
   }
 
@@ -259,6 +262,32 @@ private:
     at(scene.table, "pairs.with_itself") = std::move(itself); // behind the joint
     scene.words += ", may touch itself";
   }
+  /// What the upper body stands on is not plane any more, by up to a hundredth.
+  void roughen(RandomScene& scene) {
+    auto const count = static_cast<std::size_t>(dim_ - 1);
+    core::List size;
+    for (std::size_t k = 0; k < count; ++k)
+      size.push_back(at(scene.table, "bodies.upper.mesh.size").list()->at(k));
+    Input surface = make("surface.wave", {{"amplitude", value(reliefs_.between(1e-4, 5e-3), "m")},
+                                          {"wavelengths", values(std::vector<double>(count, 0.75), "m")}});
+    if (reliefs_.one_in(2)) {
+      std::vector<double> heights;
+      for (int k = 0; k < (dim_ == 3 ? 36 : 6); ++k)
+        heights.push_back(reliefs_.between(0, 0.01));
+      surface = make("surface.map", {{"heights", values(heights)}, {"scale", value(1, "m")}});
+    }
+    core::Table parts{{"set", text("bottom")},
+                      {"surface", std::move(surface)},
+                      {"size", list(std::move(size))},
+                      {"points", values(std::vector<double>(count, 6))}};
+    bool const alike = scene.words.find(", alike") != std::string::npos; // which asks for like heights
+    if (!alike && reliefs_.one_in(2))
+      parts["boundary"] = text("free");
+    if (reliefs_.one_in(2))
+      parts["depth"] = value(reliefs_.between(0.2, 1), "m");
+    at(scene.table, "bodies.upper.relief") = make("relief", std::move(parts));
+    scene.words += ", in relief";
+  }
   /// The top tips besides, by up to a fiftieth.
   void turn_top(RandomScene& scene) {
     auto& motion = at(scene.table, "motions[1]");
@@ -286,8 +315,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_,
-      folds_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_, folds_,
+      reliefs_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

@@ -139,6 +139,11 @@ Interpolation const& sample_points(CellKind kind) {
   return all.at(static_cast<std::size_t>(kind));
 }
 
+/// At corners and quadrature points.
+double least_jacobian(Mesh const& mesh, Cell const& cell) {
+  return std::min(scaled_jacobian(mesh, cell), mapped_jacobian(mesh, cell, sample_points(cell.info->kind)));
+}
+
 /// Collects complaints of one sort: the first few in words, the rest as a count.
 class Problems {
 public:
@@ -200,12 +205,9 @@ void check_nodes(Mesh const& mesh, std::string const& name, core::Complaints& co
 }
 
 void check_shapes(Mesh const& mesh, std::string const& name, core::Complaints& complaints) {
-  constexpr double degenerate = 1e-3;
   Problems problems(complaints, name);
   for_each_cell(mesh, [&](Cell const& cell) {
-    double const at_corners = scaled_jacobian(mesh, cell);
-    double const mapped = mapped_jacobian(mesh, cell, sample_points(cell.info->kind));
-    double const jacobian = std::min(at_corners, mapped);
+    double const jacobian = least_jacobian(mesh, cell);
     if (jacobian > degenerate)
       return;
     problems.add(fmt::format("cell {} ({}) at {} is {}: its scaled Jacobian is {:.3g}, it must be > {:g}",
@@ -241,6 +243,12 @@ Quality quality(Mesh const& mesh) {
   result.min_jacobian = jacobians.front();
   result.median_jacobian = jacobians[jacobians.size() / 2];
   return result;
+}
+
+double least_jacobian(Mesh const& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for_each_cell(mesh, [&](Cell const& cell) { least = std::min(least, least_jacobian(mesh, cell)); });
+  return least;
 }
 
 std::string report(Mesh const& mesh, std::string const& name) {

@@ -17,6 +17,11 @@ struct Quality {
 };
 [[nodiscard]] Quality quality(Mesh const& mesh);
 
+/// Smallest over the cells' corners and quadrature points, so that curved sides count; check() refuses what
+/// is not above `degenerate`.
+[[nodiscard]] double least_jacobian(Mesh const& mesh);
+constexpr double degenerate = 1e-3;
+
 /// Several lines of plain text for logs and `explain`.
 [[nodiscard]] std::string report(Mesh const& mesh, std::string const& name);
 

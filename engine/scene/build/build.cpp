@@ -156,6 +156,8 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
                                        body->mesh.dim, model.dim(),
                                        body->mesh.dim == 3 ? "three_dimensional" : "plane_strain"));
   mesh::check(body->mesh, name);
+  if (part.relief)
+    take_relief(name, *part.relief, body->mesh);
   give_laws(*body, part.laws_by_set);
   body->plane_stress = part.plane_stress;
   body->relaxing = part.relaxing;

@@ -7,11 +7,21 @@
 
 namespace stiction::scene {
 
+constexpr double show_wave = 8; ///< nodes of a relief to its shortest wave, as points of half spaces
+
+/// What a relief has made of a boundary.
+struct Relief {
+  double least = 0, most = 0; ///< heights at its nodes, m
+  double spacing = 0;         ///< of its nodes, where they are farthest apart, m
+  double finest = 0;          ///< that spacing shows all of its map, m; infinite: any
+};
+
 /// A model with the names that its script gave.
 struct Scene {
   ScenePart part;
   std::vector<std::string> bodies;        ///< names, in the order of model.bodies
   std::vector<std::string> pairs;         ///< names, in the order of model.pairs
+  std::map<std::string, Relief> reliefs;  ///< by body
   std::vector<double> moved;              ///< [constraints] how far a tie has moved a node that follows, m
   std::unique_ptr<dynamics::Model> model; ///< null where there is a half space in its place
   std::unique_ptr<halfspace::Model> half_space;

@@ -46,7 +46,7 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   if (auto const words = contact::unfit(part.shape, model.dim(), axisymmetric); !words.empty())
     return complain({"obstacles", name, "shape"}, words);
   if (auto* map = std::get_if<contact::RigidHeights>(&rigid.shape)) {
-    take_heights(name, *part.surface, *map);
+    take_heights({"obstacles", name, "shape", "surface"}, *part.surface, *map);
     if (map->heights.empty())
       return;
   }

@@ -1,4 +1,4 @@
-// Heights of a surface on the points of a half space or of a rigid map.
+// Heights of a surface on the points of a half space, of a rigid map or of a body's boundary.
 #include <fmt/format.h>
 
 #include "scene/build/builder.hpp"
@@ -30,8 +30,7 @@ Vector Builder::heights_of(Where const& where, halfspace::Shape const& surface, 
 }
 
 /// What the map fits has been seen to; it is left without heights where there is something to complain about.
-void Builder::take_heights(std::string const& name, halfspace::Shape const& surface,
-                           contact::RigidHeights& map) {
+void Builder::take_heights(Where const& where, halfspace::Shape const& surface, contact::RigidHeights& map) {
   halfspace::Grid grid;
   grid.line = map.size.size() == 1;
   grid.periodic = map.boundary == contact::RigidHeights::Rim::periodic;
@@ -41,7 +40,7 @@ void Builder::take_heights(std::string const& name, halfspace::Shape const& surf
     grid.ny = static_cast<Index>(map.points[1]);
     grid.Ly = map.size[1];
   }
-  Vector const heights = heights_of({"obstacles", name, "shape", "surface"}, surface, grid);
+  Vector const heights = heights_of(where, surface, grid);
   map.heights.assign(heights.data(), heights.data() + heights.size());
 }
 

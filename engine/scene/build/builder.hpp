@@ -59,7 +59,10 @@ private:
   // build_heights.cpp
   [[nodiscard]] Vector heights_of(Where const& where, halfspace::Shape const& surface,
                                   halfspace::Grid const& grid);
-  void take_heights(std::string const& name, halfspace::Shape const& surface, contact::RigidHeights& map);
+  void take_heights(Where const& where, halfspace::Shape const& surface, contact::RigidHeights& map);
+
+  // build_relief.cpp
+  void take_relief(std::string const& name, ReliefPart const& part, mesh::Mesh& mesh);
 
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);

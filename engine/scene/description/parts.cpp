@@ -119,6 +119,8 @@ core::Schema const& BodyPart::schema() {
               "list of terms {share = or modulus =, time =} of a Prony series beside the bulk law, in volume "
               "too with bulk_share = or bulk_modulus =; none: elastic")
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
+          .nested("relief", "relief", Need::optional,
+                  "heights of one of its boundaries; none: as the mesh is")
           .build();
   return made;
 }
@@ -141,6 +143,9 @@ void BodyPart::read_nested(Reader& reader) {
       reader.complain_at("remesh", "needs a mesh that gmsh makes from outlines; give the body a mesh.gmsh");
   }
   static_cast<void>(reader.at("remesh", Need::optional));
+  if (reader.has("relief"))
+    relief = reader.child("relief", Need::optional).record<ReliefPart>();
+  static_cast<void>(reader.at("relief", Need::optional));
 }
 
 void BodyPart::read_relaxing(Reader& reader) {

@@ -34,6 +34,15 @@ struct RemeshPart {
   static core::Schema const& schema();
 };
 
+/// Heights from which a plane boundary of a body stands back; their plane is the boundary's.
+struct ReliefPart : contact::RigidHeights {
+  std::string set;          ///< the boundary
+  halfspace::Shape surface; ///< makes `heights`
+  double depth = 0;         ///< m, below which nodes stay; 0: the far side of the body
+  static core::Schema const& schema();
+  void read_nested(core::Reader& reader);
+};
+
 struct BodyPart {
   mesh::Generator mesh;
   material::Material material;                           ///< where there is one for all cells
@@ -47,6 +56,7 @@ struct BodyPart {
   std::optional<material::KelvinVoigt> damping;
   std::vector<material::PronyTerm> relaxing; ///< empty: it does not
   std::optional<RemeshPart> remesh;          ///< only with mesh.gmsh
+  std::optional<ReliefPart> relief;          ///< none: boundaries are those of the mesh
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 

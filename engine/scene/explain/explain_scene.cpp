@@ -62,6 +62,21 @@ template<class Part> void add_paths(Section& section, std::string const& what, P
       add(section, fmt::format("{} in {}", what, axis), path_words(part.times, *values, "m"));
 }
 
+/// A boundary with heights.
+void add_relief(Facts const& all, std::string const& name, Section& section) {
+  auto const found = all.scene->reliefs.find(name);
+  if (found == all.scene->reliefs.end())
+    return;
+  auto const& part = *all.scene->part.bodies.at(name).relief;
+  auto const& made = found->second;
+  add(section, "relief", settings("", &part, ReliefPart::schema()));
+  if (!std::holds_alternative<halfspace::Map>(part.surface)) // of which all heights would stand here
+    add(section, "surface", chosen("surface", part.surface));
+  add(section, "heights",
+      fmt::format("from {} to {} at its nodes, up to {} apart", human(made.least, "m"), human(made.most, "m"),
+                  human(made.spacing, "m")));
+}
+
 /// "2500 quad4"
 std::string cell_words(solid::Body const& body) {
   std::vector<std::string> words;
@@ -133,6 +148,7 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
   if (body.damping)
     add(section, "damping", settings("damping", &*body.damping, material::KelvinVoigt::schema()));
   add_relaxation(all, facts, section);
+  add_relief(all, body.name, section);
   bool const per_metre = all.scene->part.kinematics == solid::Kinematics::plane_strain;
   section.lines.push_back(
       {"mass", human(facts.mass, per_metre ? "kg/m" : "kg"), facts.mass, per_metre ? "kg/m" : "kg", ""});

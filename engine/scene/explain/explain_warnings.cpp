@@ -384,6 +384,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     if (pair.pair->law.adhesion)
       adhesion(all, pair, warnings);
   }
+  warn_of_relief(all, warnings);
   warn_of_springs(all, warnings);
   inertia(all, warnings);
   critical_steps(all, warnings);

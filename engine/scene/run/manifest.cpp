@@ -181,6 +181,17 @@ json facts_of(contact::RigidHeights const& map) {
   return facts;
 }
 
+/// With the heights that the nodes have.
+json relief_of(ReliefPart const& part, Relief const& made) {
+  auto relief = record::describe(&part, ReliefPart::schema());
+  if (!std::holds_alternative<halfspace::Map>(part.surface))
+    relief["surface"] = describe(part.surface);
+  relief["least"] = {{"value", made.least}, {"unit", "m"}, {"meaning", "height at its nodes"}};
+  relief["most"] = {{"value", made.most}, {"unit", "m"}, {"meaning", "height at its nodes"}};
+  relief["spacing"] = {{"value", made.spacing}, {"unit", "m"}, {"meaning", "largest, of its nodes"}};
+  return relief;
+}
+
 json settings_of(Scene const& scene) {
   if (scene.half_space)
     return settings_of_half_space(scene);
@@ -201,6 +212,8 @@ json settings_of(Scene const& scene) {
     if (body.remesh)
       settings["bodies"][name]["remesh"] = record::describe(&*body.remesh, RemeshPart::schema());
   }
+  for (auto const& [name, made] : scene.reliefs)
+    settings["bodies"][name]["relief"] = relief_of(*scene.part.bodies.at(name).relief, made);
   for (auto const& rigid : scene.model->rigids)
     if (auto const* map = std::get_if<contact::RigidHeights>(&rigid.shape))
       settings["obstacles"][rigid.name] = facts_of(*map);

@@ -118,7 +118,7 @@ TEST_CASE("each parameter of each kind of the catalog is read into its own membe
                               scene::SchedulePart, scene::StagePart, dynamics::StepControl, scene::OutputPart,
                               mesh::Edge, mesh::Outline, mesh::Refinement, material::KelvinVoigt,
                               material::PronyTerm, scene::RemeshPart, scene::SpringPart, dynamics::Accuracy,
-                              scene::HalfSpacePart, scene::HeightMapPart>;
+                              scene::HalfSpacePart, scene::HeightMapPart, scene::ReliefPart>;
   check_choice<Others>();
   check_choice<mesh::Generator>();
   check_choice<material::Material>();

@@ -206,6 +206,21 @@ TEST_CASE("so does a body that slides over a rigid height map") {
   CHECK(check_in_pieces(table, dice, 20) > 2);
 }
 
+TEST_CASE("so does a body in relief") {
+  auto table = foot();
+  test::at(table, "bodies.foot.material") = neo_hookean();
+  test::at(table, "bodies.foot.relief") = test::make(
+      "relief", {{"set", test::text("bottom")},
+                 {"surface", test::make("surface.wave", {{"amplitude", test::value(0.01, "m")},
+                                                         {"wavelengths", test::values({0.5}, "m")}})},
+                 {"size", test::values({1}, "m")},
+                 {"points", test::values({32})}});
+  test::Dice dice(4);
+  Case once;
+  REQUIRE(once.run(table).verdict == "finished");
+  CHECK(check_in_pieces(table, dice, 20) > 2);
+}
+
 TEST_CASE("so do steps that are cut and grow again") {
   auto table = foot();
   test::at(table, "bodies.foot.material") = neo_hookean();

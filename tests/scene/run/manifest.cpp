@@ -1,6 +1,7 @@
 // The manifest walks the schemas: no setting of any part can be missing from it.
 #include "scene/run/manifest.hpp"
 
+#include <cmath>
 #include <doctest/doctest.h>
 #include <fstream>
 #include <set>
@@ -131,6 +132,25 @@ TEST_CASE("the manifest holds every part of a scene, and what the program takes 
   CHECK(parts["schedule"]["halvings"]["given"] == false);
   CHECK(parts["bodies"]["foot"]["density"]["given"] == true);
   CHECK(manifest["warnings"].is_array());
+}
+
+TEST_CASE("the manifest holds a relief, and the heights that nodes have") {
+  auto table = test::foot_on_floor();
+  test::at(table, "bodies.foot.relief") = test::make(
+      "relief", {{"set", test::text("bottom")},
+                 {"surface", test::make("surface.wave", {{"amplitude", test::value(0.01, "m")},
+                                                         {"wavelengths", test::values({1}, "m")}})},
+                 {"size", test::values({1}, "m")},
+                 {"points", test::values({64})}});
+  auto const manifest = manifest_of(table);
+  CHECK(manifest["parts"]["bodies"]["foot"]["relief"]["surface"]["amplitude"]["value"] == 0.01);
+  auto const& relief = manifest["settings"]["bodies"]["foot"]["relief"];
+  CHECK(has_all(relief, scene::ReliefPart::schema()));
+  CHECK(relief["surface"]["wave"]["amplitude"]["value"] == 0.01);
+  CHECK(std::abs(relief["least"]["value"].get<double>()) < 1e-7); // between points of the map
+  CHECK(relief["most"]["value"].get<double>() == doctest::Approx(0.02).epsilon(1e-4));
+  CHECK(relief["spacing"]["value"] == 0.25);
+  CHECK_FALSE(manifest_of(test::foot_on_floor())["settings"]["bodies"]["foot"].contains("relief"));
 }
 
 TEST_CASE("a scene without accuracy has none in its manifest") {

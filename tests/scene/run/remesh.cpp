@@ -2,7 +2,9 @@
 #include "scene/run/remesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
+#include <numbers>
 
 #include "folder.hpp"
 #include "mesh/gmsh/mesher_process.hpp"
@@ -59,6 +61,32 @@ TEST_CASE("a mesh is made anew until the error of its stress is as small as aske
   CHECK(tight.remarks.empty());
   CHECK(tight.counters.at("cells") > loose.counters.at("cells"));
   CHECK(tight.counters.at("cells_evaluated_in_all_passes") > tight.counters.at("cells_evaluated"));
+}
+
+TEST_CASE("a mesh that is made anew has the same relief") {
+  if (mesh::find_mesher().empty()) {
+    MESSAGE("the mesher was not built: nothing tested");
+    return;
+  }
+  auto table = bent(0.12);
+  test::at(table, "bodies.foot.relief") = test::make(
+      "relief", {{"set", test::text("right")},
+                 {"surface", test::make("surface.wave", {{"amplitude", test::value(0.02, "m")},
+                                                         {"wavelengths", test::values({1}, "m")}})},
+                 {"size", test::values({1}, "m")},
+                 {"points", test::values({64})}});
+  auto const result = run(table);
+  REQUIRE(result.verdict == "finished");
+  CHECK(result.counters.at("mesh_passes") > 1);
+  CHECK(result.counters.at("mesh_error") <= 0.12);
+  auto const made = scene::build(scene::with_sizes(table, {{"foot", {0.5, 0.5, 0.05}}}));
+  auto const& mesh = made.model->bodies.at(0)->mesh;
+  CHECK(mesh.node_count() > scene::build(table).model->bodies.at(0)->mesh.node_count());
+  for (Index const node : mesh.sets.at("right").nodes) {
+    double const along = mesh.nodes(node, 1) - 0.5;
+    CHECK(mesh.nodes(node, 0) ==
+          doctest::Approx(1 - 0.02 * (1 - std::cos(2 * std::numbers::pi * along))).epsilon(1e-5));
+  }
 }
 
 TEST_CASE("a mesh stays as fine as the first half of a run needs it") {
