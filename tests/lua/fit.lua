@@ -137,6 +137,17 @@ test("only a product of powers: the direction is found", function()
   assert(judged.eigenvalues[2] < 1e-8 * judged.eigenvalues[1])
 end)
 
+test("what only others' small changes would make up for is not determined", function()
+  local function f(values, at) -- a l^0.03, but for a little that tells them apart
+    return values[1] * (1 - math.exp(-at)) * values[2] ^ 0.03 + 1e-3 * values[1] * math.sin(3 * at) * math.log(values[2])
+  end
+  local y = measured(f, { 2, 1.5 }, x, 0.01, dice(17))
+  local _, judged = plain.fit { parameters = parameters, x = x, y = y, sigma = 0.01, f = f }
+  equal(judged.fates[1], "determined")
+  equal(judged.fates[2], "not determined")
+  assert(judged.alone[2] < 0.1 and judged.relative[2] > 0.3, ("%g, %g"):format(judged.alone[2], judged.relative[2]))
+end)
+
 test("what has no effect is not determined, and its interval is open", function()
   local function f(values, at) return values[1] * at + 0 * values[2] end
   local y = measured(f, { 2, 3 }, x, 0.1, dice(4))

@@ -134,10 +134,11 @@ test("intervals cover with the correlation declared or estimated, and far less w
   local ways = { declared = length, estimated = "estimated", none = false }
   for i = 1, repeats do
     for way, told in pairs(ways) do
-      local _, judged, profiles = noisy(100 + i, length, { sigma = 0.1, correlation = told or nil }, true)
+      local _, judged, profiles = noisy(100 + i, length, { sigma = 0.1, correlation = told or nil }, way ~= "estimated")
       for k = 1, 2 do
-        local own = profiles[k]
-        local holds = (not own.low or own.low < truth[k]) and (not own.high or truth[k] < own.high) and judged
+        local half = judged.t * judged.relative[k]
+        local own = profiles and profiles[k] or { low = judged.values[k] * math.exp(-half), high = judged.values[k] * math.exp(half) }
+        local holds = (not own.low or own.low < truth[k]) and (not own.high or truth[k] < own.high)
         covered[way][k] = covered[way][k] + (holds and 1 or 0)
       end
     end

@@ -10,7 +10,7 @@ local correlation = {}
 local shortest = 1 / 6 -- of the least distance of points, to which lengths are looked for: points are independent of each other then
 correlation.longest = 0.5 -- of a curve, the same: longer ones are like a misfit of the model's course
 correlation.least_points = 10 -- from which a length can be told
-local places, bends = 24, 30 -- of the search for a length: a grid in its logarithm, then sections
+local places, bends = 20, 14 -- of the search for a length: a grid in its logarithm, then sections
 local golden = 0.5 * (math.sqrt(5) - 1)
 local least = 1e-13 -- of the largest singular value
 local most_rounds, small = 8, 1e-3 -- of the search for several lengths one after the other; a change of a logarithm that ends it
@@ -191,7 +191,7 @@ function correlation.estimate(problem, found, curves)
     end
     return sum + (problem.known and squares or math.max(1, #r - #rows) * math.log(math.max(squares, 1e-300)))
   end
-  for _ = 1, most_rounds do
+  for _ = 1, next(shares, next(shares)) and most_rounds or 1 do -- one length alone is found at once
     local change = 0
     for i in pairs(shares) do
       local was = lengths[i]

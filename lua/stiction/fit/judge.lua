@@ -128,6 +128,18 @@ local function companion(judged, i)
   return best
 end
 
+--- Takes those for not determined that would be determined with the others known, but stand in no combination that is: what the others do
+--- not leave open tells nothing of them.
+local function leave_out(judged, mixed)
+  for _, i in ipairs(#judged.combinations > 0 and mixed or {}) do
+    local k = judged.free[i]
+    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= told end)
+    if judged.fates[k] == "only in combination" and not held then
+      judged.fates[k] = "not determined"
+    end
+  end
+end
+
 --- Sets the fate of each parameter, of whose relative standard errors these are the ones that count, and the combinations that are
 --- determined where not all of them are.
 function judge.decide(judged, relative)
@@ -149,6 +161,7 @@ function judge.decide(judged, relative)
     local good = own.error <= judge.settled and n < #list -- the last one is what leaves them open
     judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
   end
+  leave_out(judged, mixed)
 end
 
 --- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
