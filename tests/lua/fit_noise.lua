@@ -211,3 +211,25 @@ test("the size of correlated noise comes from third differences as well", functi
   assert(math.abs(curve.noise(y, xs, 0.5) / 0.03 - 1) < 0.2, curve.noise(y, xs, 0.5))
   assert(curve.noise(y) < 0.02)
 end)
+
+test("two curves have a length each, and a third keeps its own", function()
+  local own = { { first = 1, last = 60, x = x, estimated = true }, { first = 61, last = 120, x = irregular(60, 31), estimated = true },
+    { first = 121, last = 160, x = irregular(40, 32), length = 0.2 } }
+  local repeats, logs = 40, { 0, 0 }
+  for i = 1, repeats do
+    local r, J, random = {}, { {} }, dice(900 + i)
+    for k, curve_of in ipairs(own) do
+      local part = k < 3 and noise(curve_of.x, k == 1 and 0.3 or 0.15, random) or numeric.map(curve_of.x, function() return random() end)
+      table.move(part, 1, #part, curve_of.first, r)
+    end
+    for n = 1, #r do
+      J[1][n] = 1
+    end
+    local found = { at = { r = r }, J = J, free = { 1 } }
+    local lengths, at_end = correlation.estimate({ loss = "squares", known = i % 2 == 0 }, found, own)
+    logs[1], logs[2] = logs[1] + math.log(lengths[1] / 0.3) / repeats, logs[2] + math.log(lengths[2] / 0.15) / repeats
+    equal(lengths[3], nil)
+    assert(not at_end[1] or lengths[1] > 2.9)
+  end
+  assert(math.abs(logs[1]) < 0.2 and math.abs(logs[2]) < 0.2, ("%g, %g"):format(logs[1], logs[2]))
+end)

@@ -62,7 +62,7 @@ return stiction.study {
     check.non_increasing("the shorter bonds are the less they hold", cases:values("pull_off"))
   end,
   fit = {
-    parameters = { w = { 0.005*J/u.m^2, 0.5*J/u.m^2, scale = "log" }, sigma0 = { 1*kPa, 2000*kPa, start = 40*kPa, scale = "log" } },
+    parameters = { w = { 0.005*J/u.m^2, 0.5*J/u.m^2, scale = "log" }, sigma0 = { 1*kPa, 2e3*kPa, start = 40*kPa, scale = "log" } },
     data = { pull = { file = "long.csv", x = "height", y = "pull", sigma = 0.05*mN, against = way_up } },
     finer = { steps = 200 },
   },
