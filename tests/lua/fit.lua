@@ -224,6 +224,20 @@ test("losses are squares of what they hand on, and slopes are theirs", function(
   fails("did you mean 'huber'?", loss.check, "hubr")
 end)
 
+test("a long step does not leave a parameter where it has no effect", function()
+  local function f(values, at) return values[1] * (1 - math.exp(-at)) + 2 * math.exp(-at) / (1 + values[2] ^ 4) end
+  for _, a in ipairs { 0.2, 1, 8 } do
+    for _, l in ipairs { 0.01, 0.1, 1, 10 } do
+      for _, truth in ipairs { 0.3, 1, 3 } do
+        local y = numeric.map(x, function(at) return f({ 2, truth }, at) + 0.01 * math.sin(60 * at) end)
+        local _, judged = plain.fit { parameters = { log("a", 0.01, 100, a), log("l", 1e-3, 1e3, l) }, x = x, y = y, sigma = 0.01, f = f,
+          enough = 0.01 }
+        assert(judged.squares < 60, ("from %g, %g to %g: squares %g"):format(a, l, truth, judged.squares))
+      end
+    end
+  end
+end)
+
 test("points that fail are steps too long: the search comes back", function()
   local function edgy(values, at) -- there is nothing beyond a = 2.3
     return values[1] > 2.3 and 0 / 0 or rising(values, at)

@@ -8,8 +8,7 @@ local verdict = require "stiction.fit.verdict"
 
 local forecast = {}
 
--- As the fits of studies/fit took them, each within a third; three times as many where parameters are so much alike that a profile meets
--- a lower point and the search goes on from there (bond_range).
+-- As the fits of studies/fit took them, each within a half; more where a profile meets a lower point and the search goes on from there.
 local steps, renewals = 6, 2 -- of the search for a minimum: evaluations of trial points, batches of derivatives
 local each_side = 3 -- evaluations of a profile on either side
 local most_starts, noise_runs = 3, 4
