@@ -152,7 +152,7 @@ test("intervals cover with the correlation declared or estimated, and far less w
 end)
 
 test("chi square, sizes and lengths are those of the noise", function()
-  local repeats, each, logs, size = 100, 0, 0, 0
+  local repeats, each, logs, size = 50, 0, 0, 0
   for i = 1, repeats do
     local _, judged = noisy(400 + i, 0.3, { sigma = 0.1, correlation = 0.3 })
     each = each + judged.squares / judged.degrees / repeats
@@ -215,7 +215,7 @@ end)
 test("two curves have a length each, and a third keeps its own", function()
   local own = { { first = 1, last = 60, x = x, estimated = true }, { first = 61, last = 120, x = irregular(60, 31), estimated = true },
     { first = 121, last = 160, x = irregular(40, 32), length = 0.2 } }
-  local repeats, logs = 40, { 0, 0 }
+  local repeats, logs = 20, { 0, 0 }
   for i = 1, repeats do
     local r, J, random = {}, { {} }, dice(900 + i)
     for k, curve_of in ipairs(own) do
