@@ -95,6 +95,16 @@ sed -i 's/start = 0.15/start = 0.08/' soft/slip.lua
 expect 0 "determined only in combination: mu and young; what these data tell is mu * young" "$stiction" fit soft/slip.lua \
   --no-figures --no-profiles --out slip
 
+# noise that is correlated along a curve: as it is told, and as residuals tell it
+sed 's/sigma = "scatter",/&  correlation = 0.2*s,/' soft/study.lua >soft/declared.lua
+expect 0 "the noise of drag is correlated over 0.2 s: its 10 points are worth 3.2 independent ones|determined: mu" "$stiction" fit \
+  soft/declared.lua --no-figures --no-profiles --out declared
+holds "so says its file" grep -q '"correlation": 0.2' declared/fit.json
+holds "whitened residuals beside those of the points" grep -q '^curve,x,y,sigma,model,residual,whitened$' declared/curves.csv
+sed 's/sigma = "scatter",/&  correlation = "estimated",/' soft/study.lua >soft/estimated.lua
+expect 0 "the noise of drag is correlated over |, as its residuals tell" "$stiction" fit soft/estimated.lua --no-figures \
+  --no-profiles --out estimated
+
 # a wrong model is rejected
 sed 's/file = "drag.csv"/file = "wrong.csv"/' soft/study.lua >soft/wrong.lua
 sed 's/^1\.1,0.53/1.1,1.9/; s/^2.0,2.315/2.0,1.2/' soft/drag.csv >soft/wrong.csv
@@ -118,6 +128,12 @@ refused mesh 's/mu = { 0.02, 0.5, start = 0.15 }/mu = { 0.02, 0.5, start = 0.15 
 refused bounds 's/{ 0.1\*MPa, 10\*MPa/{ 10*MPa, 0.1*MPa/' "the first must be less"
 refused dimension 's/{ 0.1\*MPa, 10\*MPa/{ 0.1*mm, 10*mm/; s/start = 3\*MPa/start = 3*mm/' "the dimensions differ"
 refused sigma 's/^1.3,1.55,0.02/1.3,1.55,0/' "sigma[3] is 0"
+refused length 's/sigma = "scatter",/sigma = "scatter", correlation = 0*s,/' "correlation is 0 s; a length is above 0"
+refused negative 's/sigma = "scatter",/sigma = "scatter", correlation = -0.1*s,/' "correlation is -0.1 s; a length is above 0"
+refused across 's/sigma = "scatter",/sigma = "scatter", correlation = 0.1*mm,/' "correlation is 0.1 mm; it must be a length along time, like 1 s"
+refused word 's/sigma = "scatter",/sigma = "scatter", correlation = "told",/' "correlation is told; it must be a length along time, like 1 s, or"
+refused long 's/sigma = "scatter",/sigma = "scatter", correlation = 5*s,/' "longer than the curve, 0.9 in SI|own = { zero = { from, to } }"
+refused short 's/sigma = 0.1/correlation = "estimated", &/' 'correlation = "estimated" takes 10 points, there are 5'
 refused key 's/finer = {/finest = {/' "unknown key 'finest'; did you mean 'finer'?"
 refused loss 's/finer = {/loss = "hubert", finer = {/' "did you mean 'huber'?"
 refused setting 's/finer = { cells/finer = { cels/' "study.fit.finer: the study has no parameter 'cels'; did you mean 'cells'?"

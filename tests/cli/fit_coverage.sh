@@ -1,6 +1,6 @@
 #!/bin/sh
 # How often the 95 % intervals of a fit of real cases hold the truth: REPEATS fits of a SCENE to curves of its own with noise.
-# SCENE: soft (a block slides), pull (a sphere drawn off at three speeds) or peel (a tape).
+# SCENE: soft (a block slides), drift (the same with noise that is correlated), pull (a sphere drawn off at three speeds) or peel (a tape).
 . "$(dirname "$0")/common.sh"
 repeats=${2:-20}
 scene=${3:-soft}
@@ -20,9 +20,11 @@ END
   expect 0 "" "$stiction" run "$2/data.lua" --trust --no-figures --out truth
 }
 
-noisy() { # NAME SEED SIGMA "HEADER" FILE: the truth with noise of the deviation SIGMA
-  awk -v seed="$2" -v sigma="$3" -v header="$4" 'BEGIN { srand(seed); for (k = 0; k < 20; ++k) rand(); print header }
-    { printf "%s,%.9g\n", $1, $2 + sigma * sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }' "truth_$1.csv" >"$5"
+noisy() { # NAME SEED SIGMA "HEADER" FILE [LENGTH]: the truth with noise of the deviation SIGMA, correlated over LENGTH
+  awk -v seed="$2" -v sigma="$3" -v header="$4" -v over="${6:-0}" 'BEGIN { srand(seed); for (k = 0; k < 20; ++k) rand(); print header }
+    { share = over > 0 && NR > 1 ? exp(-($1 - last) / over) : 0; last = $1
+      noise = share * noise + sqrt(1 - share ^ 2) * sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand())
+      printf "%s,%.9g\n", $1, $2 + sigma * noise }' "truth_$1.csv" >"$5"
 }
 
 edited() { # FILE "WORDS"...: the edits of a study took hold
@@ -33,13 +35,15 @@ edited() { # FILE "WORDS"...: the edits of a study took hold
   done
 }
 
-make_soft() {
-  changed soft 's/^  quick = .*/  fit = { parameters = { young = { 0.1*MPa, 10*MPa, scale = "log" }, mu = { 0.02, 0.5, start = 0.15 } },\
+make_soft() { # [FOLDER EDIT]
+  folder=${1:-soft}
+  changed "$folder" 's/^  quick = .*/  fit = { parameters = { young = { 0.1*MPa, 10*MPa, scale = "log" }, mu = { 0.02, 0.5, start = 0.15 } },\
     data = { drag = { file = "drag.csv", x = "time", y = "force", sigma = 0.05*units("N\/m"),\
         against = { x = "time", y = "sole\/force_x", y_sign = -1, after = 1*s } } } },\
   quick = { sweep = { mu = { 0.2 } }, set = { steps = 5 } },/'
-  edited soft/study.lua 'drag = { file = "drag.csv"'
-  truth 'sweep = { mu = { 0.1 } }, chosen = { young = { 1.2*u.MPa, "the truth" } }' soft '
+  edited "$folder/study.lua" 'drag = { file = "drag.csv"'
+  sed -i "${2:-}" "$folder/study.lua"
+  truth 'sweep = { mu = { 0.1 } }, chosen = { young = { 1.2*u.MPa, "the truth" } }' "$folder" '
     local x, y, force = {}, {}, cases[1]:series("sole", "force_x")
     for i, t in ipairs(cases[1].time) do
       if t > 1.05 then x[#x + 1], y[#y + 1] = t, -force[i] end
@@ -48,6 +52,12 @@ make_soft() {
   true_values="mu 0.1 young 1.2e6"
 }
 noise_soft() { noisy drag "$1" 0.05 "time [s],force [N/m]" soft/drag.csv; }
+
+make_drift() {
+  make_soft drift 's/steps = { 10/steps = { 40/; s/sigma = 0.05/correlation = 0.05*s, &/'
+  edited drift/study.lua 'steps = { 40' 'correlation = 0.05*s, sigma'
+}
+noise_drift() { noisy drag "$1" 0.05 "time [s],force [N/m]" drift/drag.csv 0.05; }
 
 make_pull() {
   mkdir pull

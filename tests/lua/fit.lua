@@ -137,6 +137,17 @@ test("only a product of powers: the direction is found", function()
   assert(judged.eigenvalues[2] < 1e-8 * judged.eigenvalues[1])
 end)
 
+test("what only others' small changes would make up for is not determined", function()
+  local function f(values, at) -- a l^0.03, but for a little that tells them apart
+    return values[1] * (1 - math.exp(-at)) * values[2] ^ 0.03 + 1e-3 * values[1] * math.sin(3 * at) * math.log(values[2])
+  end
+  local y = measured(f, { 2, 1.5 }, x, 0.01, dice(17))
+  local _, judged = plain.fit { parameters = parameters, x = x, y = y, sigma = 0.01, f = f }
+  equal(judged.fates[1], "determined")
+  equal(judged.fates[2], "not determined")
+  assert(judged.alone[2] < 0.1 and judged.relative[2] > 0.3, ("%g, %g"):format(judged.alone[2], judged.relative[2]))
+end)
+
 test("what has no effect is not determined, and its interval is open", function()
   local function f(values, at) return values[1] * at + 0 * values[2] end
   local y = measured(f, { 2, 3 }, x, 0.1, dice(4))
@@ -211,6 +222,20 @@ test("losses are squares of what they hand on, and slopes are theirs", function(
     end
   end
   fails("did you mean 'huber'?", loss.check, "hubr")
+end)
+
+test("a long step does not leave a parameter where it has no effect", function()
+  local function f(values, at) return values[1] * (1 - math.exp(-at)) + 2 * math.exp(-at) / (1 + values[2] ^ 4) end
+  for _, a in ipairs { 0.2, 1, 8 } do
+    for _, l in ipairs { 0.01, 0.1, 1, 10 } do
+      for _, truth in ipairs { 0.3, 1, 3 } do
+        local y = numeric.map(x, function(at) return f({ 2, truth }, at) + 0.01 * math.sin(60 * at) end)
+        local _, judged = plain.fit { parameters = { log("a", 0.01, 100, a), log("l", 1e-3, 1e3, l) }, x = x, y = y, sigma = 0.01, f = f,
+          enough = 0.01 }
+        assert(judged.squares < 60, ("from %g, %g to %g: squares %g"):format(a, l, truth, judged.squares))
+      end
+    end
+  end
 end)
 
 test("points that fail are steps too long: the search comes back", function()

@@ -1,6 +1,7 @@
 -- stiction explain: what a study asks, assumes and models, what it will cost and what to change, without running it.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local forecast = require "stiction.fit.forecast"
 local ordered = require "stiction.ordered"
 local output = require "stiction.output"
 local report = require "stiction.report"
@@ -83,6 +84,12 @@ local function show(study, cases, names, case, explanation)
       show_line(line)
     end
   end
+  if explanation.fit then
+    report.line("\nFit")
+  end
+  for _, line in ipairs(explanation.fit and forecast.lines(explanation.fit) or {}) do
+    show_line(line)
+  end
   show_warnings(explanation.warnings)
 end
 
@@ -95,6 +102,9 @@ return function(options)
   local cases, names = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
   local explanation = engine.explain(study:scene_of(case))
+  local warnings
+  explanation.fit, warnings = forecast.of(study, options)
+  table.move(warnings, 1, #warnings, #explanation.warnings + 1, explanation.warnings)
   if options.json then
     explanation.study, explanation.case, explanation.parameters = study.name, case.id, output.plain(case.p)
     engine.write(engine.encode_json(explanation, 2) .. "\n")

@@ -278,6 +278,7 @@ fit = {                                               -- a key of a study
     slow = { file = "slow.csv",                       -- comma-separated, from the study's folder on
       x = "height", y = "pull",                       -- its columns, "height [um]" in the head or units = { height = "um" }; x rises
       sigma = 0.2*mN,                                 -- standard error of y, or the column that has it; relative = 0.05 as well
+      correlation = 5*um,                             -- of the noise along x, exp(-|x - x'| / 5 um); or "estimated" from the residuals
       case = { speed = 1*mm/s },                      -- what this curve's case has, beside the fit's parameters
       against = function(run, p) return xs, ys end,   -- the same of a run, SI; one way of x. Or { x = "probe/column", y =
                                                       -- "probe/column" or "time", x_sign = -1, y_sign = -1, after = 1*s, before = 2*s }
@@ -303,14 +304,17 @@ differences of four runs); between batches they are brought along. Where a case 
 of a standard error, the same to the last bit whatever --jobs is.
 
 Errors that are not given are those that the residuals show; where some curves have them, those of the others are told by third
-differences along them. The 95 % intervals are by profile likelihood (--no-profiles: by the
-covariance), widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than
-the simulation's own error is never claimed. A parameter counts as determined up to a standard error of 25 % of itself (a linear
-one: of at least a tenth of its range); only in combination if it would be so with the others known, and the product of powers that is
-determined is told; else not. The model is rejected where chi square, or the runs of like signs among residuals, have a chance below
-0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv
-(evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that changes the mesh
-is refused.]]
+differences along them. Noise that goes on from point to point (drift, a filter) tells less than independent noise: `correlation` is its
+length in x, for residuals that are each freed from what they share with the one before; chi square, runs and intervals are of these,
+and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
+follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
+likelihood (--no-profiles: by the covariance), widened by what one finer level changes, times what claims of a trade allow for
+('stiction help trade'): less than the simulation's own error is never claimed. A parameter counts as determined up to a standard error
+of 25 % of itself (a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
+product of powers that is determined is told; else not. The model is rejected where chi square, or the runs of like signs among
+residuals, have a chance below 0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json
+(all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that
+changes the mesh is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study

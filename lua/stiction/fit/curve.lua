@@ -1,4 +1,5 @@
 -- A measured curve of a fit: its values with their errors, the cases that it is compared with, and the residuals of these.
+local correlation = require "stiction.fit.correlation"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local measured = require "stiction.measured"
@@ -9,7 +10,7 @@ local units = require "stiction.units"
 local curve = {}
 
 local keys = { file = "string", x = "string", y = "string", units = "table", against = true, case = "table", each = "table",
-  own = "table", sigma = true, relative = "number", weight = "number" }
+  own = "table", sigma = true, relative = "number", weight = "number", correlation = true }
 local against_keys = { x = "string", y = "string", x_sign = "number", y_sign = "number", after = true, before = true }
 local guess = 0.01 -- of the largest value: a noise that nothing tells, as all residuals count alike then
 local least_points = 8 -- of which the noise can be told
@@ -17,6 +18,7 @@ local of_third_differences = 20 -- (1, 3, 3, 1) squared, summed
 local slack = 1e-9 -- of the range, by which data may go beyond a run
 
 local Curve = {}
+curve.methods = Curve -- of what curve.read gives
 Curve.__index = Curve
 
 local function check_keys(t, what, allowed)
@@ -99,11 +101,13 @@ local function told_errors(t, columns, y, unit, what)
   return own
 end
 
---- The noise of values along a smooth curve, from their third differences: by the median, which jumps do not change.
-function curve.noise(y)
+--- The noise of values along a smooth curve, from their third differences: by the median, which jumps do not change. Of noise that is
+--- correlated along x over a length where there is one.
+function curve.noise(y, x, length)
   local sizes = {}
   for i = 4, #y do
-    sizes[#sizes + 1] = math.abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3])
+    local share = length and math.sqrt(correlation.third_difference(x, length, i) / of_third_differences) or 1
+    sizes[#sizes + 1] = math.abs(y[i] - 3 * y[i - 1] + 3 * y[i - 2] - y[i - 3]) / share
   end
   table.sort(sizes)
   local median = #y >= least_points and sizes[(#sizes + 1) // 2] or 0
@@ -120,6 +124,30 @@ local function check_rising(self)
   end
 end
 
+--- The length of the noise's correlation as it is told, SI, nil where none is; whether it is to be estimated.
+local function told_length(self, told)
+  if told == nil then
+    return nil, false
+  elseif told == "estimated" then
+    if #self.x < correlation.least_points then
+      fault.input("%s: correlation = \"estimated\" takes %d points, there are %d; give a length, or leave it out", self.what,
+        correlation.least_points, #self.x)
+    end
+    return nil, true
+  elseif not like(told, self.x_unit) then
+    fault.input("%s: correlation is %s; it must be a length along %s, like %s, or \"estimated\"", self.what, tostring(told), self.x_name,
+      units.is_quantity(self.x_unit) and "1 " .. self.x_word or "0.1")
+  end
+  local length, span = units.si(told), self.x[#self.x] - self.x[1]
+  if length <= 0 or length ~= length then
+    fault.input("%s: correlation is %s; a length is above 0 (leave it out where each point's noise is its own)", self.what, tostring(told))
+  elseif length > span then
+    fault.input("%s: correlation is %s, longer than the curve, %.6g in SI: such noise moves the curve as a whole; let a parameter of its "
+      .. "own do so (own = { zero = { from, to } }, which `against` adds)", self.what, tostring(told), span)
+  end
+  return length, false
+end
+
 --- The curve of that name in study.fit.data. note(path, text): told of the file that is read.
 function curve.read(name, t, folder, note)
   local what = check(name, t)
@@ -132,16 +160,29 @@ function curve.read(name, t, folder, note)
   for parameter, head in pairs(t.each or {}) do
     self.rows[parameter] = columns[head]
   end
-  if not t.each then
+  if not t.each or t.correlation ~= nil then
     check_rising(self)
   end
   self.sigma = told_errors(t, columns, self.y, self.y_unit, what)
   self.told = self.sigma ~= nil
+  local length
+  length, self.estimated = told_length(self, t.correlation)
+  self:correlate(length)
+  return self
+end
+
+--- Takes the noise for correlated along x over this length, SI (nil: not at all).
+function Curve:correlate(length)
+  self.length = length
   if not self.told then
-    local noise = t.each and guess * math.abs((numeric.extreme(self.y))) or curve.noise(self.y)
+    local noise = self.each and guess * math.abs((numeric.extreme(self.y))) or curve.noise(self.y, self.x, length)
     self.sigma = numeric.map(self.y, function() return noise end)
   end
-  return self
+end
+
+--- How many independent points the curve's are worth.
+function Curve:effective()
+  return self.length and correlation.effective(correlation.shares(self.x, self.length)) or #self.x
 end
 
 --- The cases that the curve takes, each a table of values by name: `values` are those of the fit's parameters.
@@ -279,13 +320,38 @@ function Curve:model(runs, p)
   return list
 end
 
---- Residuals in standard errors, weighted, of what Curve:model gives.
+--- A length along x, SI, in the unit of the file: "0.03 s"; as a study would write it: "0.03*s".
+function Curve:along_x(length, written)
+  local value = ("%.2g"):format(length / (self.x_word == "1" and 1 or engine.parse_unit(self.x_word)))
+  if self.x_word == "1" then
+    return value
+  end
+  local plain = self.x_word:find("^%a+$")
+  return value .. (written and "*" or " ") .. (written and not plain and ('units("%s")'):format(self.x_word) or self.x_word)
+end
+
+--- By how much whitening makes noise grow that each point has for itself.
+function Curve:roughened()
+  return self.length and correlation.roughened(correlation.shares(self.x, self.length)) or 1
+end
+
+--- A list in standard errors without what its entries have in common by the correlation of the noise.
+function Curve:whitened(list)
+  return self.length and correlation.whitened(list, correlation.shares(self.x, self.length)) or list
+end
+
+--- The inverse of Curve:whitened.
+function Curve:coloured(list)
+  return self.length and correlation.coloured(list, correlation.shares(self.x, self.length)) or list
+end
+
+--- Residuals in standard errors, weighted, independent of each other, of what Curve:model gives.
 function Curve:residuals(model)
   local list, weight = {}, math.sqrt(self.weight)
   for i, value in ipairs(model) do
     list[i] = weight * (value - self.y[i]) / self.sigma[i]
   end
-  return list
+  return self:whitened(list)
 end
 
 return curve

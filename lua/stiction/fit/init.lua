@@ -1,6 +1,7 @@
 -- stiction fit: parameters from measured curves, with errors that hold what the data and the simulation do not know.
 local advice = require "stiction.fit.advice"
 local copy = require "stiction.copy"
+local correlated = require "stiction.fit.correlated"
 local drawing = require "stiction.drawing"
 local fault = require "stiction.fault"
 local finer = require "stiction.fit.finer"
@@ -84,6 +85,10 @@ local function look(fit, model, study, options)
   local problem = model:problem(enough)
   local starts, answers = begin(fit, model, study)
   local minima = search.run(problem, starts, most_starts, answers)
+  minima = correlated.settle(problem, minima, fit.curves, function(i, length)
+    report.line("the noise of %s is correlated over %s", fit.curves[i].name, fit.curves[i]:along_x(length))
+    model:weigh_noise()
+  end)
   local cases = #model.points.rows
   local found, judged, intervals = minima[1], nil, nil
   for _ = 0, most_restarts do
@@ -97,7 +102,7 @@ local function look(fit, model, study, options)
       break
     end
     report.line("a profile met a lower point; the search goes on from there")
-    minima = search.run(problem, { lower, found.z }, 1)
+    minima = correlated.settle(problem, search.run(problem, { lower, found.z }, 1), fit.curves, function() model:weigh_noise() end)
     found, intervals = minima[1], nil
   end
   return found, judged, intervals, minima, cases

@@ -1,5 +1,6 @@
 -- What data say of parameters where a fit ended: errors, correlations, what is determined and what only in combination, and whether
 -- the model is rejected. In relative coordinates: a change of 1 is by a factor e, or of a linear parameter by its own size.
+local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
@@ -127,6 +128,18 @@ local function companion(judged, i)
   return best
 end
 
+--- Takes those for not determined that would be determined with the others known, but stand in no combination that is: what the others do
+--- not leave open tells nothing of them.
+local function leave_out(judged, mixed)
+  for _, i in ipairs(#judged.combinations > 0 and mixed or {}) do
+    local k = judged.free[i]
+    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= told end)
+    if judged.fates[k] == "only in combination" and not held then
+      judged.fates[k] = "not determined"
+    end
+  end
+end
+
 --- Sets the fate of each parameter, of whose relative standard errors these are the ones that count, and the combinations that are
 --- determined where not all of them are.
 function judge.decide(judged, relative)
@@ -148,6 +161,7 @@ function judge.decide(judged, relative)
     local good = own.error <= judge.settled and n < #list -- the last one is what leaves them open
     judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
   end
+  leave_out(judged, mixed)
 end
 
 --- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
@@ -178,8 +192,9 @@ judge.doubt = doubt
 --- spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =,
 --- fates = by place,
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
---- errors are not known), runs = {by curve: the chance, or false}, rejected =}.
---- about = {curves = {{name =, first =, last =}}, noise = (of a residual), share = (of differences)}.
+--- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =}.
+--- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
+--- differences)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
   local slopes, sizes, values = judge.scales(problem.parameters, found.z)
@@ -217,7 +232,8 @@ function judge.of(problem, found, about)
   for i, curve in ipairs(about.curves or {}) do
     judged.runs[i] = judge.runs(table.move(at.r, curve.first, curve.last, 1, {})) or false
   end
-  judged.rejected = judged.chance and judged.chance < doubt or false
+  judged.correlated = correlated.told(at.r, about.curves or {})
+  judged.rejected = judged.chance and judged.chance < doubt or correlated.is_endless(about.curves or {})
   for _, chance in ipairs(judged.runs) do
     judged.rejected = judged.rejected or chance and chance < doubt / #judged.runs or false
   end

@@ -1,6 +1,7 @@
 -- The residuals of a fit at points of its parameters: batches of cases, compared with the measured curves.
 local engine = require "stiction.engine"
 local loss_module = require "stiction.fit.loss"
+local numeric = require "stiction.numeric"
 local points_module = require "stiction.points"
 local space = require "stiction.fit.space"
 local spec = require "stiction.fit.spec"
@@ -13,6 +14,14 @@ local least_noise, least_share, most_share = 1e-12, 1e-6, 0.05
 
 local Model = {}
 Model.__index = Model
+
+local function rms(list)
+  local sum = 0
+  for _, x in ipairs(list) do
+    sum = sum + x * x
+  end
+  return math.sqrt(sum / #list)
+end
 
 --- The cases of a curve at values of the fit's parameters, other settings in `extra`; and what the comparison takes besides.
 local function cases_of(self, curve, values, extra)
@@ -115,9 +124,9 @@ function Model:note(z, word, answer)
   self.tell(self.log[#self.log], #self.log)
 end
 
---- The noise of residuals from one run to the next near a point, root mean square, as third differences along a line tell it; nil
---- and the reason if a run fails.
-local function measured_noise(self, z)
+--- Third differences along a line through a point of what runs are at the points of the first curve, SI, as they tell how rough runs are;
+--- nil and the reason if a run fails.
+local function third_differences(self, z)
   local curve, line = self.fit.curves[1], {}
   for i = 0, differences do
     local values = space.values(self.fit.parameters, z)
@@ -128,33 +137,48 @@ local function measured_noise(self, z)
     end
     line[i + 1] = other
   end
-  local answers, sum = self:evaluate(line, "noise", nil, { curve }), 0
+  local answers, list = self:evaluate(line, "noise", nil, { curve }), {}
   for _, answer in ipairs(answers) do
     if answer.failed then
       return nil, answer.failed
     end
   end
-  for n = 1, #answers[1].r do
-    local third = answers[4].r[n] - 3 * answers[3].r[n] + 3 * answers[2].r[n] - answers[1].r[n]
-    sum = sum + third * third
+  local own = numeric.map(answers, function(answer) return answer.curves[1] end)
+  for n = 1, #own[1] do
+    list[n] = own[4][n] - 3 * own[3][n] + 3 * own[2][n] - own[1][n]
   end
-  return math.sqrt(of_third * sum / #answers[1].r)
+  return list
+end
+
+--- Root mean square of a list of the first curve, SI, as it counts in residuals.
+local function size_of(curve, list)
+  local own = {}
+  for i, value in ipairs(list) do
+    own[i] = math.sqrt(curve.weight) * value / curve.sigma[i]
+  end
+  return rms(curve:whitened(own)), rms(own)
+end
+
+--- Sets the noise of residuals, self.noise, by the errors and correlations that the curve has now; what a residual is in all.
+function Model:weigh_noise()
+  local curve = self.fit.curves[1]
+  local size, plain = size_of(curve, curve.y)
+  if self.third then
+    self.noise = math.sqrt(of_third) * size_of(curve, self.third)
+  else
+    self.noise = (self.fit.noise or 1e-6) * plain * curve:roughened()
+  end
+  self.noise = math.max(self.noise, least_noise * size)
+  return size
 end
 
 --- Measures the noise of runs near a point and sets the size of differences by it: self.noise of a residual, self.share relative.
 function Model:set_steps(z)
-  local curve, sum = self.fit.curves[1], 0
-  for i, y in ipairs(curve.y) do
-    sum = sum + curve.weight * (y / curve.sigma[i]) ^ 2
+  local reason
+  if not self.fit.noise then
+    self.third, reason = third_differences(self, z)
   end
-  local size, reason = math.sqrt(sum / #curve.y), nil
-  if self.fit.noise then
-    self.noise = self.fit.noise * size
-  else
-    self.noise, reason = measured_noise(self, z)
-    self.noise = self.noise or 1e-6 * size
-  end
-  self.noise = math.max(self.noise, least_noise * size)
+  local size = self:weigh_noise()
   self.share = math.min(math.max(2 * math.sqrt(self.noise / size), least_share), most_share)
   return reason
 end

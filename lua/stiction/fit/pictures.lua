@@ -11,15 +11,18 @@ local highest = 4 -- in standard errors, that profiles are drawn to
 
 --- What the model may be off by at each point of a curve, as the parameters are uncertain: half widths in SI.
 local function band(fit, result, curve)
-  local judged, found, list = result.judged, result.found, {}
-  for n = curve.first, curve.last do
+  local judged, list = result.judged, {}
+  local slopes = numeric.map(judged.free, function(k)
+    return curve:coloured(table.move(result.found.J[k], curve.first, curve.last, 1, {}))
+  end)
+  for n = 1, #curve.x do
     local sum = 0
     for i, k in ipairs(judged.free) do
       for j, l in ipairs(judged.free) do
-        sum = sum + found.J[k][n] / judged.slopes[k] * judged.covariance[i][j] * found.J[l][n] / judged.slopes[l]
+        sum = sum + slopes[i][n] / judged.slopes[k] * judged.covariance[i][j] * slopes[j][n] / judged.slopes[l]
       end
     end
-    list[#list + 1] = judged.t * math.sqrt(math.max(sum, 0) / curve.weight) * curve.sigma[n - curve.first + 1]
+    list[n] = judged.t * math.sqrt(math.max(sum, 0) / curve.weight) * curve.sigma[n]
   end
   return list, fit
 end
@@ -67,20 +70,21 @@ local function data_figure(fit, result, group, name)
 end
 
 local function residual_figure(fit, result, group, name)
-  local curves, least, most = {}, math.huge, -math.huge
+  local curves, least, most, white = {}, math.huge, -math.huge, ""
   for place, i in ipairs(group.curves) do
     local curve, list = fit.curves[i], {}
     for n = curve.first, curve.last do
       list[#list + 1] = result.found.at.r[n]
     end
+    white = (curve.length or white ~= "") and ", each without what it shares with the one before" or ""
     least, most = math.min(least, curve.x[1]), math.max(most, curve.x[#curve.x])
     curves[#curves + 1] = { label = curve.name, x = curve.x, y = list, style = "points", colour = (place - 1) % most_colours }
   end
   for _, level in ipairs { -2, 0, 2 } do
     curves[#curves + 1] = { x = { least, most }, y = { level, level }, style = level == 0 and "solid" or "dash", colour = 6 }
   end
-  return figure.lines { name = name, title = "residuals", x = group.x, y = { label = "(model - data) / standard error" }, curves = curves,
-    legend = "below", width = "double" }
+  return figure.lines { name = name, title = "residuals" .. white, x = group.x, y = { label = "(model - data) / standard error" },
+    curves = curves, legend = "below", width = "double" }
 end
 
 local function profile_figure(fit, result, k)

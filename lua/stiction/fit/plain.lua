@@ -1,4 +1,6 @@
 -- A fit of a function in place of cases: the same search, judgement and profiles, for proofs of them.
+local correlated = require "stiction.fit.correlated"
+local correlation = require "stiction.fit.correlation"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
 local profile = require "stiction.fit.profile"
@@ -8,10 +10,17 @@ local starts = require "stiction.fit.starts"
 
 local plain = {}
 
+--- The curve of such a fit, as far as its noise is concerned: t.correlation is a length or "estimated".
+local function curve_of(t)
+  local length = type(t.correlation) == "number" and t.correlation or nil
+  return { first = 1, last = #t.x, x = t.x, name = "data", length = length, estimated = t.correlation == "estimated",
+    correlate = function(self, told) self.length = told end }
+end
+
 --- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), f = function(values, x),
---- loss =, share = (of differences), enough =, ...}; where f gives no number the point fails.
+--- correlation =, loss =, share = (of differences), enough =, ...}; where f gives no number the point fails.
 function plain.problem(t)
-  local count = { evaluations = 0 }
+  local count, curve = { evaluations = 0 }, curve_of(t)
   local function residuals(z)
     local values, r = space.values(t.parameters, z), {}
     for i, x in ipairs(t.x) do
@@ -20,10 +29,10 @@ function plain.problem(t)
         return { failed = "no number" }
       end
     end
-    return { r = r }
+    return { r = curve.length and correlation.whitened(r, correlation.shares(t.x, curve.length)) or r }
   end
   return { parameters = t.parameters, loss = t.loss or "squares", known = t.sigma ~= nil, enough = t.enough or 1e-6,
-    most = t.most or 1000, refusals = t.refusals or 1, always = t.always, central = t.central, count = count,
+    most = t.most or 1000, refusals = t.refusals or 1, always = t.always, central = t.central, count = count, curves = { curve },
     step = function(k, z) return space.step(t.parameters[k], space.values(t.parameters, z)[k], t.share or 1e-6) end,
     evaluate = function(points)
       count.evaluations = count.evaluations + #points
@@ -38,7 +47,8 @@ function plain.fit(t, count, profiled)
   if not minima then
     return nil
   end
-  local judged = judge.of(problem, minima[1], { curves = { { first = 1, last = #t.x } } })
+  minima = correlated.settle(problem, minima, problem.curves, function() end)
+  local judged = judge.of(problem, minima[1], { curves = problem.curves })
   return minima[1], judged, profiled and profile.of(problem, minima[1], judged), problem
 end
 

@@ -48,6 +48,16 @@ local function runs_of(fit, judged)
   return list
 end
 
+local function curves_of(fit, judged)
+  local list = {}
+  for i, curve in ipairs(fit.curves) do
+    local told = judged.correlated[i]
+    list[i] = { name = curve.name, points = #curve.x, worth = curve:effective(), correlation = curve.length,
+      correlation_estimated = curve.estimated, residuals_tell = told and { correlation = told.length, chance = told.chance } or nil }
+  end
+  return list
+end
+
 --- All of it as a table for JSON.
 function record.table(fit, study, options, result)
   local judged = result.judged
@@ -56,6 +66,7 @@ function record.table(fit, study, options, result)
     parameters = parameters_of(fit, result),
     squares = judged.squares, degrees_of_freedom = judged.degrees, errors_known = fit.known, loss = fit.loss,
     chance_of_squares = judged.chance, runs = runs_of(fit, judged), rejected = judged.rejected,
+    curves = curves_of(fit, judged),
     misfit_of_the_simulation = judged.coarse,
     free = numeric.map(judged.free, function(k) return fit.parameters[k].name end),
     covariance = judged.covariance, correlations = judged.correlations, eigenvalues = judged.eigenvalues,
@@ -91,12 +102,13 @@ local function write_log(fit, result)
 end
 
 local function write_curves(fit, result)
-  local lines = { "curve,x,y,sigma,model,residual" }
+  local lines = { "curve,x,y,sigma,model,residual,whitened" }
   for i, curve in ipairs(fit.curves) do
+    local whitened = curve:residuals(result.found.at.curves[i])
     for n, x in ipairs(curve.x) do
       local model = result.found.at.curves[i][n]
       lines[#lines + 1] = table.concat({ csv.word(curve.name), csv.word(x), csv.word(curve.y[n]), csv.word(curve.sigma[n]), csv.word(model),
-        csv.word((model - curve.y[n]) / curve.sigma[n]) }, ",")
+        csv.word((model - curve.y[n]) / curve.sigma[n]), csv.word(whitened[n] / math.sqrt(curve.weight)) }, ",")
     end
   end
   engine.write_file(result.folder .. "/curves.csv", table.concat(lines, "\n") .. "\n")

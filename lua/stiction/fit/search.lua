@@ -18,6 +18,7 @@ local farthest = 8 -- sizes of differences, by which a step still tells a deriva
 local most_rounds = 40 -- of steps with one set of bounds
 local apart = 0.02 -- in a coordinate: two minima
 local news = 0.2 -- of a step: less that is new, and the steps before it are forgotten
+local longest = 0.3 -- step between bounds, in coordinates: farther away derivatives tell little, and what has no effect there stays there
 local edge = 1e-12 -- coordinates so near to a bound are on it
 
 -- A problem: {parameters =, loss = name, evaluate = function(points, word) -> list of {r = residuals | failed = reason},
@@ -230,7 +231,15 @@ local function walk(self, free)
     for i, k in ipairs(free) do
       z[k] = x[i]
     end
-    return space.clipped(problem.parameters, z)
+    local inside, moved = space.clipped(problem.parameters, z)
+    local widest = 0
+    for k, own in ipairs(problem.parameters) do
+      widest = math.max(widest, own.from and math.abs(inside[k] - self.z[k]) or 0)
+    end
+    for k = 1, widest > longest and #z or 0 do
+      inside[k] = self.z[k] + longest / widest * (inside[k] - self.z[k])
+    end
+    return inside, moved or widest > longest
   end
   local function residuals(x)
     local z = whole(x)

@@ -138,24 +138,49 @@ local function meshes_of(node, list)
   return list
 end
 
-local function meshes_at(study, options, settings)
-  local case = sweep.point(study, options, sweep.point_text(settings))
-  return table.concat(meshes_of(engine.decode_json(engine.scene_text(study:scene_of(case))), {}), " ")
+--- The case that a curve, by default the first one, begins with at the parameters' starts, the k-th of them at a value.
+function spec.case_at(fit, study, options, curve, k, value)
+  local values = numeric.map(fit.parameters, function(parameter) return parameter.start end)
+  values[k or 0] = value
+  curve = curve or fit.curves[1]
+  return (sweep.point(study, options, sweep.point_text(curve:cases((spec.values_for(fit, curve, values)))[1])))
 end
 
---- Bad input if the meshes of a curve's first case change with the k-th parameter.
-local function check_mesh(fit, study, options, k)
+--- What the scene of a curve's first case is at both bounds and the start of the k-th parameter, as texts; where it can be.
+local function scenes_of(fit, study, options, k)
   local own, texts = fit.parameters[k], {}
   local curve = fit.curves[1]
   for _, other in ipairs(fit.curves) do
     curve = other.name == own.curve and other or curve
   end
   for _, value in ipairs { own.from, own.start, own.to } do
-    local values = numeric.map(fit.parameters, function(parameter) return parameter.start end)
-    values[k] = value
-    local held, text = engine.call(meshes_at, study, options, curve:cases((spec.values_for(fit, curve, values)))[1])
+    local held, text = engine.call(function()
+      return engine.scene_text(study:scene_of(spec.case_at(fit, study, options, curve, k, value)))
+    end)
     texts[#texts + 1] = held and text or nil -- a scene that cannot be there is no reason yet
   end
+  return texts
+end
+
+--- Whether the scene of a curve's first case changes with the k-th parameter; nil where that is not known.
+function spec.is_used(fit, study, options, k)
+  local texts = scenes_of(fit, study, options, k)
+  for i = 2, #texts do
+    if texts[i] ~= texts[1] then
+      return true
+    end
+  end
+  if #texts > 1 then
+    return false
+  end
+end
+
+--- Bad input if the meshes of a curve's first case change with the k-th parameter.
+local function check_mesh(fit, study, options, k)
+  local own = fit.parameters[k]
+  local texts = numeric.map(scenes_of(fit, study, options, k), function(text)
+    return table.concat(meshes_of(engine.decode_json(text), {}), " ")
+  end)
   for i = 2, #texts do
     if texts[i] ~= texts[1] then
       fault.input("study.fit: '%s' changes the mesh: results then jump with it, and no derivative is right; let the mesh be the same "

@@ -1,4 +1,5 @@
 -- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
@@ -101,6 +102,9 @@ local function on_model(fit, judged, lines)
       lines[#lines + 1] = ("%sthe residuals of %s keep their sign in long runs (chance %.2g)"):format(
         judged.coarse and "no agreement yet: " or "MODEL REJECTED: ", fit.curves[i].name, chance)
     end
+  end
+  for _, line in ipairs(correlated.lines(fit.curves, judged, judge.doubt)) do
+    lines[#lines + 1] = line
   end
   if judged.coarse then
     lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
