@@ -60,6 +60,12 @@ function Case:at(time, group, name, component)
   return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
 end
 
+--- Value of a history at the end.
+function Case:last(group, name, component)
+  local values = self:series(group, name, component)
+  return values[#values]
+end
+
 --- What a run took, of its result: its counters, seconds, steps, iterations, factorizations and cuts; seconds_in_<phase>.
 function case_module.cost_of(result)
   local cost = {}
@@ -100,7 +106,7 @@ local case_meta = {
       rawset(case, name, value)
       return value
     end
-    fault.script("a case has no '%s'; it has id, p, results, time, series, max, min, at, cost", tostring(name))
+    fault.script("a case has no '%s'; it has id, p, results, time, series, max, min, at, last, cost", tostring(name))
   end,
 }
 

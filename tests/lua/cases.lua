@@ -63,6 +63,7 @@ test("a pretended case has the columns that are given, and no others", function(
   local run = case_module.pretend({ id = "a", p = {} }, { ["sole/force_y"] = 1 }, { 0, 1 }, { 3, 4 })
   equal(run:max("sole", "force_y"), 4)
   equal(run:at(0.5, "sole", "force_y"), 3.5)
+  equal(run:last("sole", "force_y"), 4)
   equal(run:columns()[1], "sole/force_y")
   fails("no series 'sole/forcey'; did you mean 'sole/force_y'?", function() return run:max("sole", "forcey") end)
 end)

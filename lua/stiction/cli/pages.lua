@@ -183,6 +183,7 @@ run:series(probe, column [, component])    list of values at those times, and th
                          several values, as those of contact_line: one per point, from 1
 run:max(probe, column [, component])       largest value and its time; run:min likewise
 run:at(time, probe, column [, component])  value at a time, between steps on a straight line
+run:last(probe, column [, component])      value at the end
 run:columns()            names "probe/column" of all there is; 'stiction help columns' says what they are
 run.cost                 counters of the run: seconds, cpu_seconds, steps, iterations, work, unknowns, peak_memory,
                          seconds_in_assembly (and _factorization, _solve, _contact, _output: processor time) ...

@@ -109,11 +109,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name)
-  local list = run:series(group, name)
-  return list[#list]
-end
-
 local function opening(run) -- d and the largest so far, at every recorded time
   local times, values = path(run.p)
   local list, largest, far = {}, {}, 0
@@ -208,8 +203,8 @@ return stiction.study {
   results = {
     { name = "at_third", unit = "Pa", meaning = "traction when a third of the opening is reached first",
       function(run) return numeric.interpolate(run.time, size(run), 2) end },
-    { name = "work", unit = "J/m", meaning = "work of the motion", function(run) return last(run, "energy", "motion_work") end },
-    { name = "loss", unit = "J/m", meaning = "loss of bonding", function(run) return last(run, "energy", "bonding_loss") end },
+    { name = "work", unit = "J/m", meaning = "work of the motion", function(run) return run:last("energy", "motion_work") end },
+    { name = "loss", unit = "J/m", meaning = "loss of bonding", function(run) return run:last("energy", "bonding_loss") end },
     { name = "deviation", unit = "1", meaning = "largest distance from the closed curve over 1 kPa", deviation },
   },
   check = function(cases, check)

@@ -59,11 +59,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group)
-  local u = run:series(group, "u_y")
-  return u[#u]
-end
-
 local names = { "quad4", "quad4_mean", "quad8", "quad8_mean", "tri3", "tri6", "tri6_mean" }
 local locking = { quad4 = true, tri3 = true }
 
@@ -145,9 +140,9 @@ return stiction.study {
   scene = scene,
   results = {
     { name = "corner", unit = "m", meaning = "displacement of the upper corner of the end, upwards",
-      function(run) return last(run, "corner") end },
+      function(run) return run:last("corner", "u_y") end },
     { name = "middle", unit = "m", meaning = "displacement of the middle of the end, upwards",
-      function(run) return last(run, "middle") end },
+      function(run) return run:last("middle", "u_y") end },
   },
   check = function(cases, check)
     local notes = {}

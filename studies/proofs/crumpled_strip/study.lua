@@ -133,11 +133,6 @@ local function at_press(run, group, name)
   return there and math.abs(value) or 0
 end
 
-local function last(run, group, name)
-  local values = run:series(group, name)
-  return values[#values]
-end
-
 --- Largest change of a history over a scale.
 local function drift(run, names, scale)
   local most = 0
@@ -219,7 +214,7 @@ return stiction.study {
     result("upper", "N/m", "of contact on the upper side, all loops", function(run) return at_press(run, "upper", "force_x") end),
     result("lower", "N/m", "of contact on the lower side with itself", function(run) return at_press(run, "lower", "force_x") end),
     result("wall", "N/m", "on the left wall", function(run) return at_press(run, "wall", "force_x") end),
-    result("rubbed", "J/m", "lost by friction", function(run) return last(run, "energy", "friction_loss") end),
+    result("rubbed", "J/m", "lost by friction", function(run) return run:last("energy", "friction_loss") end),
     result("deepest", "m", "a point in the body it touches", function(run, p)
       return math.max(0, -run:min("upper", "gap_min"), p.model == "cell" and 0 or -run:min("lower", "gap_min"))
     end),

@@ -90,11 +90,6 @@ local function axial(run, p, group)
   return math.abs(run:at(1*s, group, space(p) and "force_z" or "force_y")) * (space(p) and 2 or 1)
 end
 
-local function last(run, group, name)
-  local values = run:series(group, name)
-  return values[#values]
-end
-
 --- Largest change of a vector over the size that it has at the start; 0 of what is held.
 local function drift(run, p, prefix)
   if p.model ~= "thrown" then return 0 end
@@ -152,7 +147,7 @@ return stiction.study {
     result("held", "N", "of the crest at the end after pressing, whole tube", function(run, p) return axial(run, p, "held") end),
     result("folds", "N", "of the folds on each other, whole tube", function(run, p) return axial(run, p, "folds") end),
     result("wall", "N", "on the lower wall, whole tube", function(run, p) return axial(run, p, "wall") end),
-    result("rubbed", "J", "lost by friction", function(run) return last(run, "energy", "friction_loss") end),
+    result("rubbed", "J", "lost by friction", function(run) return run:last("energy", "friction_loss") end),
     result("deepest", "m", "a point in the fold that it touches", function(run) return math.max(0, -run:min("folds", "gap_min")) end),
     result("drift", "1", "thrown: change of momentum over its start", function(run, p) return drift(run, p, "p_") end),
     result("spin_drift", "1", "thrown: change of angular momentum over its start", function(run, p) return drift(run, p, "l_") end),

@@ -98,15 +98,10 @@ end
 
 local function start(run) return run:series("momentum", "p_x")[1] end
 
-local function last(run, group, name)
-  local values = run:series(group, name)
-  return values[#values]
-end
-
 --- Difference of the speeds at the end over that at the start.
 local function restitution(run, p)
   if p.kind ~= "bars" then return 0 end
-  return (last(run, "momentum", "struck_p_x") / p.ratio - last(run, "momentum", "striker_p_x")) / start(run)
+  return (run:last("momentum", "struck_p_x") / p.ratio - run:last("momentum", "striker_p_x")) / start(run)
 end
 
 --- Most that the steps have made of the energy, and what they have lost in the end, over that at the start.
@@ -256,7 +251,7 @@ return stiction.study {
       function(run, p) return changed(run, moments[p.kind]) end },
     { name = "made", unit = "1", meaning = "most that the steps have made of the energy, over that at the start", made },
     { name = "lost", unit = "1", meaning = "what the steps have lost of it in the end",
-      function(run) return last(run, "energy", "scheme_loss") / run:series("energy", "kinetic")[1] end },
+      function(run) return run:last("energy", "scheme_loss") / run:series("energy", "kinetic")[1] end },
   },
   check = function(cases, check)
     exact_checks(cases, check)

@@ -76,11 +76,6 @@ local function place(run, k)
   return numeric.interpolate(path[1], path[3], t), k > 1 and (x - x_before) * 1e-3 / (t - before) or 0, x
 end
 
-local function last(run, group, name)
-  local list = run:series(group, name)
-  return list[#list]
-end
-
 -- Shear against the motion, Pa.
 local function shear(run)
   return numeric.map(run:series("point", "friction"), function(r) return -r end)
@@ -172,8 +167,8 @@ return stiction.study {
   sweep = { { "law", order }, { "steps", { 50, 100 } } },
   scene = scene,
   results = {
-    { name = "at_end", unit = "Pa", meaning = "shear at the end", function(run) return -last(run, "point", "friction") end },
-    { name = "loss", unit = "J/m", meaning = "loss of friction", function(run) return last(run, "energy", "friction_loss") end },
+    { name = "at_end", unit = "Pa", meaning = "shear at the end", function(run) return -run:last("point", "friction") end },
+    { name = "loss", unit = "J/m", meaning = "loss of friction", function(run) return run:last("energy", "friction_loss") end },
     { name = "deviation", unit = "1", meaning = "largest distance from the closed curve over 1 kPa", deviation },
   },
   check = function(cases, check)

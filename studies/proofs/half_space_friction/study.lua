@@ -40,19 +40,14 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name, component)
-  local values = run:series(group, name, component)
-  return values[#values]
-end
-
 --- The shear tractions at the end over mu p0, and those of theory with the same force along: {x, q, exact}.
 local function shear(run, p)
-  local a, P, Q = p.a.si, force(p), last(run, "touch", "force_x")
+  local a, P, Q = p.a.si, force(p), run:last("touch", "force_x")
   local p0, c = line.peak_pressure(P, radius(p).si, modulus(p)), line.stick_half_width(a, Q, p.mu, P)
   local x, q, exact = {}, {}, {}
   for k = 1, p.points do
-    x[k] = last(run, "line", "X", k)
-    q[k] = last(run, "line", "friction", k) / (p.mu * p0)
+    x[k] = run:last("line", "X", k)
+    q[k] = run:last("line", "friction", k) / (p.mu * p0)
     exact[k] = line.shear(x[k], a, p0, c, p.mu) / (p.mu * p0)
   end
   return x, q, exact
@@ -81,9 +76,9 @@ return stiction.study {
   scene = scene,
   results = {
     { name = "along", unit = "1", meaning = "force along over mu P",
-      function(run, p) return last(run, "touch", "force_x") / (p.mu * force(p)) end },
+      function(run, p) return run:last("touch", "force_x") / (p.mu * force(p)) end },
     { name = "stick", unit = "1", meaning = "width that sticks over that in contact",
-      function(run) return last(run, "touch", "stick") / (last(run, "touch", "stick") + last(run, "touch", "slip")) end },
+      function(run) return run:last("touch", "stick") / (run:last("touch", "stick") + run:last("touch", "slip")) end },
     { name = "deviation", unit = "1", meaning = "mean deviation of the shear from theory over mu p0, times the extent over a",
       function(run, p) return deviation(run, p) end },
   },

@@ -48,11 +48,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name)
-  local values = run:series(group, name)
-  return values[#values]
-end
-
 return stiction.study {
   title = "Sphere on a half space (Hertz)",
   question = "Force, contact radius and pressure of Hertz's contact on the points of a half space.",
@@ -67,11 +62,11 @@ return stiction.study {
   case_id = function(p) return ("%s_%d"):format(p.drive, p.points) end,
   scene = scene,
   results = {
-    { name = "force", unit = "N", meaning = "force", function(run) return last(run, "sphere", "force_z") end },
-    { name = "depth", unit = "m", meaning = "approach", function(run) return -last(run, "sphere", "u_z") end },
+    { name = "force", unit = "N", meaning = "force", function(run) return run:last("sphere", "force_z") end },
+    { name = "depth", unit = "m", meaning = "approach", function(run) return -run:last("sphere", "u_z") end },
     { name = "radius", unit = "m", meaning = "contact radius, of the closed area",
-      function(run) return math.sqrt(last(run, "touch", "closed_area") / math.pi) end },
-    { name = "peak", unit = "Pa", meaning = "largest pressure", function(run) return last(run, "touch", "pressure_max") end },
+      function(run) return math.sqrt(run:last("touch", "closed_area") / math.pi) end },
+    { name = "peak", unit = "Pa", meaning = "largest pressure", function(run) return run:last("touch", "pressure_max") end },
     { name = "products", unit = "1", meaning = "products with W", function(run) return run.cost.products end },
   },
   check = function(cases, check)
@@ -100,7 +95,7 @@ return stiction.study {
     local case = fine[#fine]
     local p, r, pressure = case.p, {}, {}
     for k, point in ipairs(radial(p)) do
-      r[k], pressure[k] = point.r.si, last(case, point.name, "pressure")
+      r[k], pressure[k] = point.r.si, case:last(point.name, "pressure")
     end
     local x, y, peak = {}, {}, hertz.peak_pressure(exact_force(p), radius(p).si, modulus(p))
     for i = 0, 120 do

@@ -59,19 +59,14 @@ local function punch(p)
   }
 end
 
-local function last(run, group, name, component)
-  local values = run:series(group, name, component)
-  return values[#values]
-end
-
 --- Pressure at the end over Hertz's without coupling, and theory's, over x / a: {x, p, exact}.
 local function pressure(run, p)
   local exact, p0 = theory(p), line.peak_pressure(force(p), radius(p).si, modulus(p))
   local x, held, known = {}, {}, {}
   for k = 1, p.points do
-    local at = last(run, "line", "X", k)
+    local at = run:last("line", "X", k)
     x[k] = at / p.a.si
-    held[k] = last(run, "line", "pressure", k) / p0
+    held[k] = run:last("line", "pressure", k) / p0
     known[k] = exact.pressure(at) / p0
   end
   return x, held, known
@@ -111,14 +106,14 @@ return stiction.study {
   scene = function(p) return p.kind == "slide" and slide(p) or punch(p) end,
   results = {
     { name = "along", unit = "1", meaning = "force along over mu P; 0 for the punch",
-      function(run, p) return p.kind == "slide" and last(run, "touch", "force_x") / (p.mu * force(p)) or 0 end },
+      function(run, p) return p.kind == "slide" and run:last("touch", "force_x") / (p.mu * force(p)) or 0 end },
     { name = "deviation", unit = "1", meaning = "mean deviation of the pressure over p0, times extent / a; 0 for the punch",
       function(run, p) return p.kind == "slide" and deviation(run, p) or 0 end },
     { name = "pressed", unit = "N", meaning = "force that presses", function(run, p)
-      return last(run, "touch", p.kind == "slide" and "force_y" or "force_z")
+      return run:last("touch", p.kind == "slide" and "force_y" or "force_z")
     end },
     { name = "sticks", unit = "1", meaning = "part of the contact that sticks", function(run)
-      return last(run, "touch", "stick") / (last(run, "touch", "stick") + last(run, "touch", "slip"))
+      return run:last("touch", "stick") / (run:last("touch", "stick") + run:last("touch", "slip"))
     end },
   },
   check = function(cases, check)

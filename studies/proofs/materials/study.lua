@@ -88,11 +88,6 @@ end
 
 local black = 6 -- among the colours of figures
 
-local function last(run, group, name)
-  local list = run:series(group, name)
-  return list[#list]
-end
-
 local function proofs(c, check)
   local p, r = c.p, c.results
   local word = p.law:gsub("_", " ")
@@ -156,13 +151,13 @@ return stiction.study {
   scene = scene,
   results = {
     { name = "lateral", unit = "1", meaning = "stretch along x at the corner",
-      function(run) return 1 + last(run, "corner", "u_x") end },
-    { name = "top_x", unit = "N", meaning = "force on the top along x", function(run) return last(run, "top", "force_x") end },
-    { name = "top_z", unit = "N", meaning = "force on the top along z", function(run) return last(run, "top", "force_z") end },
+      function(run) return 1 + run:last("corner", "u_x") end },
+    { name = "top_x", unit = "N", meaning = "force on the top along x", function(run) return run:last("top", "force_x") end },
+    { name = "top_z", unit = "N", meaning = "force on the top along z", function(run) return run:last("top", "force_z") end },
     { name = "right_x", unit = "N", meaning = "force on the right along x",
-      function(run) return last(run, "right", "force_x") end },
+      function(run) return run:last("right", "force_x") end },
     { name = "back_y", unit = "N", meaning = "force on the back along y",
-      function(run) return last(run, "back", "force_y") end },
+      function(run) return run:last("back", "force_y") end },
   },
   check = function(cases, check)
     for _, c in ipairs(cases) do proofs(c, check) end

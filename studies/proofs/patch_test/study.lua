@@ -158,11 +158,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name, component)
-  local values = run:series(group, name, component)
-  return values[#values]
-end
-
 --- Pressures of the contact points: {x, p}, ascending in x.
 local function pressures(run)
   local points = {}
@@ -171,7 +166,7 @@ local function pressures(run)
     if not found then
       break
     end
-    points[k] = { x = X[1], p = last(run, "points", "pressure", k) }
+    points[k] = { x = X[1], p = run:last("points", "pressure", k) }
   end
   table.sort(points, function(a, b) return a.x < b.x end)
   return points
@@ -181,7 +176,7 @@ end
 --- derivative of the displacement along the edge.
 local function stress(run, p, body, i, j)
   local function u(depth)
-    return last(run, ("%s_%d_%d_%d"):format(body, i, j, 2 * depth), is_space(p) and "u_z" or "u_y")
+    return run:last(("%s_%d_%d_%d"):format(body, i, j, 2 * depth), is_space(p) and "u_z" or "u_y")
   end
   local h = 1 / counts(p)[body == "lower" and 1 or 2]
   local slope = (is_quadratic(p) and 4 * u(0.5) - 3 * u(0) - u(1) or u(1) - u(0)) / h

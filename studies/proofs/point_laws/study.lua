@@ -82,11 +82,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name)
-  local list = run:series(group, name)
-  return list[#list]
-end
-
 -- Traction over sigma0 that the point gives back to the motion, at every recorded time.
 local function traction(run)
   local normal = run.p.test == "opening" or run.p.test == "snap"
@@ -276,12 +271,12 @@ return stiction.study {
     { name = "fall", unit = "Pa", meaning = "largest fall of the traction in one step",
       function(run) return sigma0 * largest_fall(run) end },
     { name = "deviation", unit = "1", meaning = "largest distance from the closed curve over sigma0", deviation },
-    { name = "work", unit = "J/m", meaning = "work of the motion", function(run) return last(run, "energy", "motion_work") end },
-    { name = "loss", unit = "J/m", meaning = "loss of bonding", function(run) return last(run, "energy", "bonding_loss") end },
+    { name = "work", unit = "J/m", meaning = "work of the motion", function(run) return run:last("energy", "motion_work") end },
+    { name = "loss", unit = "J/m", meaning = "loss of bonding", function(run) return run:last("energy", "bonding_loss") end },
     { name = "friction_loss", unit = "J/m", meaning = "loss of friction",
-      function(run) return last(run, "energy", "friction_loss") end },
+      function(run) return run:last("energy", "friction_loss") end },
     { name = "beta_4", unit = "1", meaning = "intensity after 4 s", function(run) return run:at(4, "point", "beta") end },
-    { name = "beta", unit = "1", meaning = "intensity at the end", function(run) return last(run, "point", "beta") end },
+    { name = "beta", unit = "1", meaning = "intensity at the end", function(run) return run:last("point", "beta") end },
   },
   check = function(cases, check)
     check_opening(cases, check)

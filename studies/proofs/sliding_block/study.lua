@@ -51,11 +51,6 @@ local function scene(p)
   }
 end
 
-local function last(run, group, name)
-  local list = run:series(group, name)
-  return list[#list]
-end
-
 -- First recorded time from which no point slides any more.
 local function stopped(run)
   local slipping, at = run:series("sole", "slip"), #run.time
@@ -109,16 +104,16 @@ return stiction.study {
   results = {
     { name = "stop", unit = "s", meaning = "time from which no point slides", stopped },
     { name = "distance", unit = "m", meaning = "way of the middle of the sole",
-      function(run) return math.sqrt(last(run, "centre", "u_x") ^ 2 + last(run, "centre", "u_y") ^ 2) end },
+      function(run) return math.sqrt(run:last("centre", "u_x") ^ 2 + run:last("centre", "u_y") ^ 2) end },
     { name = "direction", unit = "1", meaning = "u_y / u_x at the end",
-      function(run) return last(run, "centre", "u_y") / last(run, "centre", "u_x") end },
+      function(run) return run:last("centre", "u_y") / run:last("centre", "u_x") end },
     { name = "friction_loss", unit = "J", meaning = "what friction takes, by the ledger",
-      function(run) return last(run, "energy", "friction_loss") end },
+      function(run) return run:last("energy", "friction_loss") end },
     { name = "friction_work", unit = "J", meaning = "the same from the force on the sole and its way", work_on_the_way },
     { name = "damping_loss", unit = "J", meaning = "what the block's viscosity takes",
-      function(run) return last(run, "energy", "damping_loss") end },
+      function(run) return run:last("energy", "damping_loss") end },
     { name = "scheme_loss", unit = "J", meaning = "what the scheme takes",
-      function(run) return last(run, "energy", "scheme_loss") end },
+      function(run) return run:last("energy", "scheme_loss") end },
   },
   check = function(cases, check)
     local coarse_mesh = cases:where { cells = 4 }
