@@ -136,7 +136,7 @@ TEST_SUITE("scene") {
       CHECK(misplaced(table, rigid(table, {0.5, 1}, {0, 1})) < tiny);
       CHECK(misplaced(table, rigid(table, {0.5, 1}, {0, -1})) > 1e-3); // as it should be seen
     }
-    auto const& relief = scene::build(rough_foot()).reliefs.at("foot");
+    auto const relief = scene::build(rough_foot()).reliefs.at("foot");
     CHECK(relief.least >= 0);
     CHECK(relief.most > 0.01);
     CHECK(relief.spacing == doctest::Approx(1.0 / 16));
