@@ -48,6 +48,15 @@ void push(lua_State* lua, scene::Warning const& warning) {
   set(lua, "change", warning.change);
 }
 
+void push(lua_State* lua, scene::BesideResult const& beside) {
+  lua_newtable(lua);
+  set(lua, "name", beside.name);
+  set(lua, "steps", beside.steps);
+  set(lua, "turned", beside.turned);
+  set(lua, "iterations", beside.iterations);
+  set(lua, "ended", beside.ended);
+}
+
 template<class T> void set_list(lua_State* lua, char const* name, std::vector<T> const& values) {
   lua_newtable(lua);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -167,6 +176,8 @@ void push(lua_State* lua, scene::RunResult const& result) {
   set(lua, "seconds", result.seconds);
   set(lua, "phases", result.phases);
   set(lua, "counters", result.counters);
+  if (!result.beside.empty())
+    set_list(lua, "beside", result.beside);
 }
 
 std::string option(lua_State* lua, char const* name) {
@@ -207,8 +218,22 @@ scene::Keeping keeping(lua_State* lua) {
   return keeping;
 }
 
-/// run(scene, {out =, case_id =, manifest =, threads =, rehearse =, alone =, stop_after =, checkpoint = file
-/// to keep where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
+/// Scenes to run beside the case's own, of its options' list `beside`.
+std::vector<scene::Shifted> beside(lua_State* lua) {
+  std::vector<scene::Shifted> all;
+  lua_getfield(lua, 2, "beside");
+  for (lua_Integer i = 1; lua_istable(lua, -1) && lua_geti(lua, -1, i) != LUA_TNIL; ++i) {
+    lua_getfield(lua, -1, "name");
+    lua_getfield(lua, -2, "scene");
+    all.push_back({text_at(lua, -2), to_input(lua, -1)});
+    lua_pop(lua, 3);
+  }
+  lua_settop(lua, 4);
+  return all;
+}
+
+/// run(scene, {out =, case_id =, manifest =, threads =, rehearse =, alone =, stop_after =, beside = {{name =,
+/// scene =}} for derivatives, checkpoint = file to keep where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
 /// progress, tell) -> result; progress(snapshot) is called once a step, tell(text) with a line on the
 /// checkpoint
 int run(lua_State* lua) {
@@ -224,6 +249,7 @@ int run(lua_State* lua) {
   options.stop_after = static_cast<long>(number(lua, "stop_after"));
   options.alone = is_set(lua, "alone");
   options.keeping = keeping(lua);
+  options.beside = beside(lua);
   options.stop = &stop_flag();
   options.ranks = ranks();
   std::optional<EndsAtOnce> now(std::in_place); // until the first step is done

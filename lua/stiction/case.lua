@@ -1,5 +1,6 @@
 -- A case that has run: its parameters, histories and results; and the list of all cases.
 local calls = require "stiction.calls"
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local numeric = require "stiction.numeric"
@@ -64,6 +65,43 @@ end
 function Case:last(group, name, component)
   local values = self:series(group, name, component)
   return values[#values]
+end
+
+--- The run beside it in which a parameter that the study names in its `derivatives` is a little smaller, and by how much, SI.
+function Case:beside(name)
+  local folder = self.folder .. "/derivatives/" .. name
+  if engine.kind_of_path(folder .. "/series.h5") ~= "file" then
+    fault.script("case %s has no derivatives with respect to '%s'; the study asks for them: derivatives = { \"%s\" }", self.id, name, name)
+  end
+  local p, step = derivatives.shifted(self.p, name) -- not nil: a run was made
+  local other = case_module.new(self.id, p, folder)
+  if #other.time < #self.time then
+    fault.script("case %s: derivatives with respect to '%s' end at %g s", self.id, name, other.time[#other.time])
+  end
+  return other, step
+end
+
+local function quotient(a, b, step)
+  if type(a) == "table" and not units.is_quantity(a) then
+    local list = {}
+    for i, value in ipairs(a) do
+      list[i] = quotient(value, b[i], step)
+    end
+    return list
+  end
+  return (units.si(b) - units.si(a)) / step
+end
+
+--- The derivative of f(run), a number, a quantity or a list of them, with respect to a parameter that the study names in its
+--- `derivatives`; SI. From a run beside the case's own, exact to about five digits where no point changes between sticking,
+--- slipping and open within the shift.
+function Case:derivative(name, f)
+  if rawget(self, "pretended") then
+    f(self)
+    return 1
+  end
+  local other, step = self:beside(name)
+  return quotient(f(self), f(other), step)
 end
 
 --- What a run took, of its result: its counters, seconds, steps, iterations, factorizations and cuts; seconds_in_<phase>.

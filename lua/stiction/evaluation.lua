@@ -1,5 +1,6 @@
 -- Results of cases that have run, made from their histories: when they end, and anew when what makes them has changed.
 local case_module = require "stiction.case"
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local identity = require "stiction.identity"
 local output = require "stiction.output"
@@ -13,6 +14,7 @@ function evaluation.fill(study, case, result, run)
   rawset(run, "cost", case_module.cost_of(result))
   local results, failures, missing = case_module.compute(study, run)
   result.results, result.missing = results, missing or nil
+  result.derivatives = result.beside and derivatives.of_results(study, run, result.beside)
   result.verdict = #failures > 0 and "result failed" or "finished"
   result.reason = table.concat(failures, "\n")
   evaluation.note(study, case, result)

@@ -1,4 +1,5 @@
 -- What decides the results of a case: the scene that its script made, in SI, with files by their content, and the program.
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local loader = require "stiction.loader"
 local parts = require "stiction.parts"
@@ -91,7 +92,8 @@ function identity.of(study, case)
     return engine.hash(identity.of_sources(study, case) .. problem.identity(study, case.p))
   end
   local text, reason = identity.scene_text(study, case)
-  return engine.hash(identity.program() .. (text or "no scene: " .. reason))
+  local beside = #study.derivatives > 0 and text and attempt(derivatives.text, study, case) or ""
+  return engine.hash(identity.program() .. (text or "no scene: " .. reason) .. beside)
 end
 
 --- The files that the scene or the saved problem of a case consists of.

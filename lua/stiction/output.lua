@@ -272,6 +272,15 @@ end
 
 local measures = { "verdict", "steps", "iterations", "contact", "seconds" }
 
+--- Calls visit(result, parameter) for the names of each derivative.
+local function each_derivative(study, visit)
+  for _, parameter in ipairs(study.derivatives) do
+    for _, entry in ipairs(study.results) do
+      visit(entry.name, parameter)
+    end
+  end
+end
+
 local function summary_head(study, names, claimed)
   local head = { "case" }
   table.move(names, 1, #names, 2, head)
@@ -282,11 +291,15 @@ local function summary_head(study, names, claimed)
   for _, name in ipairs(claimed) do
     head[#head + 1] = name .. "_error"
   end
+  each_derivative(study, function(result, parameter)
+    head[#head + 1] = ("d_%s_d_%s"):format(result, parameter)
+  end)
   return table.move({ "set", "warnings" }, 1, 2, #head + 1, head)
 end
 
 --- summary.csv: one row per case with a result; SI. `claims` (or nil): {names =, of = {by case, by name}}, what results may
---- be off by; empty where that is not known. Last: which parameters are not the study's own, and what was known against the
+--- be off by; empty where that is not known. Then derivatives of results with respect to parameters that the study names, SI.
+--- Last: which parameters are not the study's own, and what was known against the
 --- case before it ran.
 function output.write_summary(folder, study, names, rows, claims)
   local claimed, own = claims and claims.names or {}, own_values(study)
@@ -308,6 +321,9 @@ function output.write_summary(folder, study, names, rows, claims)
     for _, name in ipairs(claimed) do
       add((claims.of[row.case.id] or {})[name])
     end
+    each_derivative(study, function(result, parameter)
+      add(((row.result.derivatives or {})[parameter] or {})[result] or "nan")
+    end)
     add(words_set(own, row.case))
     add(words_warned(row.result))
     lines[#lines + 1] = table.concat(words, ",")

@@ -4,6 +4,7 @@ local copy = require "stiction.copy"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local loader = require "stiction.loader"
+local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local parts = require "stiction.parts"
 local sample = require "stiction.sample"
@@ -14,7 +15,7 @@ local study = {}
 local keys = {
   title = "string", question = "string", given = "table", chosen = "table", sweep = "table", case_id = "function",
   scene = "function", problem = "function", results = "table", quick = "table", check = "function", figures = "function",
-  trade = "table", fit = "table", sample = "table",
+  trade = "table", fit = "table", sample = "table", derivatives = "table",
 }
 
 local function names_of(t)
@@ -144,6 +145,18 @@ end
 local methods = {}
 local study_mark = { __index = methods }
 
+--- Names of parameters with respect to which results are to have derivatives.
+local function read_derivatives(t, known)
+  local list = {}
+  for i, name in ipairs(t or {}) do
+    if not known(name) then
+      fault.script("study.derivatives: the study has no parameter '%s'; give a list of names", tostring(name))
+    end
+    list[i] = name
+  end
+  return list
+end
+
 --- stiction.study{ ... }
 function study.define(t)
   if type(t) ~= "table" then
@@ -153,9 +166,14 @@ function study.define(t)
   local given = read_parameters(t.given, "given", false)
   local chosen = read_parameters(t.chosen, "chosen", true)
   check_distinct(given, chosen)
+  local swept = study.read_sweep(t.sweep or {})
+  local function known(name)
+    local function is(axis) return axis.name == name end
+    return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is) or swept.cases and swept.cases[1][name] ~= nil
+  end
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
-    sweep = study.read_sweep(t.sweep or {}), quick = t.quick or {}, case_id = t.case_id, scene = t.scene, problem = t.problem,
+    derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id, scene = t.scene, problem = t.problem,
     results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, fit = t.fit, sample = t.sample,
     definition = t,
   }, study_mark)

@@ -64,6 +64,12 @@ double largest_cell(Model const& model) {
 } // namespace
 
 BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose)
+    : BulkSystem(model, weights, purpose == Purpose::steps ? Matrix::own : Matrix::none, nullptr) {}
+
+BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, BulkSystem const& lead)
+    : BulkSystem(model, weights, Matrix::of_another, &lead) {}
+
+BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Matrix matrix, BulkSystem const* lead)
     : model_(&model), dim_(model.dim()), diagonal_(weights.explicit_forces), springs_(model),
       surface_loads_(model), links_(model) {
   on_surface_ = contact_nodes(model);
@@ -73,17 +79,23 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
   }
   damped_ = damped_ || (weights.inertia && springs_.damped());
   own_rates_ = damped_ && weights.surface_apart() && weights.rate != 1;
-  if (purpose == Purpose::steps)
+  if (matrix == Matrix::own)
     make_matrix(model, weights);
+  else if (lead != nullptr)
+    number_as(*lead);
+  if (matrix == Matrix::of_another && weights.skin) {
+    skin_more_ = 1 - weights.xi;
+    skin_.emplace(model, on_surface_);
+  }
   mass_.dead_load.setZero(model.dofs());
   bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
                                                              [](auto const& rigid) { return rigid.free(); });
   if (weights.inertia || loaded)
     mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
-  if (purpose == Purpose::beginning)
+  if (matrix == Matrix::none)
     return;
-  if (weights.inertia)
+  if (weights.inertia && matrix == Matrix::own)
     set_mass(weights);
   grip_in_matrix_ = model.held_by_bonds ? steady : 0;
   if (grip_in_matrix_ > 0 || weights.stabilisation > 0)
@@ -94,6 +106,20 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Purpose p
   linear_ = diagonal_ || linear_bodies_;
   cell_size_ = largest_cell(model);
   arms_ = arms(model);
+}
+
+void BulkSystem::number_as(BulkSystem const& lead) {
+  unknown_of_ = lead.unknown_of_;
+  dof_of_ = lead.dof_of_;
+  trailing_ = lead.trailing_;
+  own_rates_ = own_rates_ && trailing_ > 0;
+  kept_.emplace_back();
+}
+
+void BulkSystem::borrow_factor(BulkSystem& lead) {
+  lent_ = &lead.factor();
+  kept_.front().scale = lead.stiffness_scale();
+  kept_.front().bodies = lead.bodies_stiffness();
 }
 
 void BulkSystem::make_matrix(Model const& model, StepWeights const& weights) {

@@ -53,6 +53,10 @@ struct LoadsAt {
 class BulkSystem {
 public:
   BulkSystem(Model const& model, StepWeights const& weights, Purpose purpose = Purpose::steps);
+  /// Of a model with the same unknowns as `lead`, beside it: it has their numbers, and no matrix of its own.
+  BulkSystem(Model const& model, StepWeights const& weights, BulkSystem const& lead);
+  /// Solves with the present factor of `lead` until this is called again.
+  void borrow_factor(BulkSystem& lead);
 
   [[nodiscard]] Index unknowns() const { return static_cast<Index>(dof_of_.size()); }
   /// Number of the free unknown behind a degree of freedom; contact unknowns come last. Negative if it is
@@ -128,9 +132,11 @@ public:
   /// True if the internal force, springs included, is linear in u, and no load follows it.
   [[nodiscard]] bool linear_bodies() const { return linear_bodies_; }
   /// The present one; its surface are the contact unknowns.
-  [[nodiscard]] linear::BulkFactor& factor() { return *kept_.front().factor; }
-  [[nodiscard]] linear::BulkFactor const& factor() const { return *kept_.front().factor; }
-  [[nodiscard]] linear::Effort effort() const { return kept_.front().factor->effort(); }
+  [[nodiscard]] linear::BulkFactor& factor() { return lent_ != nullptr ? *lent_ : *kept_.front().factor; }
+  [[nodiscard]] linear::BulkFactor const& factor() const {
+    return lent_ != nullptr ? *lent_ : *kept_.front().factor;
+  }
+  [[nodiscard]] linear::Effort effort() const { return factor().effort(); }
   /// Largest diagonal entry of the present factor's matrix, N/m: sets the floor of rounding.
   [[nodiscard]] double stiffness_scale() const { return kept_.front().scale; }
   /// The same of the bodies alone, without mass, N/m.
@@ -139,6 +145,10 @@ public:
   [[nodiscard]] double cell_size() const { return cell_size_; }
 
 private:
+  enum class Matrix { own, of_another, none };
+  BulkSystem(Model const& model, StepWeights const& weights, Matrix matrix, BulkSystem const* lead);
+  void number_as(BulkSystem const& lead);
+
   /// A factor, and what it is the factor of.
   struct Kept {
     std::unique_ptr<linear::BulkFactor> factor;
@@ -202,6 +212,7 @@ private:
   std::vector<Kept> parked_; ///< wanted, but overwritten by the present step; at most one
   std::vector<std::unique_ptr<linear::BulkFactor>> spare_; ///< memory of factors that nobody wants
   std::size_t kept_at_most_ = 1;
+  linear::BulkFactor* lent_ = nullptr; ///< by another system
   bool linear_ = false, linear_bodies_ = false, damped_ = false, relaxing_ = false;
   std::shared_ptr<Memory const> memory_;        ///< at the start of the present step
   std::vector<std::shared_ptr<Memory>> filled_; ///< by the last steps; who wants one holds it too

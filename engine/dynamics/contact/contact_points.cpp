@@ -56,6 +56,13 @@ template<int D, int C> void ContactPoints<D, C>::begin(State const& old, double 
   }
 }
 
+template<int D, int C> void ContactPoints<D, C>::follow(ContactPoints const& lead) {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    points_[k].force = lead.points_[k].force;
+    points_[k].data.bond.closed = lead.points_[k].data.bond.closed;
+  }
+}
+
 /// A point whose gap does not close is left to its bond, if it has one.
 template<int D, int C> void ContactPoints<D, C>::limit_rates(Point& point, double dt) const {
   auto const condition = rate_condition(before(point), weights_, dt);

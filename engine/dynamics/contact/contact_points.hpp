@@ -13,6 +13,8 @@ public:
   ContactPoints(Model const& model, contact::Problem& problem);
 
   void begin(State const& old, double t1, double dt);
+  /// As ContactSystem::follow.
+  void follow(ContactPoints const& lead);
   /// As ContactSystem::locate.
   void locate(Vector const& u, bool settle);
   /// As ContactSystem::reaction.

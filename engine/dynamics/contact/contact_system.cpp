@@ -24,6 +24,9 @@ public:
     solver_->forget();
     assembly_.begin(old, dt, turning);
   }
+  void follow(ContactSystem const& lead) override {
+    points_.follow(dynamic_cast<System const&>(lead).points_);
+  }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {

@@ -25,6 +25,8 @@ public:
   /// know that normals turn as points move? The balance has that all the same: iterations converge, if
   /// slower.
   virtual void begin(State const& old, double t1, double dt, bool turning) = 0;
+  /// After `begin`: forces, and which bonds are closed, as another system of the same pairs has them now.
+  virtual void follow(ContactSystem const& lead) = 0;
   /// Has any problem of the step known it?
   [[nodiscard]] virtual bool turned() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.

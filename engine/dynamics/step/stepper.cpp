@@ -47,6 +47,18 @@ Stepper::Stepper(Model const& model, Purpose purpose)
     : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_, purpose),
       contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
       arms_(arms(model)) {
+  learn_of_model();
+}
+
+Stepper::Stepper(Model const& model, Stepper const& lead)
+    : model_(&model), follows_(true), weights_(weights(model.scheme)), bulk_(model, weights_, lead.bulk_),
+      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
+      arms_(arms(model)) {
+  learn_of_model();
+}
+
+void Stepper::learn_of_model() {
+  auto const& model = *model_;
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
@@ -236,7 +248,7 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   }
   bulk_.links().gather(unbalanced_);
   Timer const timer(cost_.contact);
-  contact_->locate(leads_ ? Vector(u_ + lead_) : u_, outcome.iterations >= settle_after);
+  contact_->locate(leads_ ? Vector(u_ + lead_) : u_, follows_ || outcome.iterations >= settle_after);
   contact_->reaction(reaction_);
   if (!bulk_.links().empty()) {
     gathered_ = reaction_;
@@ -372,6 +384,7 @@ bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
 
 Outcome Stepper::attempt(State const& old, double dt, Start start) {
   Outcome outcome;
+  start_ = start;
   predict(old, dt, start);
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
     if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
@@ -381,8 +394,11 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
     previous_imbalance_ = now;
-    if (outcome.iterations > 0 && converged(outcome))
+    if (outcome.iterations > 0 && converged(outcome)) {
+      if (leads_others_ && !polish(old, dt, outcome))
+        return outcome;
       break;
+    }
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
       outcome.reason = fmt::format("{} after {} iterations", unmet(outcome, now), outcome.iterations);
       return outcome;

@@ -40,12 +40,20 @@ class Stepper {
 public:
   /// Of one made for the beginning alone only `initial` and `contact` may be asked.
   explicit Stepper(Model const& model, Purpose purpose = Purpose::steps);
+  /// Makes its steps beside those of `lead`, whose model differs from this one in its numbers alone; only
+  /// `initial`, `follow` and what is asked may be called.
+  Stepper(Model const& model, Stepper const& lead);
 
   /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
   [[nodiscard]] State initial();
   /// Is asked in every iteration whether to leave off.
   void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
   [[nodiscard]] Outcome step(State const& old, double dt);
+  /// Steps that converge make one iteration more, with a factor of where they end: for those that follow.
+  void lead() { leads_others_ = true; }
+  /// The step that `lead` has just made, from a state near its own: corrected with its factor, from its
+  /// forces and with the bonds that it closed, until what is left is `share` of what was wrong at first.
+  [[nodiscard]] Outcome follow(Stepper& lead, State const& old, double dt, double share);
   /// Takes up where another stepper of the same model left off with these factors, having taken so much:
   /// steps go on to the last bit as its would have, and cost what they would have.
   void go_on(std::vector<FactorSource> const& made, Cost const& cost) {
@@ -59,6 +67,7 @@ public:
   [[nodiscard]] BulkSystem& bulk() { return bulk_; }
 
 private:
+  void learn_of_model();
   [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
   /// Where iterations start: from the old rates, from rest, or from rest with problems that do not know the
   /// turn of normals.
@@ -95,9 +104,12 @@ private:
   [[nodiscard]] double largest_way(Vector const& way) const;
   [[nodiscard]] double largest_force(Vector const& force) const;
   [[nodiscard]] double imbalance() const;
+  [[nodiscard]] double rounded() const;
   [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
+  /// False, with the outcome's reason, where that breaks the step.
+  [[nodiscard]] bool polish(State const& old, double dt, Outcome& outcome);
   void finish(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
   void account(State const& old, State& next) const;
@@ -119,6 +131,9 @@ private:
 
   Model const* model_;
   std::function<bool()> enough_;
+  Start start_ = Start::rest; ///< of the last attempt
+  bool follows_ = false;      ///< another stepper
+  bool leads_others_ = false; ///< other steppers follow
   StepWeights weights_;
   BulkSystem bulk_;
   std::unique_ptr<ContactSystem> contact_;

@@ -30,13 +30,17 @@ double Stepper::imbalance() const {
   return largest;
 }
 
+/// What rounding alone leaves of the balance of bodies, N.
+double Stepper::rounded() const {
+  double const way = largest_way(u_) + largest_way(d_);
+  double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
+  return 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
+}
+
 /// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
 /// rounding, once it no longer falls.
 bool Stepper::converged(Outcome& outcome) {
-  double const way = largest_way(u_) + largest_way(d_);
-  double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
-  double const rounded = 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
-  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded;
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded();
   double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   outcome.force_scale = force_scale_;

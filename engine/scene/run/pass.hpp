@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <memory>
 
 #include "dynamics/adaptivity/pace.hpp"
 #include "dynamics/bulk/critical_step.hpp"
@@ -15,6 +16,7 @@
 #include "scene/explain/preview.hpp"
 #include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
+#include "scene/run/beside.hpp"
 #include "scene/run/checkpoint.hpp"
 #include "scene/run/halves.hpp"
 #include "scene/run/patience.hpp"
@@ -48,6 +50,10 @@ public:
       stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
       pace_.emplace(*accuracy, stepper_.bulk(), *scene.model);
     }
+    for (auto const& shifted : options.beside)
+      beside_.push_back(std::make_unique<Beside>(shifted, scene, stepper_));
+    if (!beside_.empty())
+      stepper_.lead();
     warnings_ = warnings_of(scene, state_);
     if (!story.under_way) {
       begin_files(nullptr);
@@ -79,6 +85,8 @@ public:
     ranks_.note_use();
     Timed const timed(*this);
     recorder_->close();
+    for (auto const& one : beside_)
+      one->close();
     return finish();
   }
   [[nodiscard]] double time() const { return state_.t; }
@@ -115,6 +123,9 @@ public:
     result_.counters["peak_memory"] = ranks_.peak_memory();
     if (ranks_.several())
       result_.counters["ranks"] = ranks_.count();
+    result_.beside.clear();
+    for (auto const& one : beside_)
+      result_.beside.push_back(one->result());
     result_.counters.insert(recorder_->changes().begin(), recorder_->changes().end());
     return result_;
   }
@@ -128,6 +139,8 @@ private:
         recorder_.emplace(*scene_, options_->out, from);
       else
         recorder_.emplace(*scene_, from);
+      for (auto const& one : beside_)
+        one->begin_files(options_->out, from == nullptr);
     } catch (record::Unfit const& why) {
       unfit = why.what();
     }
@@ -362,6 +375,8 @@ private:
             result_.steps, result_.cuts, spent, cpu, output_);
     if (pace_)
       archive(*pace_);
+    for (auto const& one : beside_)
+      one->visit(archive);
     if constexpr (Archive::reads) {
       before_ = spent;
       cpu_before_ = cpu;
@@ -394,6 +409,8 @@ private:
   void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
     if (auto const contact = contact::words(answered()); !contact.empty())
       recorder_->change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
+    for (auto const& one : beside_)
+      one->follow(stepper_, outcome.state, dt);
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
@@ -446,6 +463,7 @@ private:
   dynamics::Stepper stepper_;
   std::optional<dynamics::Pace> pace_; ///< none: equal steps
   std::optional<Recorder> recorder_;
+  std::vector<std::unique_ptr<Beside>> beside_;
   Patience patience_;
   dynamics::State state_;
   Remarks remarks_;

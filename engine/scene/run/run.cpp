@@ -80,13 +80,16 @@ RunResult run(core::Input const& input, RunOptions const& options) {
   }
   for (;;) {
     auto const asked = with_sizes(input, story.sizes);
-    auto const scene = build(asked, options.ranks);
+    auto scene = build(asked, options.ranks);
+    ready_for(options.beside, scene);
     if (scene.formula)
       return run_formula(asked, scene, options, story);
     if (scene.half_space)
       return run_half_space(asked, scene, options, checkpoint, story);
     if (ranks.writes())
       record::prepare_output(options.out);
+    if (ranks.writes() && !story.under_way)
+      remove_runs_beside(options.out);
     std::optional<Run> running;
     if (!take_up(running, scene, options, checkpoint, story))
       continue;

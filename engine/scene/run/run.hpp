@@ -32,6 +32,21 @@ struct Keeping {
   std::function<void(std::string const&)> tell; ///< one line on what was taken up, or why it was not
 };
 
+/// The scene of a case with one parameter a little different.
+struct Shifted {
+  std::string name; ///< of the parameter
+  core::Input scene;
+};
+
+/// What became of the run beside a case's own that one parameter's derivatives come from.
+struct BesideResult {
+  std::string name;    ///< of the parameter
+  long steps = 0;      ///< that it followed
+  long turned = 0;     ///< of them, at whose ends some point's status is another
+  long iterations = 0; ///< of its own
+  std::string ended;   ///< why it was left before the case's end; empty: it was not
+};
+
 struct RunOptions {
   std::filesystem::path out; ///< the case's folder, made if missing
   std::string case_id;
@@ -42,6 +57,8 @@ struct RunOptions {
   int threads = 1; ///< that share its loops; its numbers do not depend on how many
   /// The processes that share the case, each of which runs it: the first writes its files; or null.
   linear::Ranks const* ranks = nullptr;
+  /// Runs beside the case's own, for derivatives; each of its steps then makes an iteration more.
+  std::vector<Shifted> beside;
   /// For tests: stopped when the run has asked so often whether it is to stop, within steps too; 0: never.
   long stop_after = 0;
   /// For tests: every so many steps is first made and thrown away, then made again; 0: none.
@@ -65,6 +82,7 @@ struct RunResult {
   double seconds = 0;
   std::map<std::string, double>
       phases; ///< processor seconds per phase: assembly, factorization, contact, solve, output
+  std::vector<BesideResult> beside;       ///< in the order asked for
   std::map<std::string, double> counters; ///< cells evaluated, contact iterations, peak memory (bytes) ...
 };
 

@@ -1,6 +1,7 @@
 -- One case of a sweep, run in a process of its own for `stiction run`.
 local case_module = require "stiction.case"
 local claims = require "stiction.claims"
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
@@ -111,7 +112,10 @@ local function run(options, study, begin)
     begin()
     result, answers = problem.solve(study, case)
   else
-    result = engine.run(study:scene_of(case), settings_of(options, case, text, fingerprint), progress_teller(begin), note)
+    local settings = settings_of(options, case, text, fingerprint)
+    settings.beside = derivatives.of(study, case)
+    result = engine.run(study:scene_of(case), settings, progress_teller(begin), note)
+    derivatives.note(study, case, result)
   end
   engine.watch_lines(true)
   evaluation.note(study, case, result)

@@ -93,7 +93,7 @@ end
 --- The page, HTML.
 return function()
   local list = { head:format(engine.version, html.style, engine.version), "<h2>Commands and studies</h2>" }
-  for _, name in ipairs { "commands", "study", "results", "solve", "trade", "fit", "sample", "peers" } do
+  for _, name in ipairs { "commands", "study", "results", "derivatives", "solve", "trade", "fit", "sample", "peers" } do
     list[#list + 1] = prose(name, name, pages[name])
   end
   add_parts(list)

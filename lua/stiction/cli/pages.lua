@@ -184,12 +184,28 @@ run:series(probe, column [, component])    list of values at those times, and th
 run:max(probe, column [, component])       largest value and its time; run:min likewise
 run:at(time, probe, column [, component])  value at a time, between steps on a straight line
 run:last(probe, column [, component])      value at the end
+run:derivative(parameter, function(run) ... end)   derivative of what that gives; 'stiction help derivatives'
 run:columns()            names "probe/column" of all there is; 'stiction help columns' says what they are
 run.cost                 counters of the run: seconds, cpu_seconds, steps, iterations, work, unknowns, peak_memory,
                          seconds_in_assembly (and _factorization, _solve, _contact, _output: processor time) ...
 It is run:max(...), with a colon. stiction.numeric works on lists: max, min, extreme, argmax, argmin, interpolate(xs, ys,
 x), first_where(list, test, start), integral(xs, ys), mean(list), amplitude(list), map(list, f).
 Results are computed when a case ends; a changed function needs 'stiction run STUDY' once more.]]
+
+pages.derivatives = [[
+derivatives = { "mu", "w", "young" },                 -- a key of a study: names of its parameters
+
+Beside every case there is then a run for each of these, in which the parameter is smaller by a hundred-thousandth of itself. It makes
+the case's own steps, each corrected with the case's own factor from the case's own forces: no matrix is made or factored for it. Its
+histories are below <case>/derivatives/<parameter>; summary.csv has d_<result>_d_<parameter> of every result, in SI, and
+  run:derivative("mu", function(run) return run:max("sole", "force_x") end)    is the derivative of any number, quantity or list
+  run:beside("mu")                                                             that run, and by how much mu is different there, SI
+They are exact to some five digits; where results jump, or a point turns from sticking to slipping within so small a change, what is told
+is the change itself. How many steps ended with a point whose status is another stands in the manifest (result.beside: turned); a run
+that cannot follow any more ends, is told, and its derivatives are nan. The case's own steps are then converged to 1e-10 at least.
+'stiction fit' takes them for its parameters and needs no cases for derivatives. There are none with explicit schemes, steps chosen by
+their error, meshes made anew, half spaces and formulas, nor with respect to what changes the mesh, the schedule's times, what is driven
+or which pairs there are: that is refused. A parameter that is 0 has none, which is told.]]
 
 pages.solve = [[
 stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
@@ -301,7 +317,8 @@ fit = {                                               -- a key of a study
 'stiction fit STUDY' looks for least squares of (model - data) / sigma by Levenberg and Marquardt's steps (GSL). An evaluation is one
 case a curve, kept below out/<study>/fit by its values: a fit that was killed goes on where it was, one with other data, bounds or
 curves takes what there is. Derivatives are differences, a batch of cases, whose size comes from how rough the runs are (third
-differences of four runs); between batches they are brought along. Where a case fails the step was too long. It ends within a fifth
+differences of four runs); between batches they are brought along. Over parameters that the study names in `derivatives` they come
+with each case ('stiction help derivatives'). Where a case fails the step was too long. It ends within a fifth
 of a standard error, the same to the last bit whatever --jobs is.
 
 Errors that are not given are those that the residuals show; where some curves have them, those of the others are told by third

@@ -187,6 +187,15 @@ end
 
 judge.doubt = doubt
 
+--- The length of the longest of these columns.
+local function longest(columns)
+  local most = 0
+  for _, column in ipairs(columns) do
+    most = math.max(most, linear.dot(column, column))
+  end
+  return math.sqrt(most)
+end
+
 --- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
 --- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
 --- spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =,
@@ -194,7 +203,7 @@ judge.doubt = doubt
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
 --- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =}.
 --- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
---- differences)}.
+--- differences), exact = (what derivatives may be off by, of themselves, where they are none)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
   local slopes, sizes, values = judge.scales(problem.parameters, found.z)
@@ -205,7 +214,8 @@ function judge.of(problem, found, about)
   local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
     squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
-  local floor = blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
+  local floor = about.exact and about.exact * longest(columns)
+    or blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
   local matrix, singular, vectors, spreads = {}, {}, {}, {}
   if #free > 0 then
     matrix, singular, vectors, spreads = linear.covariance(columns, floor)

@@ -1,5 +1,6 @@
 -- The residuals of a fit at points of its parameters: batches of cases, compared with the measured curves.
 local engine = require "stiction.engine"
+local exact = require "stiction.fit.exact"
 local loss_module = require "stiction.fit.loss"
 local numeric = require "stiction.numeric"
 local points_module = require "stiction.points"
@@ -35,51 +36,53 @@ local function cases_of(self, curve, values, extra)
   return cases, others
 end
 
---- What the rows of a curve's cases give at its points; nil and the reason.
-local function modelled(self, curve, rows, others)
-  local runs = {}
-  for i, row in ipairs(rows) do
+--- What the rows of a curve's cases give at its points, and their runs; nil and the reason.
+local function modelled(self, part)
+  local curve, runs = part.curve, {}
+  for i, row in ipairs(part.rows) do
     if not row.computed then
       return nil, ("%s: %s"):format(row.case.id, points_module.reason(row))
     end
     runs[i] = self.points:run_of(row)
   end
-  local held, list, reason = engine.call(curve.model, curve, runs, others)
+  local held, list, reason = engine.call(curve.model, curve, runs, part.others)
   if not held then
     if list.kind == "stopped" then
       error(list, 0)
     end
     return nil, tostring(list) .. (list.trace or "")
   end
-  return list, reason and ("%s: %s"):format(curve.what, reason)
+  return list, list and runs or ("%s: %s"):format(curve.what, reason)
 end
 
---- An answer at one point: {r =, curves = {model values by place} | failed =, cases = {ids}}.
-local function answer_of(self, parts)
+--- An answer at one point: {r =, J = {derivatives by place of parameter, of those that no other case tells}, curves = {model values by
+--- place} | failed =, cases = {ids}}; values: of the parameters.
+local function answer_of(self, parts, values)
   local answer = { r = {}, curves = {}, cases = {} }
   for i, part in ipairs(parts) do
     for _, row in ipairs(part.rows) do
       answer.cases[#answer.cases + 1] = row.case.id
     end
-    local list, reason = modelled(self, part.curve, part.rows, part.others)
+    local list, runs = modelled(self, part)
     if not list then
-      return { failed = reason, cases = answer.cases }
+      return { failed = runs, cases = answer.cases }
     end
-    answer.curves[i] = list
+    answer.curves[i], part.list, part.runs = list, list, runs
     for _, r in ipairs(part.curve:residuals(list)) do
       answer.r[#answer.r + 1] = r
     end
   end
+  answer.J = exact.columns(self.points.study, self.fit.parameters, values, parts)
   return answer
 end
 
 --- Answers at points, each a list of coordinates, by one batch of cases. word: what for. extra: settings in place of the study's;
 --- curves: these alone.
 function Model:evaluate(list, word, extra, curves)
-  local wanted, parts = {}, {}
+  local wanted, parts, points = {}, {}, {}
   for n, z in ipairs(list) do
     local values = space.values(self.fit.parameters, z)
-    parts[n] = {}
+    parts[n], points[n] = {}, values
     for i, curve in ipairs(curves or self.fit.curves) do
       local cases, others = cases_of(self, curve, values, extra)
       parts[n][i] = { curve = curve, others = others, first = #wanted + 1, count = #cases }
@@ -91,7 +94,7 @@ function Model:evaluate(list, word, extra, curves)
     for _, part in ipairs(own) do
       part.rows = table.move(rows, part.first, part.first + part.count - 1, 1, {})
     end
-    answers[n] = answer_of(self, own)
+    answers[n] = answer_of(self, own, points[n])
     self:note(list[n], word, answers[n])
   end
   return answers
@@ -175,7 +178,7 @@ end
 --- Measures the noise of runs near a point and sets the size of differences by it: self.noise of a residual, self.share relative.
 function Model:set_steps(z)
   local reason
-  if not self.fit.noise then
+  if not self.fit.noise and not self.exact then
     self.third, reason = third_differences(self, z)
   end
   local size = self:weigh_noise()
@@ -214,7 +217,7 @@ end
 --- tell(entry, number): called with every answer, {word =, values =, cost =, failed =}.
 function model.open(fit, study, options, folder, tell)
   return setmetatable({ fit = fit, points = points_module.open(study, options, folder, names_of(fit)), log = {}, tell = tell,
-    noise = 0, share = least_share }, Model)
+    noise = 0, share = least_share, exact = exact.all(study, fit) }, Model)
 end
 
 return model

@@ -21,7 +21,8 @@ local news = 0.2 -- of a step: less that is new, and the steps before it are for
 local longest = 0.3 -- step between bounds, in coordinates: farther away derivatives tell little, and what has no effect there stays there
 local edge = 1e-12 -- coordinates so near to a bound are on it
 
--- A problem: {parameters =, loss = name, evaluate = function(points, word) -> list of {r = residuals | failed = reason},
+-- A problem: {parameters =, loss = name, evaluate = function(points, word) -> list of {r = residuals, J = {derivatives by place, where
+-- they are known} | failed = reason},
 -- step = function(k, z) -> size of differences, known = whether errors are known, enough = gain in squares of standard errors
 -- at which it ends, most = evaluations, refusals = trial points in vain after new derivatives, always = derivatives by differences
 -- at each step, central = by central ones}.
@@ -94,7 +95,8 @@ local function differences(self, z, at)
     local h = self.problem.step(k, z)
     steps[k] = self.problem.parameters[k].from and z[k] + h > 1 and -h or h
   end
-  local m = told_by_step(self, steps)
+  local known = at.J or {}
+  local m = next(known) == nil and told_by_step(self, steps) or nil
   local function moved(k, h)
     local other = table.move(z, 1, p, 1, {})
     other[k] = z[k] + h
@@ -117,7 +119,8 @@ local function differences(self, z, at)
   end
   local all, rest = {}, {}
   for k = 1, p do
-    all[#all + 1] = k ~= m and k or nil
+    J[k] = known[k]
+    all[#all + 1] = not known[k] and k ~= m and k or nil
   end
   try(all, 1)
   for _, k in ipairs(all) do
@@ -159,6 +162,16 @@ local function news_of(self, dz)
   return v
 end
 
+--- Whether an answer tells all its derivatives.
+local function is_known(answer, count)
+  for k = 1, answer.J and count or 0 do
+    if not answer.J[k] then
+      return false
+    end
+  end
+  return answer.J ~= nil
+end
+
 --- Brings derivatives along to a new point.
 local function follow(self, z, at)
   local dz, square = {}, 0
@@ -185,7 +198,7 @@ local function follow(self, z, at)
   if square > 0 then
     self.J, self.fresh, self.refused = J, false, 0
   end
-  if square > 0 and (self.problem.always or not good) then
+  if square > 0 and (self.problem.always or not good or is_known(at, #z)) then
     refresh(self)
   end
 end
