@@ -69,7 +69,7 @@ void BulkSystem::make_again(std::vector<FactorSource> const& wanted, StepWeights
 std::vector<FactorSource> BulkSystem::sources() const {
   std::vector<FactorSource> all;
   for (auto const& one : kept_)
-    if ((!linear_ || one.factor->coupled() != nullptr) && one.source.u != nullptr) {
+    if (one.source.u != nullptr && (!linear_ || one.factor->coupled() != nullptr)) {
       all.push_back(one.source);
       if (one.made)
         all.back().carried = one.factor->carried();

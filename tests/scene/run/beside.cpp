@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <map>
 
 #include "folder.hpp"
 #include "record/series.hpp"
@@ -19,12 +20,12 @@ constexpr double relative = -1e-5;
 
 /// A number of a scene times 1 + part.
 test::Input shifted(test::Input table, std::string const& path, double part) {
-  std::get<core::Quantity>(test::at(table, path).value).si *= 1 + part;
+  std::get<core::Quantity>(test::at(table, path).value).value *= 1 + part;
   return table;
 }
 
 double number(test::Input table, std::string const& path) {
-  return std::get<core::Quantity>(test::at(table, path).value).si;
+  return std::get<core::Quantity>(test::at(table, path).value).value;
 }
 
 /// A sticky block that is pressed, rests and is dragged until it slides.
@@ -104,4 +105,141 @@ TEST_CASE("derivatives from runs beside are what differences of runs tend to, at
       CHECK(std::log2(coarse / fine) == doctest::Approx(1).epsilon(0.1));
     CHECK(central(2e-3) < 3e-5 * largest(slope));
   }
+}
+
+TEST_CASE("the case's own numbers do not depend on how many runs are beside it, nor on a stop") {
+  auto const table = dragged();
+  std::vector<scene::Shifted> const two = {
+      {"mu", shifted(table, "pairs.sole.friction.mu", relative)},
+      {"young", shifted(table, "bodies.foot.material.young", relative)}};
+  Case alone, both, stopped;
+  alone.options.beside = {two[0]};
+  both.options.beside = two;
+  REQUIRE(alone.run(table).verdict == "finished");
+  REQUIRE(both.run(table).verdict == "finished");
+  stopped.options.beside = two;
+  stopped.options.keeping.file = stopped.folder / "checkpoint";
+  stopped.options.keeping.owner = {"p", "s"};
+  stopped.options.stop_after = 9;
+  int pieces = 0;
+  while (stopped.run(table).verdict == "stopped")
+    ++pieces;
+  CHECK(pieces > 3);
+  auto const same = [](record::SeriesData const& a, record::SeriesData const& b) {
+    REQUIRE(a.columns.size() == b.columns.size());
+    CHECK(a.time == b.time);
+    for (auto const& [name, column] : a.columns) {
+      CAPTURE(name);
+      CHECK(column.values == b.columns.at(name).values);
+    }
+  };
+  same(alone.series(), both.series());
+  same(alone.series("mu"), both.series("mu"));
+  same(both.series(), stopped.series());
+  same(both.series("mu"), stopped.series("mu"));
+  same(both.series("young"), stopped.series("young"));
+}
+
+TEST_CASE("runs beside a case that has none any more are taken away") {
+  auto const table = dragged();
+  Case one;
+  one.options.beside = {{"mu", shifted(table, "pairs.sole.friction.mu", relative)}};
+  REQUIRE(one.run(table).verdict == "finished");
+  REQUIRE(std::filesystem::exists(one.folder / "case/derivatives/mu/series.h5"));
+  one.options.beside.clear();
+  REQUIRE(one.run(table).verdict == "finished");
+  CHECK_FALSE(std::filesystem::exists(one.folder / "case/derivatives"));
+}
+
+TEST_CASE("derivatives of random scenes are their differences, or are told to hang on a point") {
+  constexpr double h = 1e-4;
+  int held = 0, seen = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    auto scene = test::RandomScenes(seed).draw();
+    CAPTURE(seed);
+    CAPTURE(scene.words);
+    auto& bodies = std::get<core::Table>(std::get<core::Table>(scene.table.value).at("bodies").value);
+    std::string path;
+    for (auto const* name : {"young", "shear_modulus", "c10", "k"})
+      for (auto const& [body, part] : bodies)
+        if (path.empty() && part.table()->at("material").table()->contains(name))
+          path = "bodies." + body + ".material." + name;
+    if (path.empty())
+      continue;
+    double const end = scene.dt * scene.steps;
+    test::at(scene.table, "schedule") = test::schedule({{end / 2, scene.steps}, {end, scene.steps}});
+    test::at(scene.table, "output") = test::make("output", {{"frames", test::value(0)}});
+    test::at(scene.table, "probes.energy") = test::make("probe.energy");
+    test::at(scene.table, "probes.line") = test::make("probe.contact_line", {{"pair", test::text("joint")}});
+    test::at(scene.table, "control") = test::make("control", {{"force_tolerance", test::value(1e-12)}});
+    Case one, more, less;
+    one.options.beside = {{"it", shifted(scene.table, path, relative)}};
+    scene::RunResult result;
+    try {
+      result = one.run(scene.table);
+    } catch (core::InputError const& error) {
+      CHECK(std::string(error.what()).find("no derivatives with respect to it: ") != std::string::npos);
+      continue;
+    }
+    if (result.verdict != "finished" || more.run(shifted(scene.table, path, h)).verdict != "finished" ||
+        less.run(shifted(scene.table, path, -h)).verdict != "finished" || result.cuts > 0)
+      continue;
+    ++seen;
+    auto const a = one.series(), b = one.series("it"), up = more.series(), down = less.series();
+    auto const status = [](auto const& series) { return series.columns.at("line/status").values; };
+    if (!result.beside[0].ended.empty() || result.beside[0].turned > 0 || up.time != a.time || down.time != a.time ||
+        status(up) != status(a) || status(down) != status(a))
+      continue;
+    ++held;
+    std::map<std::string, double> scale; // by unit
+    for (auto const& [name, column] : a.columns)
+      scale[column.unit] = std::max(scale[column.unit], largest(column.values));
+    for (auto const& [name, column] : a.columns) {
+      if (name.starts_with("step/"))
+        continue;
+      auto const &low = down.columns.at(name).values, &high = up.columns.at(name).values;
+      std::vector<double> slope(low.size());
+      double const rounding = 1e-9 * scale.at(column.unit) / std::abs(relative);
+      for (std::size_t i = 0; i < low.size(); ++i)
+        slope[i] = (b.columns.at(name).values[i] - column.values[i]) / relative;
+      CAPTURE(name);
+      CAPTURE(error(high, low, 2 * h, slope));
+      CAPTURE(largest(slope));
+      CHECK(error(high, low, 2 * h, slope) <= 1e-2 * largest(slope) + rounding);
+    }
+  }
+  CHECK(seen > 20);
+  CHECK(held > 0.7 * seen);
+}
+
+TEST_CASE("what can have no run beside it is told") {
+  auto const refused = [](test::Input const& table, test::Input const& other) {
+    Case one;
+    one.options.beside = {{"mu", other}};
+    try {
+      static_cast<void>(one.run(table));
+    } catch (core::InputError const& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  auto const changed = [&](std::string const& path, test::Input const& part) {
+    auto table = dragged();
+    test::at(table, path) = part;
+    return table;
+  };
+  auto const says = [](std::string const& text, char const* words) {
+    CAPTURE(text);
+    CHECK(text.find("no derivatives with respect to mu: ") != std::string::npos);
+    CHECK(text.find(words) != std::string::npos);
+  };
+  auto const table = dragged();
+  says(refused(table, changed("schedule", test::schedule({{1, 4}, {1.5, 10}}))), "the schedule's times");
+  says(refused(table, changed("motions", test::list({test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01}),
+                                                     test::fix("foot.left", true, false)}))),
+       "what is driven");
+  says(refused(table, changed("bodies.foot", test::block({{0, 0}, {1, 1}, {5, 4}}, test::linear_elastic(1000, 0)))), "the mesh");
+  says(refused(table, changed("scheme", test::make("scheme.theta_xi"))), "the time scheme");
+  auto const controlled = changed("schedule.accuracy", test::make("accuracy", {{"tolerance", test::value(0.02)}}));
+  says(refused(controlled, controlled), "steps follow from their error");
 }
