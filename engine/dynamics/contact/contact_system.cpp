@@ -28,6 +28,7 @@ public:
     points_.follow(dynamic_cast<System const&>(lead).points_);
   }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
+  [[nodiscard]] bool turning() const override { return assembly_.turning(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {
     for (auto const& point : points_.all())

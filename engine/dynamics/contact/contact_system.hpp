@@ -29,6 +29,8 @@ public:
   virtual void follow(ContactSystem const& lead) = 0;
   /// Has any problem of the step known it?
   [[nodiscard]] virtual bool turned() const = 0;
+  /// Did the last problem know it?
+  [[nodiscard]] virtual bool turning() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.
   virtual void locate(Vector const& u, bool settle) = 0;
   /// Calls visit(point, nodes, H) for every point as of the last `locate`; H: rows (n, t1 [, t2]) over the

@@ -12,11 +12,12 @@ public:
   using Points = ContactPoints<D, C>;
   ProblemAssembly(Model const& model, BulkSystem const& bulk);
 
-  /// As ContactSystem::begin and turned.
+  /// As ContactSystem::begin, turned and turning.
   void begin(State const& old, double dt, bool turning);
   /// Has the matrix to know of bodies that turn with an inertia tensor, be there contact or not?
   [[nodiscard]] bool spins() const { return spins_; }
   [[nodiscard]] bool turned() const { return turned_; }
+  [[nodiscard]] bool turning() const { return turning_; }
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
                             contact::Problem& problem);

@@ -50,13 +50,6 @@ Stepper::Stepper(Model const& model, Purpose purpose)
   learn_of_model();
 }
 
-Stepper::Stepper(Model const& model, Stepper const& lead)
-    : model_(&model), follows_(true), weights_(weights(model.scheme)), bulk_(model, weights_, lead.bulk_),
-      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
-      arms_(arms(model)) {
-  learn_of_model();
-}
-
 void Stepper::learn_of_model() {
   auto const& model = *model_;
   for (auto const& motion : model.motions)
@@ -210,7 +203,7 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   u_ = old.u + d_;
   if (weights_.explicit_forces)
     internal_ = old.internal;
-  else if (!internal_forces(old.t + dt, outcome))
+  else if (!along_ && !internal_forces(old.t + dt, outcome))
     return false;
   if (leads_) {
     Timer const timer(cost_.assembly);
@@ -385,6 +378,7 @@ bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
 Outcome Stepper::attempt(State const& old, double dt, Start start) {
   Outcome outcome;
   start_ = start;
+  bool polished = false;
   predict(old, dt, start);
   for (;; ++outcome.iterations, ++cost_.newton_iterations) {
     if (!balance(old, dt, outcome) && !shorten(old, dt, outcome))
@@ -394,11 +388,12 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
     previous_imbalance_ = now;
-    if (outcome.iterations > 0 && converged(outcome)) {
-      if (leads_others_ && !polish(old, dt, outcome))
-        return outcome;
+    bool const there = outcome.iterations > 0 && converged(outcome);
+    if (leads_others_ && (there || (near(outcome) && !std::exchange(polished, true))))
+      if (polish(old, dt, outcome))
+        break;
+    if (there && !leads_others_)
       break;
-    }
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
       outcome.reason = fmt::format("{} after {} iterations", unmet(outcome, now), outcome.iterations);
       return outcome;

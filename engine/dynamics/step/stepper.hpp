@@ -35,6 +35,12 @@ struct Outcome {
   [[nodiscard]] bool converged() const { return verdict == StepVerdict::converged; }
 };
 
+/// How a stepper follows another one.
+struct Following {
+  double share = 1e-4;   ///< of what is wrong at first that a step may leave
+  bool trusting = false; ///< where it can be, one correction is taken for enough, and not looked at
+};
+
 /// Owns workspace only; every call starts from the state it is given.
 class Stepper {
 public:
@@ -49,11 +55,11 @@ public:
   /// Is asked in every iteration whether to leave off.
   void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
   [[nodiscard]] Outcome step(State const& old, double dt);
-  /// Steps that converge make one iteration more, with a factor of where they end: for those that follow.
+  /// Steps end with iterations with a factor of where they end, for those that follow.
   void lead() { leads_others_ = true; }
   /// The step that `lead` has just made, from a state near its own: corrected with its factor, from its
-  /// forces and with the bonds that it closed, until what is left is `share` of what was wrong at first.
-  [[nodiscard]] Outcome follow(Stepper& lead, State const& old, double dt, double share);
+  /// forces and with the bonds that it closed.
+  [[nodiscard]] Outcome follow(Stepper& lead, State const& old, double dt, Following const& how);
   /// Takes up where another stepper of the same model left off with these factors, having taken so much:
   /// steps go on to the last bit as its would have, and cost what they would have.
   void go_on(std::vector<FactorSource> const& made, Cost const& cost) {
@@ -108,7 +114,8 @@ private:
   [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
-  /// False, with the outcome's reason, where that breaks the step.
+  [[nodiscard]] bool near(Outcome const& outcome) const;
+  [[nodiscard]] bool balance_on(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool polish(State const& old, double dt, Outcome& outcome);
   void finish(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
@@ -134,9 +141,11 @@ private:
   Start start_ = Start::rest; ///< of the last attempt
   bool follows_ = false;      ///< another stepper
   bool leads_others_ = false; ///< other steppers follow
+  bool along_ = false;        ///< the last correction was along linear forces
   StepWeights weights_;
   BulkSystem bulk_;
   std::unique_ptr<ContactSystem> contact_;
+  std::optional<Skin> rim_; ///< of one that follows: the cells of driven nodes, where others need no look
   Tunnelling tunnelling_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free

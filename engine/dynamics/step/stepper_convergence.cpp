@@ -37,6 +37,12 @@ double Stepper::rounded() const {
   return 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
 }
 
+/// So near to the answer that a factor of here is as good as one of there.
+bool Stepper::near(Outcome const& outcome) const {
+  constexpr double part = 1e-5; // of the largest force
+  return outcome.iterations > 0 && std::max(imbalance(), contact_->residual()) <= part * force_scale_;
+}
+
 /// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
 /// rounding, once it no longer falls.
 bool Stepper::converged(Outcome& outcome) {

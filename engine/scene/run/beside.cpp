@@ -11,7 +11,7 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr double share = 1e-4; ///< of what is wrong at first that a step may leave
+constexpr long trusted = 8;     ///< steps of which one is looked at
 constexpr double sharp = 1e-12; ///< tolerance of contact's solver: shifts are 1e-5 of parameters
 
 /// Why a scene can have no run beside it, in words; "" if it can.
@@ -120,7 +120,9 @@ void Beside::begin_files(std::filesystem::path const& folder, bool anew) {
 void Beside::follow(dynamics::Stepper& lead, dynamics::State const& next, double dt) {
   if (!result_.ended.empty())
     return;
-  auto outcome = stepper_.follow(lead, state_, dt, share);
+  bool const looks = result_.steps % trusted == 0;
+  auto outcome = stepper_.follow(lead, state_, dt, {.trusting = !looks && !careful_});
+  careful_ = looks ? outcome.iterations > 1 : careful_;
   result_.iterations += outcome.iterations;
   if (!outcome.converged()) {
     result_.ended = fmt::format("at t = {:g} s its step did not follow: {}", next.t, outcome.reason);

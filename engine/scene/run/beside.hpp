@@ -35,7 +35,7 @@ public:
   template<class Archive> void visit(Archive& archive) {
     if (!Archive::reads && recorder_)
       mark_ = recorder_->mark();
-    archive(state_, mark_, result_.steps, result_.turned, result_.ended, result_.iterations);
+    archive(state_, mark_, result_.steps, result_.turned, result_.ended, result_.iterations, careful_);
   }
 
 private:
@@ -44,6 +44,7 @@ private:
   dynamics::State state_;
   std::optional<Recorder> recorder_;
   RecordMark mark_;
+  bool careful_ = false; ///< one correction was not enough when it was last looked at
   BesideResult result_;
 };
 
