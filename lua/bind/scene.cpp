@@ -14,6 +14,7 @@
 #include "record/manifest.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
+#include "scene/run/beside.hpp"
 #include "scene/run/run.hpp"
 
 namespace stiction::bind {
@@ -90,6 +91,30 @@ int validate(lua_State* lua) {
   auto const input = to_input(lua, 1);
   EndsAtOnce const now;
   scene::validate(input);
+  return 0;
+}
+
+/// Scenes to run beside another one: the list on top of the stack, {{name =, scene =}}, or nil; taken off it.
+std::vector<scene::Shifted> beside(lua_State* lua) {
+  std::vector<scene::Shifted> all;
+  bool const listed = lua_istable(lua, -1);
+  for (lua_Integer i = 1; listed && lua_geti(lua, -1, i) != LUA_TNIL; ++i) {
+    lua_getfield(lua, -1, "name");
+    lua_getfield(lua, -2, "scene");
+    all.push_back({text_at(lua, -2), to_input(lua, -1)});
+    lua_pop(lua, 3);
+  }
+  lua_pop(lua, listed ? 2 : 1);
+  return all;
+}
+
+/// check_beside(scene, {{name =, scene =}}): an error of kind "input" where they cannot run beside it
+int check_beside(lua_State* lua) {
+  auto const input = to_input(lua, 1);
+  lua_settop(lua, 2);
+  auto const asked = beside(lua);
+  EndsAtOnce const now;
+  scene::check_beside(input, asked);
   return 0;
 }
 
@@ -218,24 +243,10 @@ scene::Keeping keeping(lua_State* lua) {
   return keeping;
 }
 
-/// Scenes to run beside the case's own, of its options' list `beside`.
-std::vector<scene::Shifted> beside(lua_State* lua) {
-  std::vector<scene::Shifted> all;
-  lua_getfield(lua, 2, "beside");
-  for (lua_Integer i = 1; lua_istable(lua, -1) && lua_geti(lua, -1, i) != LUA_TNIL; ++i) {
-    lua_getfield(lua, -1, "name");
-    lua_getfield(lua, -2, "scene");
-    all.push_back({text_at(lua, -2), to_input(lua, -1)});
-    lua_pop(lua, 3);
-  }
-  lua_settop(lua, 4);
-  return all;
-}
-
 /// run(scene, {out =, case_id =, manifest =, threads =, rehearse =, alone =, stop_after =, beside = {{name =,
-/// scene =}} for derivatives, checkpoint = file to keep where the case stands, every = (s), program =, fingerprint = whose that is, anew = take none up},
-/// progress, tell) -> result; progress(snapshot) is called once a step, tell(text) with a line on the
-/// checkpoint
+/// scene =}} for derivatives, checkpoint = file to keep where the case stands, every = (s), program =,
+/// fingerprint = whose that is, anew = take none up}, progress, tell) -> result; progress(snapshot) is called
+/// once a step, tell(text) with a line on the checkpoint
 int run(lua_State* lua) {
   luaL_checktype(lua, 2, LUA_TTABLE);
   luaL_checktype(lua, 3, LUA_TFUNCTION);
@@ -249,6 +260,7 @@ int run(lua_State* lua) {
   options.stop_after = static_cast<long>(number(lua, "stop_after"));
   options.alone = is_set(lua, "alone");
   options.keeping = keeping(lua);
+  lua_getfield(lua, 2, "beside");
   options.beside = beside(lua);
   options.stop = &stop_flag();
   options.ranks = ranks();
@@ -270,6 +282,7 @@ int run(lua_State* lua) {
 void add_scene_functions(lua_State* lua) {
   add<preview>(lua, "preview");
   add<validate>(lua, "validate");
+  add<check_beside>(lua, "check_beside");
   add<explain>(lua, "explain");
   add<scene_text>(lua, "scene_text");
   add<probe_columns>(lua, "probe_columns");

@@ -1,6 +1,7 @@
 -- Cases to run, those already finished left out: what `stiction run` and `stiction trade` share.
 local adoption = require "stiction.adoption"
 local claims = require "stiction.claims"
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local evaluation = require "stiction.evaluation"
 local fault = require "stiction.fault"
@@ -82,6 +83,9 @@ function campaign.validate(study, case, curves, ranks)
   local preview = engine.preview(study:scene_of(case))
   if ranks and preview.unfit_for_ranks then
     fault.input("the scene cannot be shared by several ranks: %s; run it without --ranks", preview.unfit_for_ranks)
+  end
+  if #study.derivatives > 0 then
+    engine.check_beside(study:scene_of(case), derivatives.of(study, case))
   end
   local mistake = not study.source.trust and rehearsal.mistake(study, case, preview, curves) -- the trusted may write files
   if mistake then

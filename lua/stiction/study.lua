@@ -169,7 +169,9 @@ function study.define(t)
   local swept = study.read_sweep(t.sweep or {})
   local function known(name)
     local function is(axis) return axis.name == name end
-    return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is) or swept.cases and swept.cases[1][name] ~= nil
+    return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is)
+     
+      or swept.cases and swept.cases[1][name] ~= nil
   end
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,

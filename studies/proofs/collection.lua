@@ -48,6 +48,7 @@ return {
   "sphere_impact",
   "free_collision",
   "solver_agreement",
+  "sensitivity",
   "../paper/plate_on_cylinder",
   "../paper/sphere_indentation",
 }

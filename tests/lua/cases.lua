@@ -32,7 +32,7 @@ end)
 test("a method after a dot and a function after a colon are told", function()
   local cases = list_of { 1 }
   fails("write run:min(...), with a colon, not run.min(...)", function() return cases[1].min("sole", "force_x") end)
-  for _, name in ipairs { "series", "columns", "max", "min", "at" } do
+  for _, name in ipairs { "series", "columns", "max", "min", "at", "last", "derivative", "beside" } do
     fails(("write run:%s(...)"):format(name), function() return cases[1][name]("sole") end)
   end
   for _, name in ipairs { "where", "find", "values" } do
@@ -135,4 +135,17 @@ test("warnings of one wording are told once", function()
   equal(groups[1].text, "length 6.27 um, mesh 1e-05")
   equal(table.concat(groups[1].ids, " "), "a c")
   equal(table.concat(groups[2].ids, " "), "a")
+end)
+
+test("a shift is towards 0 and keeps its unit; from 0 there is none", function()
+  local derivatives = require "stiction.derivatives"
+  local p = { size = 2*mm, mu = -0.5, zero = 0, word = "x" }
+  local other, step = derivatives.shifted(p, "size")
+  equal(other.size.si, 2e-3 * (1 - 1e-5))
+  equal(step, other.size.si - 2e-3)
+  equal(other.mu, -0.5)
+  equal(p.size.si, 2e-3)
+  equal(select(2, derivatives.shifted(p, "mu")) > 0, true)
+  equal(derivatives.shifted(p, "zero"), nil)
+  fails("study.derivatives: 'word' is x; only of a number", function() derivatives.shifted(p, "word") end)
 end)

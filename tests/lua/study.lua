@@ -85,3 +85,13 @@ test("mistakes in the study table are told", function()
     return ids(make { case_id = function() return "../x" end })
   end)
 end)
+
+test("derivatives are with respect to parameters of the study", function()
+  local study = make { given = { radius = 5*mm }, sweep = { mu = { 0, 0.4 } }, derivatives = { "radius", "mu" } }
+  equal(table.concat(study.derivatives, " "), "radius mu")
+  equal(#make({}).derivatives, 0)
+  equal(#make({ sweep = { { mu = 1 }, { mu = 2 } }, derivatives = { "mu" } }).derivatives, 1)
+  fails("study.derivatives: the study has no parameter 'nu'; give a list of names", function()
+    make { given = { radius = 5*mm }, derivatives = { "nu" } }
+  end)
+end)

@@ -12,7 +12,7 @@ namespace stiction::dynamics {
 namespace {
 
 constexpr double rounding = 1e-12, stalled = 1e-10; // of forces; the latter where no more falls
-constexpr double small = 1e-4;                      // correction, over a cell's size, along which forces are linear
+constexpr double small = 1e-4; // correction, over a cell's size, along which forces are linear
 
 std::vector<bool> nodes_of(std::vector<Motion> const& motions, Index count) {
   std::vector<bool> driven(ix(count), false);
@@ -43,9 +43,8 @@ Stepper::Stepper(Model const& model, Stepper const& lead)
 bool Stepper::polish(State const& old, double dt, Outcome& outcome) {
   constexpr int most = 3;
   Vector const reached = d_;
-  bool better = bulk_.linear() ||
-                bulk_.factorize(u_, weights_, dt, cost_,
-                                {old.t + dt, bulk_.surface_loads().steady(gas_, gas_old_)});
+  bool better = bulk_.linear() || bulk_.factorize(u_, weights_, dt, cost_,
+                                                  {old.t + dt, bulk_.surface_loads().steady(gas_, gas_old_)});
   if (!better)
     bulk_.recall({}, weights_);
   for (int made = 0; better && made < most; ++made) {

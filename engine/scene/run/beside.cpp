@@ -36,8 +36,9 @@ bool same_motions(dynamics::Model const& one, dynamics::Model const& other) {
 }
 
 bool same_schedule(SchedulePart const& one, SchedulePart const& other) {
-  return std::ranges::equal(one.stages, other.stages,
-                            [](auto const& a, auto const& b) { return a.until == b.until && a.steps == b.steps; });
+  return std::ranges::equal(one.stages, other.stages, [](auto const& a, auto const& b) {
+    return a.until == b.until && a.steps == b.steps;
+  });
 }
 
 /// In what but numbers two scenes differ, in words; "" if in nothing.
@@ -71,9 +72,17 @@ void sharpen(Scene& scene) {
              scene.model->solver);
 }
 
+Scene built(Shifted const& shifted) {
+  try {
+    return build(shifted.scene);
+  } catch (core::InputError const& error) {
+    refuse(shifted, fmt::format("with it a little smaller there is no scene: {}", error.what()));
+  }
+}
+
 /// The scene that runs beside another one.
 Scene fit(Shifted const& shifted, Scene const& scene) {
-  auto other = build(shifted.scene);
+  auto other = built(shifted);
   if (auto const why = difference(scene, other); !why.empty())
     refuse(shifted, why);
   sharpen(other);
@@ -97,6 +106,13 @@ void ready_for(std::vector<Shifted> const& asked, Scene& scene) {
   if (auto const why = unfit(scene); !why.empty())
     refuse(asked.front(), why);
   sharpen(scene);
+}
+
+void check_beside(core::Input const& input, std::vector<Shifted> const& asked) {
+  auto scene = build(input);
+  ready_for(asked, scene);
+  for (auto const& shifted : asked)
+    static_cast<void>(fit(shifted, scene));
 }
 
 void remove_runs_beside(std::filesystem::path const& folder) {

@@ -14,6 +14,9 @@ namespace stiction::scene {
 /// where none are asked for. Throws InputError where it can have none.
 void ready_for(std::vector<Shifted> const& asked, Scene& scene);
 
+/// Throws InputError where a scene can have no such runs beside its own.
+void check_beside(core::Input const& input, std::vector<Shifted> const& asked);
+
 /// Takes away what earlier runs of the case have left of such.
 void remove_runs_beside(std::filesystem::path const& folder);
 

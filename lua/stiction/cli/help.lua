@@ -111,7 +111,8 @@ local function show_kinds(catalog, topic)
 end
 
 local function known_topics(catalog)
-  local topics = { "units", "study", "commands", "new", "figure", "columns", "results", "derivatives", "solve", "trade", "fit", "sample", "peers" }
+  local topics = { "units", "study", "commands", "new", "figure", "columns", "results", "derivatives", "solve", "trade", "fit",
+    "sample", "peers" }
   for _, category in ipairs(catalog) do
     topics[#topics + 1] = category.name
     for _, kind in ipairs(category.kinds) do

@@ -204,7 +204,7 @@ TEST_CASE("events are met within their time and only where asked") {
   CHECK(met.result.steps < loose.result.steps + 8); // only next to an event are steps short
   auto const closed = [](double status) { return status > 0; };
   double const touch = 0.2, bonded = touch + 0.5; // b / w
-  double const until = within + 1e-15; // times of about 1 s have such last digits
+  double const until = within + 1e-15;            // times of about 1 s have such last digits
   auto const at = first_row(met, "line/status", closed);
   // the step that lands begins or ends next to the landing
   CHECK(std::min(std::abs(met.series.time[at] - touch), std::abs(met.series.time[at - 1] - touch)) <= until);

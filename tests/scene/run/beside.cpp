@@ -46,7 +46,8 @@ struct Case {
   Case() { options.out = folder / "case"; }
   scene::RunResult run(test::Input const& table) { return scene::run(table, options); }
   [[nodiscard]] record::SeriesData series(std::string const& beside = "") const {
-    return record::read_series(folder / (beside.empty() ? "case/series.h5" : "case/derivatives/" + beside + "/series.h5"));
+    return record::read_series(
+        folder / (beside.empty() ? "case/series.h5" : "case/derivatives/" + beside + "/series.h5"));
   }
 };
 
@@ -57,7 +58,8 @@ std::vector<double> values(test::Input const& table, std::string const& column) 
 }
 
 /// Largest entry of (a - b) / by - slope.
-double error(std::vector<double> const& a, std::vector<double> const& b, double by, std::vector<double> const& slope) {
+double error(std::vector<double> const& a, std::vector<double> const& b, double by,
+             std::vector<double> const& slope) {
   double largest = 0;
   REQUIRE(a.size() == slope.size());
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -76,7 +78,8 @@ double largest(std::vector<double> const& all) {
 
 TEST_CASE("derivatives from runs beside are what differences of runs tend to, at their rates") {
   std::string const column = "whole/force_x";
-  for (std::string const path : {"bodies.foot.material.young", "pairs.sole.friction.mu", "pairs.sole.adhesion.w"}) {
+  for (std::string const path :
+       {"bodies.foot.material.young", "pairs.sole.friction.mu", "pairs.sole.adhesion.w"}) {
     CAPTURE(path);
     auto const table = dragged();
     Case one;
@@ -87,14 +90,18 @@ TEST_CASE("derivatives from runs beside are what differences of runs tend to, at
     CHECK(result.beside[0].ended.empty());
     CHECK(result.beside[0].steps == result.steps);
     double const p = number(table, path);
-    auto const here = one.series().columns.at(column).values, there = one.series("it").columns.at(column).values;
+    auto const here = one.series().columns.at(column).values,
+               there = one.series("it").columns.at(column).values;
     std::vector<double> slope(here.size());
     for (std::size_t i = 0; i < here.size(); ++i)
       slope[i] = (there[i] - here[i]) / (relative * p);
     REQUIRE(largest(slope) > 0);
-    auto const one_sided = [&](double h) { return error(values(shifted(table, path, h), column), here, h * p, slope); };
+    auto const one_sided = [&](double h) {
+      return error(values(shifted(table, path, h), column), here, h * p, slope);
+    };
     auto const central = [&](double h) {
-      return error(values(shifted(table, path, h), column), values(shifted(table, path, -h), column), 2 * h * p, slope);
+      return error(values(shifted(table, path, h), column), values(shifted(table, path, -h), column),
+                   2 * h * p, slope);
     };
     double const coarse = one_sided(4e-3), fine = one_sided(2e-3);
     CAPTURE(coarse);
@@ -109,9 +116,8 @@ TEST_CASE("derivatives from runs beside are what differences of runs tend to, at
 
 TEST_CASE("the case's own numbers do not depend on how many runs are beside it, nor on a stop") {
   auto const table = dragged();
-  std::vector<scene::Shifted> const two = {
-      {"mu", shifted(table, "pairs.sole.friction.mu", relative)},
-      {"young", shifted(table, "bodies.foot.material.young", relative)}};
+  std::vector<scene::Shifted> const two = {{"mu", shifted(table, "pairs.sole.friction.mu", relative)},
+                                           {"young", shifted(table, "bodies.foot.material.young", relative)}};
   Case alone, both, stopped;
   alone.options.beside = {two[0]};
   both.options.beside = two;
@@ -187,8 +193,8 @@ TEST_CASE("derivatives of random scenes are their differences, or are told to ha
     ++seen;
     auto const a = one.series(), b = one.series("it"), up = more.series(), down = less.series();
     auto const status = [](auto const& series) { return series.columns.at("line/status").values; };
-    if (!result.beside[0].ended.empty() || result.beside[0].turned > 0 || up.time != a.time || down.time != a.time ||
-        status(up) != status(a) || status(down) != status(a))
+    if (!result.beside[0].ended.empty() || result.beside[0].turned > 0 || up.time != a.time ||
+        down.time != a.time || status(up) != status(a) || status(down) != status(a))
       continue;
     ++held;
     std::map<std::string, double> scale; // by unit
@@ -238,8 +244,11 @@ TEST_CASE("what can have no run beside it is told") {
   says(refused(table, changed("motions", test::list({test::drive("foot.top", {0, 2}, {0, 0}, {0, -0.01}),
                                                      test::fix("foot.left", true, false)}))),
        "what is driven");
-  says(refused(table, changed("bodies.foot", test::block({{0, 0}, {1, 1}, {5, 4}}, test::linear_elastic(1000, 0)))), "the mesh");
+  says(refused(table,
+               changed("bodies.foot", test::block({{0, 0}, {1, 1}, {5, 4}}, test::linear_elastic(1000, 0)))),
+       "the mesh");
   says(refused(table, changed("scheme", test::make("scheme.theta_xi"))), "the time scheme");
-  auto const controlled = changed("schedule.accuracy", test::make("accuracy", {{"tolerance", test::value(0.02)}}));
+  auto const controlled =
+      changed("schedule.accuracy", test::make("accuracy", {{"tolerance", test::value(0.02)}}));
   says(refused(controlled, controlled), "steps follow from their error");
 }
