@@ -175,9 +175,9 @@ function study.define(t)
   end
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
-    derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id, scene = t.scene, problem = t.problem,
-    results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade, fit = t.fit, sample = t.sample,
-    definition = t,
+    derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id,
+    scene = t.scene, problem = t.problem, results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade,
+    fit = t.fit, sample = t.sample, definition = t,
   }, study_mark)
 end
 

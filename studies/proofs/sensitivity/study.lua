@@ -135,7 +135,8 @@ return stiction.study {
   },
   chosen = { reach = { 6*mm, "twenty widths of the contact" }, above = { 40*um, "beyond the largest pull" },
     stiffness = { 5e9*N/m^3, "bonds of 14 um, cohesive length 1.3 mm" }, weak = { 1*N/m^3, "bonds that bear nothing" },
-    ball_cell = { 50*um, "a sixth of the contact, over `cells`" }, joint_cell = { 100*um, "a thirteenth of the cohesive length, over `cells`" } },
+    ball_cell = { 50*um, "a sixth of the contact, over `cells`" },
+    joint_cell = { 100*um, "a thirteenth of the cohesive length, over `cells`" } },
   sweep = sweep,
   quick = { sweep = numeric.map({ 1, 2, 4, 5, 7, 8, 10, 11 }, function(i) return sweep[i] end) },
   case_id = function(p) return ("%s_%d"):format(p.kind, p.cells) end,
@@ -149,7 +150,6 @@ return stiction.study {
     local bar, hertz = "homogeneous strain", "Hertz 1882"
     for _, t in ipairs {
       { "bar", "young", 1, 1e-5, bar }, { "bar", "height", -1, 1e-4, bar },
-     
       { "bar", "poisson", 2 * nu ^ 2 / (1 - nu ^ 2), 1e-4, bar },
       { "ball", "young", 1, 1e-5, hertz }, { "ball", "radius", 0.5, 0.1, hertz }, { "ball", "depth", 1.5, 0.03, hertz },
       { "joint", "young w stiffness b", 1, 1e-4, "homogeneous in these" },
