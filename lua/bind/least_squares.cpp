@@ -180,21 +180,38 @@ int singular(lua_State* lua) {
   return 2;
 }
 
-/// regress(columns, values) -> coefficients of least squares, and the mean square of what each value is off
-/// where it is left out; nothing where the rows do not tell the columns apart
+/// What the first row of each group of so many is off by where the group is left out; Q: orthonormal columns,
+/// off: what rows are off by with all.
+Eigen::ArrayXd left_out(Matrix const& Q, Eigen::VectorXd const& off, Eigen::Index group) {
+  if (group == 1)
+    return off.array() / (1 - Q.rowwise().squaredNorm().array()).max(1e-12);
+  Eigen::ArrayXd first(Q.rows() / group);
+  for (Eigen::Index k = 0; k < first.size(); ++k) {
+    auto const own = Q.middleRows(k * group, group);
+    Matrix const rest = Matrix::Identity(group, group) - own * own.transpose();
+    first[k] = rest.colPivHouseholderQr().solve(off.segment(k * group, group))[0];
+  }
+  return first;
+}
+
+/// regress(columns, values [, group]) -> coefficients of least squares, and the mean square of what each
+/// value is off where it is left out, or with `group` rows that belong together (default 1) the first value
+/// of each group where that is left out; nothing where the rows do not tell the columns apart
 int regress(lua_State* lua) {
   Matrix const A = read_columns(lua, 1);
   Eigen::VectorXd y(A.rows());
   if (!read_list(lua, 2, static_cast<std::size_t>(A.rows()), y.data()))
     refuse("the values are no list of as many finite numbers as the columns have");
+  auto const group = static_cast<Eigen::Index>(luaL_optinteger(lua, 3, 1));
+  if (group < 1 || A.rows() % group != 0)
+    refuse("the rows are not in groups of that size");
   Eigen::ColPivHouseholderQR<Matrix> const qr(A);
   if (A.rows() < A.cols() || qr.rank() < A.cols())
     return 0;
   Eigen::VectorXd const x = qr.solve(y), off = y - A * x;
   Matrix const Q = qr.householderQ() * Matrix::Identity(A.rows(), A.cols());
-  Eigen::ArrayXd const left = (1 - Q.rowwise().squaredNorm().array()).max(1e-12);
   push(lua, std::vector<double>(x.begin(), x.end()));
-  push(lua, (off.array() / left).square().mean());
+  push(lua, left_out(Q, off, group).square().mean());
   return 2;
 }
 

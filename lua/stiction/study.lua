@@ -170,7 +170,6 @@ function study.define(t)
   local function known(name)
     local function is(axis) return axis.name == name end
     return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is)
-     
       or swept.cases and swept.cases[1][name] ~= nil
   end
   return setmetatable({

@@ -12,7 +12,7 @@ column() { # CASE NAME: a number of summary.csv
 holds "derivatives at mu = 0: $(cat out/drag/summary.csv)" [ "$(column mu0 d_force_x_d_mu)" = nan ]
 # all of its points slide: friction is mu times the force, which is proportional to E
 awk -v d="$(column mu0.2 d_force_x_d_mu)" -v own="$(column mu0.2 slope)" -v e="$(column mu0.2 d_force_y_d_young)" \
-  -v fx="$(column mu0.2 force_x)" -v fy="$(column mu0.2 force_y)" 'function off(a, b) { return a > b ? a / b - 1 : b / a - 1 }
+  -v fx="$(column mu0.2 force_x)" -v fy="$(column mu0.2 force_y)" 'function off(a, b) { return a > b ? a / b - 1 : 1 - a / b }
   BEGIN { exit !(off(d, own) < 1e-9 && off(e * 1e6, fy) < 1e-4 && off(d * 0.2, fx) < 0.2) }' ||
   complain "derivatives are not those of a sliding block: $(cat out/drag/summary.csv)"
 "$stiction" run drag --list >listed

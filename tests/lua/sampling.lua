@@ -127,6 +127,37 @@ test("a polynomial of normal parameters is exact where the result is one", funct
   assert(found.error < 1e-9)
 end)
 
+local function slopes_at(f, points, size)
+  return numeric.map(points, function(point)
+    local list = {}
+    for k = 1, size do
+      local above, below = table.move(point, 1, size, 1, {}), table.move(point, 1, size, 1, {})
+      above[k], below[k] = point[k] + 1e-5, point[k] - 1e-5
+      list[k] = (f(above) - f(below)) / 2e-5
+    end
+    return list
+  end)
+end
+
+test("with slopes fewer points do, and what is told of a point left out still is so", function()
+  local kinds, points = { "uniform", "uniform", "uniform" }, points_of(64, 3)
+  local values = numeric.map(points, ishigami)
+  local plain, found = chaos.of(points, values, kinds), chaos.of(points, values, kinds, slopes_at(ishigami, points, 3))
+  assert(found.error < 0.1 and found.error < plain.error / 4, ("%.3g with slopes, %.3g without"):format(found.error, plain.error))
+  are_near("first", found.first, ishigami_first, 0.02)
+  are_near("total", found.total, ishigami_total, 0.02)
+  local off, other = 0, points_of(600, 3)
+  for i = 401, 600 do
+    off = off + (found.at(other[i]) - ishigami(other[i])) ^ 2 / 200
+  end
+  local error = math.sqrt(off / V)
+  assert(error < 2 * found.error and error > found.error / 4, ("%.3g told, %.3g found"):format(found.error, error))
+  local normal = numeric.map(points_of(8, 2), function(u) return { engine.quantile(u[1]), engine.quantile(u[2]) } end)
+  local function f(x) return 1 + 2 * x[1] + 0.5 * (x[2] ^ 2 - 1) + 0.3 * x[1] * x[2] end
+  local exact = chaos.of(normal, numeric.map(normal, f), { "normal", "normal" }, slopes_at(f, normal, 2))
+  assert(exact.error < 1e-8 and math.abs(exact.mean - 1) < 1e-8 and math.abs(exact.deviation ^ 2 - 4.59) < 1e-7)
+end)
+
 test("moments and quantiles of normal numbers lie within their errors", function()
   local inside, repeats, count = { 0, 0, 0 }, 100, 200
   local state = 7

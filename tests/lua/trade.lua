@@ -366,13 +366,14 @@ test("each column of errors is that of its result, and empty where nothing is cl
   for i, case in ipairs { case_of(5, 0.2), case_of(5, 0.3) } do
     rows[i] = { case = case, result = { verdict = "finished", results = { a = 1, b = 2, c = 4 } } }
   end
-  local study = { results = { { name = "a" }, { name = "b" }, { name = "c" } } }
+  rows[1].result.derivatives = { mu = { a = 7, c = 9 } }
+  local study = { results = { { name = "a" }, { name = "b" }, { name = "c" } }, derivatives = { "mu" } }
   local write, text = engine.write_file, nil
   engine.write_file = function(_, written) text = written end
   output.write_summary("", study, { "mu" }, rows, accuracy.known(asked(), { rows[1].case, rows[2].case }, {}))
   engine.write_file = write
-  equal(text, "case,mu,a,b,c,verdict,steps,iterations,contact,seconds,a_error,b_error,c_error,set,warnings\n"
-    .. "s5_mu0.2,0.2,1,2,4,finished,,,,,0.1,0.2,0.3,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,,\n")
+  equal(text, "case,mu,a,b,c,verdict,steps,iterations,contact,seconds,a_error,b_error,c_error,d_a_d_mu,d_b_d_mu,d_c_d_mu,set,"
+    .. "warnings\ns5_mu0.2,0.2,1,2,4,finished,,,,,0.1,0.2,0.3,7,nan,9,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,nan,nan,nan,,\n")
 end)
 
 --- Names of the checks that fail.

@@ -78,7 +78,7 @@ public:
   explicit RandomScenes(unsigned seed)
       : dice_(seed), sheets_(seed + 1000), relaxing_(seed + 2000), pressed_(seed + 3000),
         constraints_(seed + 4000), ties_(seed + 5000), volumes_(seed + 6000), folds_(seed + 7000),
-        reliefs_(seed + 8000) {}
+        reliefs_(seed + 8000), maps_(seed + 9000) {}
 
   RandomScene draw() {
     kinematics_ =
@@ -115,6 +115,8 @@ public:
       touch_itself(scene);
     if (kinematics_ != "axisymmetric" && reliefs_.one_in(3))
       roughen(scene);
+    if (kinematics_ != "axisymmetric" && !two_bodies_ && maps_.one_in(2))
+      stand_on_map(scene);
     return scene;
   }
 
@@ -262,22 +264,35 @@ private:
     at(scene.table, "pairs.with_itself") = std::move(itself); // behind the joint
     scene.words += ", may touch itself";
   }
+  /// Heights up to a hundredth, six a side.
+  static Input heights(Dice& dice, std::size_t count) {
+    if (!dice.one_in(2))
+      return make("surface.wave", {{"amplitude", value(dice.between(1e-4, 5e-3), "m")},
+                                   {"wavelengths", values(std::vector<double>(count, 0.75), "m")}});
+    std::vector<double> all;
+    for (int k = 0; k < (count == 2 ? 36 : 6); ++k)
+      all.push_back(dice.between(0, 0.01));
+    return make("surface.map", {{"heights", values(all)}, {"scale", value(1, "m")}});
+  }
+  /// The plane below is rough, about the middle of the body.
+  void stand_on_map(RandomScene& scene) {
+    auto& shape = at(scene.table, "obstacles.lower.shape");
+    if (shape.tag != "rigid.plane")
+      return;
+    auto const count = static_cast<std::size_t>(dim_ - 1);
+    shape = make("rigid.height_map", {{"surface", heights(maps_, count)},
+                                      {"size", values(std::vector<double>(count, 1.5), "m")},
+                                      {"points", values(std::vector<double>(count, 6))}});
+    scene.words += ", on a map";
+  }
   /// What the upper body stands on is not plane any more, by up to a hundredth.
   void roughen(RandomScene& scene) {
     auto const count = static_cast<std::size_t>(dim_ - 1);
     core::List size;
     for (std::size_t k = 0; k < count; ++k)
       size.push_back(at(scene.table, "bodies.upper.mesh.size").list()->at(k));
-    Input surface = make("surface.wave", {{"amplitude", value(reliefs_.between(1e-4, 5e-3), "m")},
-                                          {"wavelengths", values(std::vector<double>(count, 0.75), "m")}});
-    if (reliefs_.one_in(2)) {
-      std::vector<double> heights;
-      for (int k = 0; k < (dim_ == 3 ? 36 : 6); ++k)
-        heights.push_back(reliefs_.between(0, 0.01));
-      surface = make("surface.map", {{"heights", values(heights)}, {"scale", value(1, "m")}});
-    }
     core::Table parts{{"set", text("bottom")},
-                      {"surface", std::move(surface)},
+                      {"surface", heights(reliefs_, count)},
                       {"size", list(std::move(size))},
                       {"points", values(std::vector<double>(count, 6))}};
     bool const alike = scene.words.find(", alike") != std::string::npos; // which asks for like heights
@@ -316,7 +331,7 @@ private:
   }
 
   Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_, folds_,
-      reliefs_; ///< what these draw beside dice_ leaves all else as it was
+      reliefs_, maps_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

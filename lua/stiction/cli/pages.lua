@@ -202,10 +202,12 @@ histories are below <case>/derivatives/<parameter>; summary.csv has d_<result>_d
   run:beside("mu")                                                             that run, and by how much mu is different there, SI
 They are exact to some five digits; where results jump, or a point turns from sticking to slipping within so small a change, what is told
 is the change itself. How many steps ended with a point whose status is another stands in the manifest (result.beside: turned); a run
-that cannot follow any more ends, is told, and its derivatives are nan. The case's own steps are then converged to 1e-10 at least.
-'stiction fit' takes them for its parameters and needs no cases for derivatives. There are none with explicit schemes, steps chosen by
-their error, meshes made anew, half spaces and formulas, nor with respect to what changes the mesh, the schedule's times, what is driven
-or which pairs there are: that is refused. A parameter that is 0 has none, which is told.]]
+that cannot follow any more ends, is told, and its derivatives are nan. The case's own steps then end with a factor of where they end.
+'stiction fit' takes them for its parameters and needs no cases for derivatives, 'stiction sample' for its polynomial. There are none
+with explicit schemes, steps chosen by their error, meshes made anew, half spaces and formulas, nor with respect to what changes the
+mesh, the schedule's times, what is driven or which pairs there are: that is refused. A parameter that is 0 has none, which is told.
+Each takes a fifth to two fifths of the case's own time; the factors of where steps end, for all of them together, two thirds more of a
+small plane case, somewhat more than the case itself of a block in space whose factor would have served for several steps.]]
 
 pages.solve = [[
 stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
@@ -351,7 +353,8 @@ sample = {                                            -- a key of a study
 'stiction sample STUDY' runs the points, kept below out/<study>/sample, and tells of each result mean and standard deviation with their
 sampling error (as of independent points, more than Sobol's need), quantiles with intervals by order statistics, and whose its
 variance is: first (a parameter alone) and total (with all others) Sobol indices, of saltelli's pairs with errors by resampling, else
-of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. Failed cases are listed,
+of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. Where the study names the
+uncertain parameters in its `derivatives` slopes make the polynomial, too, of several times fewer points. Failed cases are listed,
 with the parameters along which they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
 sample.csv and figures; 'stiction report' makes one page.]]
 

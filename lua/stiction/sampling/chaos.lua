@@ -1,5 +1,6 @@
 -- A polynomial of a sample (chaos expansion): least squares over orthonormal polynomials, its degree by leave-one-out errors; moments
--- and Sobol indices from its coefficients. Sudret 2008.
+-- and Sobol indices from its coefficients (Sudret 2008). Slopes at points, where they are known, are rows of it, too (Peng, Hampton and
+-- Doostan 2016).
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local numeric = require "stiction.numeric"
@@ -8,6 +9,7 @@ local chaos = {}
 
 local most_degree, most_terms = 10, 400
 local points_per_term = 1.5
+local deviation = { normal = 1, uniform = 1 / math.sqrt(12) } -- of a coordinate
 local patience = 2 -- degrees without a gain
 local thinner = { 1, 0.75, 0.5 } -- exponents of hyperbolic truncations: less, and products of many parameters are left out
 
@@ -34,6 +36,26 @@ local function hermite(x, degree)
   return list
 end
 
+--- Derivatives of such polynomials; values: these, up to the degree.
+local function slopes_of(kind, values, degree)
+  local list = { [0] = 0 }
+  if kind == "normal" then
+    for n = 1, degree do
+      list[n] = math.sqrt(n) * values[n - 1]
+    end
+    return list
+  end
+  local function plain(n) return values[n] / math.sqrt(2 * n + 1) end -- Legendre's own
+  local plain_slopes = { [0] = 0, [1] = 2 } -- over x
+  for n = 2, degree do
+    plain_slopes[n] = plain_slopes[n - 2] + 2 * (2 * n - 1) * plain(n - 1)
+  end
+  for n = 1, degree do
+    list[n] = plain_slopes[n] * math.sqrt(2 * n + 1)
+  end
+  return list
+end
+
 --- Exponents of all terms of up to this degree, the constant first: sum of powers n_k^q no more than degree^q.
 local function terms_of(axes, degree, q)
   local list = {}
@@ -55,23 +77,39 @@ local function terms_of(axes, degree, q)
   return list
 end
 
---- Values of the terms at points: a column each.
-local function columns_of(terms, points, kinds, degree)
+--- Values of the terms at points: a column each; with slopes each point's value is followed by its slopes, times the standard deviations
+--- of the coordinates.
+local function columns_of(terms, points, kinds, degree, with_slopes)
   local columns = numeric.map(terms, function() return {} end)
-  for i, point in ipairs(points) do
-    local own = {}
+  for _, point in ipairs(points) do
+    local own, slopes = {}, {}
     for k, kind in ipairs(kinds) do
       own[k] = (kind == "normal" and hermite or legendre)(point[k], degree)
+      slopes[k] = with_slopes and slopes_of(kind, own[k], degree)
     end
     for n, term in ipairs(terms) do
-      local product = 1
-      for k, power in ipairs(term) do
-        product = product * own[k][power]
+      for along = 0, with_slopes and #kinds or 0 do
+        local product = along > 0 and deviation[kinds[along]] or 1
+        for k, power in ipairs(term) do
+          product = product * (k == along and slopes or own)[k][power]
+        end
+        columns[n][#columns[n] + 1] = product
       end
-      columns[n][i] = product
     end
   end
   return columns
+end
+
+--- Values, each followed by its slopes.
+local function rows_of(values, slopes, kinds)
+  local rows = {}
+  for i, value in ipairs(values) do
+    rows[#rows + 1] = value
+    for k, kind in ipairs(kinds) do
+      rows[#rows + 1] = slopes[i][k] * deviation[kind]
+    end
+  end
+  return rows
 end
 
 --- First and total indices, the mean and the variance from coefficients.
@@ -103,9 +141,11 @@ local function read(terms, coefficients, axes)
 end
 
 --- {mean =, deviation =, first =, total =, degree =, terms = (how many), error = (of a point left out, over the deviation of the values),
---- at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform" (in 0 to 1) or "normal".
-function chaos.of(points, values, kinds)
-  local best, variance = nil, 0
+--- at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform" (in 0 to 1) or "normal"; slopes: of the
+--- values over these coordinates, lists, or nil.
+function chaos.of(points, values, kinds, slopes)
+  local best, variance, group = nil, 0, slopes and #kinds + 1 or 1
+  local rows = slopes and rows_of(values, slopes, kinds) or values
   local mean = numeric.mean(values)
   for _, y in ipairs(values) do
     variance = variance + (y - mean) ^ 2 / #values
@@ -116,8 +156,8 @@ function chaos.of(points, values, kinds)
     end
     for _, q in ipairs(thinner) do
       local terms = terms_of(#kinds, degree, q)
-      if #terms <= most_terms and points_per_term * #terms <= #points and not (q < 1 and (degree == 1 or #kinds == 1)) then
-        local coefficients, error = engine.regress(columns_of(terms, points, kinds, degree), values)
+      if #terms <= most_terms and points_per_term * #terms <= #rows and not (q < 1 and (degree == 1 or #kinds == 1)) then
+        local coefficients, error = engine.regress(columns_of(terms, points, kinds, degree, slopes ~= nil), rows, group)
         if coefficients and (not best or error < best.square) then
           best = { terms = terms, coefficients = coefficients, square = error, degree = degree }
         end

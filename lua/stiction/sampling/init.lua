@@ -67,16 +67,16 @@ local function saltelli_rows(values, axes)
   return rows
 end
 
---- The points that are independent draws, with their results: of saltelli's design A and B alone.
+--- The points that are independent draws, with their results and places: of saltelli's design A and B alone.
 local function independent(own, values)
-  local points, list, size = {}, {}, own.design == "saltelli" and #own.axes + 2 or 1
+  local points, list, chosen, size = {}, {}, {}, own.design == "saltelli" and #own.axes + 2 or 1
   for i, value in ipairs(values) do
     if value and (size == 1 or (i - 1) % size < 2) then
-      list[#list + 1] = value
+      list[#list + 1], chosen[#list + 1] = value, i
       points[#points + 1] = own.coordinates and numeric.map(own.coordinates[i], function(u) return u end)
     end
   end
-  return list, points
+  return list, points, chosen
 end
 
 --- Coordinates as polynomials take them.
@@ -90,10 +90,39 @@ local function standard(own, points)
   end)
 end
 
+--- Slopes of a result over the coordinates that polynomials take, at the points whose values count; nil where one is not known. points:
+--- as spec.coordinates gives them.
+local function slopes_of(own, entry, rows, points, chosen)
+  local step, list = 1e-6, {}
+  if own.joint or own.design == "saltelli" then
+    return nil
+  end
+  for i, u in ipairs(points) do
+    local row, found = rows[chosen[i]], {}
+    for k, axis in ipairs(own.axes) do
+      local slope = ((row.result.derivatives or {})[axis.name] or {})[entry.name]
+      if not numeric.is_finite(slope) then
+        return nil
+      end
+      local function moved(by)
+        local other = table.move(u, 1, #u, 1, {})
+        other[k] = u[k] + by
+        return spec.values(own, other)[k], axis.kind == "normal" and engine.quantile(other[k]) or other[k]
+      end
+      local h = math.min(step, u[k] / 2, (1 - u[k]) / 2)
+      local above, x_above = moved(h)
+      local below, x_below = moved(-h)
+      found[k] = slope * (above - below) / (x_above - x_below)
+    end
+    list[i] = found
+  end
+  return list
+end
+
 --- What is said of one result.
 local function judge(own, entry, rows)
   local values = column(rows, entry.name)
-  local list, points = independent(own, values)
+  local list, points, chosen = independent(own, values)
   local result = { name = entry.name, unit = entry.unit, meaning = entry.meaning, values = values, failed = #values, entry = entry }
   for _, value in ipairs(values) do
     result.failed = result.failed - (value and 1 or 0)
@@ -109,7 +138,8 @@ local function judge(own, entry, rows)
     local of = saltelli_rows(values, #own.axes)
     result.indices = #of > 1 and indices.of(of, #own.axes) or nil
   end
-  local polynomial = chaos.of(standard(own, points), list, numeric.map(own.axes, function(axis) return axis.kind end))
+  local polynomial = chaos.of(standard(own, points), list, numeric.map(own.axes, function(axis) return axis.kind end),
+    slopes_of(own, entry, rows, points, chosen))
   if polynomial and own.joint then
     polynomial.first, polynomial.total = nil, nil -- of parameters that depend on each other there are none
   end
