@@ -330,8 +330,8 @@ private:
     scene.words += stress ? ", surface stress" : ", pressure";
   }
 
-  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_, folds_,
-      reliefs_, maps_; ///< what these draw beside dice_ leaves all else as it was
+  Dice dice_, sheets_, relaxing_, pressed_, constraints_, ties_, volumes_, folds_, reliefs_,
+      maps_; ///< what these draw beside dice_ leaves all else as it was
   std::string kinematics_;
   int dim_ = 2;
   SchemeSample sample_;

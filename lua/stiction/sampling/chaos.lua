@@ -1,6 +1,5 @@
 -- A polynomial of a sample (chaos expansion): least squares over orthonormal polynomials, its degree by leave-one-out errors; moments
--- and Sobol indices from its coefficients (Sudret 2008). Slopes at points, where they are known, are rows of it, too (Peng, Hampton and
--- Doostan 2016).
+-- and Sobol indices from its coefficients (Sudret 2008). Slopes at points, where they are known, are rows of it, too (Peng 2016).
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local numeric = require "stiction.numeric"
