@@ -194,11 +194,14 @@ local function put_values(t, case, parameters, results)
   end
 end
 
---- What the claims in the summary say that results may be off by, and words on the case.
+--- What the claims in the summary say that results may be off by, derivatives, and words on the case.
 local function put_words(t, case, head, parameters, results)
   for _, name in ipairs(head) do
-    if name:find("._error$") and not results[name] and not parameters[name] then
+    local own = not results[name] and not parameters[name]
+    if own and name:find("._error$") then
       t:put(case, "error", name, tonumber(case.row[name]), results[name:sub(1, -7)] or "")
+    elseif own and name:find("^d_.+_d_.") then
+      t:put(case, "derivative", name, tonumber(case.row[name]))
     end
   end
   t:put(case, "word", "set", case.row.set)

@@ -18,11 +18,16 @@ awk -v d="$(column mu0.2 d_force_x_d_mu)" -v own="$(column mu0.2 slope)" -v e="$
 "$stiction" run drag --list >listed
 holds "finished cases are to run again: $(cat listed)" [ "$(grep -c finished listed)" = 3 ]
 
+"$stiction" show out/drag --columns case,d_force_x_d_mu --csv shown.csv >/dev/null
+holds "show has no derivatives: $(cat shown.csv)" grep -q "^mu0.2,[1-9]" shown.csv
+expect 0 "and their derivatives with respect to mu, young, of a run beside the case each" "$stiction" explain drag
+
 # nothing runs where they cannot be
 changed unknown 's/sweep = {/derivatives = { "nu" }, sweep = {/'
 expect 2 "study.derivatives: the study has no parameter 'nu'" "$stiction" run unknown --no-figures
 changed mesh 's/sweep = {/derivatives = { "cells" }, sweep = {/'
 expect 2 "no derivatives with respect to cells: with it a little smaller there is no scene|block.cells" "$stiction" run mesh --no-figures
+expect 2 "no derivatives with respect to cells: " "$stiction" explain mesh
 changed flag 's/sweep = {/derivatives = { "word" }, sweep = {/; s/given = {/given = { word = "x",/'
 expect 2 "study.derivatives: 'word' is x; only of a number there are derivatives" "$stiction" run flag --no-figures
 changed bare 's/run:at(2\*s, "sole", "force_x")/run:derivative("mu", function(r) return r:last("sole", "force_x") end)/'

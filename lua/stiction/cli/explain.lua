@@ -1,4 +1,5 @@
 -- stiction explain: what a study asks, assumes and models, what it will cost and what to change, without running it.
+local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local forecast = require "stiction.fit.forecast"
@@ -32,12 +33,15 @@ local function show_cases(cases, names)
   end
 end
 
-local function show_results(results)
-  if #results > 0 then
+local function show_results(study)
+  if #study.results > 0 then
     report.line("\nResults")
   end
-  for _, entry in ipairs(results) do
+  for _, entry in ipairs(study.results) do
     report.line("  %s [%s]  %s", entry.name, entry.unit, entry.meaning)
+  end
+  if #study.derivatives > 0 then
+    report.line("  and their derivatives with respect to %s, of a run beside the case each", table.concat(study.derivatives, ", "))
   end
 end
 
@@ -76,7 +80,7 @@ local function show(study, cases, names, case, explanation)
   show_parameters("Given", study.given, case.p)
   show_parameters("Chosen", study.chosen, case.p)
   show_cases(cases, names)
-  show_results(study.results)
+  show_results(study)
   report.line("\nCase %s", case.id)
   for _, section in ipairs(explanation.sections) do
     report.line("\n%s", section.title)
@@ -102,6 +106,9 @@ return function(options)
   local cases, names = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
   local explanation = engine.explain(study:scene_of(case))
+  if #study.derivatives > 0 then
+    engine.check_beside(study:scene_of(case), derivatives.of(study, case))
+  end
   local warnings
   explanation.fit, warnings = forecast.of(study, options)
   table.move(warnings, 1, #warnings, #explanation.warnings + 1, explanation.warnings)
