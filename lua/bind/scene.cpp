@@ -54,6 +54,7 @@ void push(lua_State* lua, scene::BesideResult const& beside) {
   set(lua, "name", beside.name);
   set(lua, "steps", beside.steps);
   set(lua, "turned", beside.turned);
+  set(lua, "rough", beside.rough);
   set(lua, "iterations", beside.iterations);
   set(lua, "ended", beside.ended);
 }

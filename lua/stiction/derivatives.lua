@@ -54,6 +54,10 @@ function derivatives.note(study, case, result)
   end
   for _, own in ipairs(result.beside or {}) do
     own.step = select(2, derivatives.shifted(case.p, own.name))
+    if own.rough > 0 then
+      table.insert(result.remarks, ("derivatives with respect to %s are rough in %d of %d steps, which the case leaves out of balance by "
+        .. "more than 1e-9 of the largest force"):format(own.name, own.rough, own.steps))
+    end
     if own.ended ~= "" then
       table.insert(result.remarks, ("no derivatives with respect to %s after %d steps: %s"):format(own.name, own.steps, own.ended))
     end

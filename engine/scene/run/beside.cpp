@@ -12,6 +12,7 @@ namespace stiction::scene {
 namespace {
 
 constexpr long trusted = 8;     ///< steps of which one is looked at
+constexpr double rough = 1e-9;  ///< out of balance, of forces, that derivatives feel in their fourth digit
 constexpr double sharp = 1e-12; ///< tolerance of contact's solver: shifts are 1e-5 of parameters
 
 /// Why a scene can have no run beside it, in words; "" if it can.
@@ -133,7 +134,8 @@ void Beside::begin_files(std::filesystem::path const& folder, bool anew) {
     recorder_->step(state_, 0, 0);
 }
 
-void Beside::follow(dynamics::Stepper& lead, dynamics::State const& next, double dt) {
+void Beside::follow(dynamics::Stepper& lead, dynamics::Outcome const& made, double dt) {
+  auto const& next = made.state;
   if (!result_.ended.empty())
     return;
   bool const looks = result_.steps % trusted == 0;
@@ -147,6 +149,7 @@ void Beside::follow(dynamics::Stepper& lead, dynamics::State const& next, double
   state_ = std::move(outcome.state);
   state_.t = next.t;
   ++result_.steps;
+  result_.rough += made.out_of_balance > rough ? 1 : 0;
   result_.turned += turned(state_, next) > 0 ? 1 : 0;
   recorder_->step(state_, dt, outcome.iterations);
 }

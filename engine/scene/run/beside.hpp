@@ -29,8 +29,8 @@ public:
   Beside(Shifted const& shifted, Scene const& scene, dynamics::Stepper const& lead);
   /// from: the mark that `visit` has read, or a new run's.
   void begin_files(std::filesystem::path const& folder, bool anew);
-  /// The step of size dt that `lead` has just made, to `next`.
-  void follow(dynamics::Stepper& lead, dynamics::State const& next, double dt);
+  /// The step of size dt that `lead` has just made.
+  void follow(dynamics::Stepper& lead, dynamics::Outcome const& made, double dt);
   void close();
   /// What it came to, for the case's result.
   [[nodiscard]] BesideResult const& result() const { return result_; }
@@ -38,7 +38,8 @@ public:
   template<class Archive> void visit(Archive& archive) {
     if (!Archive::reads && recorder_)
       mark_ = recorder_->mark();
-    archive(state_, mark_, result_.steps, result_.turned, result_.ended, result_.iterations, careful_);
+    archive(state_, mark_, result_.steps, result_.turned, result_.rough, result_.ended, result_.iterations,
+            careful_);
   }
 
 private:

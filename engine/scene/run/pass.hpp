@@ -410,7 +410,7 @@ private:
     if (auto const contact = contact::words(answered()); !contact.empty())
       recorder_->change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
     for (auto const& one : beside_)
-      one->follow(stepper_, outcome.state, dt);
+      one->follow(stepper_, outcome, dt);
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;

@@ -43,6 +43,7 @@ struct BesideResult {
   std::string name;    ///< of the parameter
   long steps = 0;      ///< that it followed
   long turned = 0;     ///< of them, at whose ends some point's status is another
+  long rough = 0;      ///< of them, which the case itself left so far out of balance that it shows
   long iterations = 0; ///< of its own
   std::string ended;   ///< why it was left before the case's end; empty: it was not
 };

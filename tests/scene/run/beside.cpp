@@ -252,3 +252,31 @@ TEST_CASE("what can have no run beside it is told") {
       changed("schedule.accuracy", test::make("accuracy", {{"tolerance", test::value(0.02)}}));
   says(refused(controlled, controlled), "steps follow from their error");
 }
+
+TEST_CASE("derivatives of bodies that are solved for by multigrid are those of a factor") {
+  auto table = test::cube_on_floor();
+  test::at(table, "bodies.foot.material") =
+      test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
+  test::at(table, "bodies.foot.mesh.cells") = test::values({3, 3, 3});
+  test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
+  test::at(table, "motions") =
+      test::list({test::drive("foot.top", {0, 1, 2}, {{{0, 0, 0.2}, {0, 0, 0.1}, {0, -0.1, -0.1}}})});
+  test::at(table, "schedule") = test::schedule({{1, 4}, {2, 5}});
+  test::at(table, "probes.whole") = test::make("probe.contact", {{"pair", test::text("sole")}});
+  auto const slopes = [&](char const* bulk) {
+    test::at(table, "control") = test::make("control", {{"bulk", test::text(bulk)}});
+    Case one;
+    one.options.beside = {{"young", shifted(table, "bodies.foot.material.young", relative)}};
+    auto const result = one.run(table);
+    REQUIRE(result.verdict == "finished");
+    CHECK(result.beside[0].ended.empty());
+    CHECK(result.beside[0].rough == 0);
+    auto list = one.series("young").columns.at("whole/force_x").values;
+    auto const own = one.series().columns.at("whole/force_x").values;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      list[i] = (list[i] - own[i]) / relative;
+    return list;
+  };
+  auto const direct = slopes("direct"), iterated = slopes("multigrid");
+  CHECK(error(iterated, std::vector<double>(iterated.size(), 0.0), 1, direct) < 1e-3 * largest(direct));
+}
