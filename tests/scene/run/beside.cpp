@@ -193,8 +193,8 @@ TEST_CASE("derivatives of random scenes are their differences, or are told to ha
     ++seen;
     auto const a = one.series(), b = one.series("it"), up = more.series(), down = less.series();
     auto const status = [](auto const& series) { return series.columns.at("line/status").values; };
-    if (!result.beside[0].ended.empty() || result.beside[0].turned > 0 || up.time != a.time ||
-        down.time != a.time || status(up) != status(a) || status(down) != status(a))
+    if (!result.beside[0].ended.empty() || result.beside[0].turned > 0 || result.beside[0].rough > 0 ||
+        up.time != a.time || down.time != a.time || status(up) != status(a) || status(down) != status(a))
       continue;
     ++held;
     std::map<std::string, double> scale; // by unit
@@ -205,7 +205,8 @@ TEST_CASE("derivatives of random scenes are their differences, or are told to ha
         continue;
       auto const &low = down.columns.at(name).values, &high = up.columns.at(name).values;
       std::vector<double> slope(low.size());
-      double const rounding = 1e-9 * scale.at(column.unit) / std::abs(relative);
+      // contact at the level of rates, and energies of bodies at rest, are solved for to some 1e-9 of these
+      double const rounding = 1e-8 * scale.at(column.unit) / std::abs(relative);
       for (std::size_t i = 0; i < low.size(); ++i)
         slope[i] = (b.columns.at(name).values[i] - column.values[i]) / relative;
       CAPTURE(name);
