@@ -69,11 +69,12 @@ end
 
 --- The run beside it in which a parameter that the study names in its `derivatives` is a little smaller, and by how much, SI.
 function Case:beside(name)
-  local folder = self.folder .. "/derivatives/" .. name
-  if engine.kind_of_path(folder .. "/series.h5") ~= "file" then
+  local folder, p, step = self.folder .. "/derivatives/" .. name, derivatives.shifted(self.p, name)
+  if not p then
+    fault.script("case %s has no derivatives with respect to '%s', which is 0 in it", self.id, name)
+  elseif engine.kind_of_path(folder .. "/series.h5") ~= "file" then
     fault.script("case %s has no derivatives with respect to '%s'; the study asks for them: derivatives = { \"%s\" }", self.id, name, name)
   end
-  local p, step = derivatives.shifted(self.p, name) -- not nil: a run was made
   local other = case_module.new(self.id, p, folder)
   if #other.time < #self.time then
     fault.script("case %s: derivatives with respect to '%s' end at %g s", self.id, name, other.time[#other.time])
@@ -96,11 +97,10 @@ end
 --- `derivatives`; SI. From a run beside the case's own, exact to about five digits where no point changes between sticking,
 --- slipping and open within the shift.
 function Case:derivative(name, f)
-  if rawget(self, "pretended") then
-    f(self)
-    return 1
+  local other, step = self, 1
+  if not rawget(self, "pretended") then
+    other, step = self:beside(name)
   end
-  local other, step = self:beside(name)
   return quotient(f(self), f(other), step)
 end
 

@@ -92,8 +92,11 @@ function identity.of(study, case)
     return engine.hash(identity.of_sources(study, case) .. problem.identity(study, case.p))
   end
   local text, reason = identity.scene_text(study, case)
-  local beside = #study.derivatives > 0 and text and attempt(derivatives.text, study, case) or ""
-  return engine.hash(identity.program() .. (text or "no scene: " .. reason) .. beside)
+  local beside, refused = "", nil
+  if text and #study.derivatives > 0 then
+    beside, refused = attempt(derivatives.text, study, case)
+  end
+  return engine.hash(identity.program() .. (text or "no scene: " .. reason) .. (beside or "no derivatives: " .. refused))
 end
 
 --- The files that the scene or the saved problem of a case consists of.

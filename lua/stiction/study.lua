@@ -34,6 +34,8 @@ local function check_keys(t)
   end
   if t.title == nil then
     fault.script("study.title is missing")
+  elseif t.problem and t.derivatives then
+    fault.script("study has problem and derivatives; a saved contact problem has none")
   elseif not t.scene == not t.problem then
     fault.script(t.scene and "study has scene and problem; it takes one of them"
       or "study.scene is missing (or study.problem, where a case is a saved contact problem)")

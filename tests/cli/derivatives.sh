@@ -30,6 +30,13 @@ expect 2 "no derivatives with respect to cells: with it a little smaller there i
 expect 2 "no derivatives with respect to cells: " "$stiction" explain mesh
 changed flag 's/sweep = {/derivatives = { "word" }, sweep = {/; s/given = {/given = { word = "x",/'
 expect 2 "study.derivatives: 'word' is x; only of a number there are derivatives" "$stiction" run flag --no-figures
+changed zero 's/sweep = {/derivatives = { "mu" }, sweep = {/; s/run:at(2\*s, "sole", "force_x")/run:derivative("mu", function(r) return r:last("sole", "force_x") end)/'
+expect 1 "case mu0 has no derivatives with respect to 'mu', which is 0 in it|mu0.2  finished" "$stiction" run zero --no-figures --jobs 1
+# a case that has run without them is not taken for one that has them, though their scenes cannot be made
+changed twice 's/given = {/given = { word = "x",/'
+expect 0 "checks held" "$stiction" run twice --no-figures
+sed -i 's/sweep = {/derivatives = { "word" }, sweep = {/' twice/study.lua
+expect 2 "only of a number there are derivatives" "$stiction" run twice --no-figures
 changed bare 's/run:at(2\*s, "sole", "force_x")/run:derivative("mu", function(r) return r:last("sole", "force_x") end)/'
 expect 1 "has no derivatives with respect to 'mu'; the study asks for them: derivatives" "$stiction" run bare --no-figures --jobs 1
 holds "a case ran where none could" [ -z "$(find out/unknown out/mesh out/flag -name series.h5 2>/dev/null)" ]

@@ -58,6 +58,16 @@ inline Input cube_on_floor() {
   at(scene, "pairs.sole") = pair("foot.bottom", "floor");
   return scene;
 }
+/// It is pressed and dragged with friction 0.3, in nine steps.
+inline Input dragged_cube(Input material) {
+  auto table = cube_on_floor();
+  at(table, "bodies.foot.material") = std::move(material);
+  at(table, "bodies.foot.mesh.cells") = values({3, 3, 3});
+  at(table, "pairs.sole.friction") = coulomb(0.3);
+  at(table, "motions") = list({drive("foot.top", {0, 1, 2}, {{{0, 0, 0.2}, {0, 0, 0.1}, {0, -0.1, -0.1}}})});
+  at(table, "schedule") = schedule({{1, 4}, {2, 5}});
+  return table;
+}
 
 /// Sum over nodes of a vector with dim components each, padded with 0.
 inline Vec3 sum_over(scene::Scene const& scene, Vector const& v, Indices const& nodes) {

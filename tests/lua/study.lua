@@ -94,4 +94,7 @@ test("derivatives are with respect to parameters of the study", function()
   fails("study.derivatives: the study has no parameter 'nu'; give a list of names", function()
     make { given = { radius = 5*mm }, derivatives = { "nu" } }
   end)
+  fails("study has problem and derivatives", function()
+    stiction.study { title = "t", problem = function() end, given = { radius = 5*mm }, derivatives = { "radius" } }
+  end)
 end)

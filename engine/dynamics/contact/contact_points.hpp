@@ -15,6 +15,9 @@ public:
   void begin(State const& old, double t1, double dt);
   /// As ContactSystem::follow.
   void follow(ContactPoints const& lead);
+  /// As ContactSystem::keep and restore.
+  void keep() { kept_ = points_; }
+  void restore() { points_ = kept_; }
   /// As ContactSystem::locate.
   void locate(Vector const& u, bool settle);
   /// As ContactSystem::reaction.
@@ -49,7 +52,7 @@ private:
   contact::Problem const* problem_;
   StepWeights weights_;
   ContactGeometry<D> geometry_;
-  std::vector<Point> points_;
+  std::vector<Point> points_, kept_;
   Indices active_;
   State const* old_ = nullptr;
   bool bonding_changed_ = false;

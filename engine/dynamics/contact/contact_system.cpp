@@ -27,6 +27,8 @@ public:
   void follow(ContactSystem const& lead) override {
     points_.follow(dynamic_cast<System const&>(lead).points_);
   }
+  void keep() override { points_.keep(); }
+  void restore() override { points_.restore(); }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   [[nodiscard]] bool turning() const override { return assembly_.turning(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }

@@ -27,6 +27,9 @@ public:
   virtual void begin(State const& old, double t1, double dt, bool turning) = 0;
   /// After `begin`: forces, and which bonds are closed, as another system of the same pairs has them now.
   virtual void follow(ContactSystem const& lead) = 0;
+  /// Keeps the points as they are, and puts them back to what was kept last.
+  virtual void keep() = 0;
+  virtual void restore() = 0;
   /// Has any problem of the step known it?
   [[nodiscard]] virtual bool turned() const = 0;
   /// Did the last problem know it?

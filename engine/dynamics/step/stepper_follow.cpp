@@ -43,6 +43,7 @@ Stepper::Stepper(Model const& model, Stepper const& lead)
 bool Stepper::polish(State const& old, double dt, Outcome& outcome) {
   constexpr int most = 3;
   Vector const reached = d_;
+  contact_->keep();
   bool better = bulk_.linear() || bulk_.factorize(u_, weights_, dt, cost_,
                                                   {old.t + dt, bulk_.surface_loads().steady(gas_, gas_old_)});
   if (!better)
@@ -57,8 +58,10 @@ bool Stepper::polish(State const& old, double dt, Outcome& outcome) {
   if (better && converged(outcome))
     return true;
   d_ = reached;
+  contact_->restore();
   previous_imbalance_ = std::numeric_limits<double>::infinity();
   outcome.verdict = StepVerdict::not_converged;
+  outcome.reason.clear();
   return balance(old, dt, outcome) && converged(outcome);
 }
 

@@ -27,7 +27,7 @@ public:
   /// scene: of the case. Throws InputError where the other one differs from it in more than numbers. All must
   /// outlive it.
   Beside(Shifted const& shifted, Scene const& scene, dynamics::Stepper const& lead);
-  /// from: the mark that `visit` has read, or a new run's.
+  /// anew: or from the mark that `visit` has read.
   void begin_files(std::filesystem::path const& folder, bool anew);
   /// The step of size dt that `lead` has just made.
   void follow(dynamics::Stepper& lead, dynamics::Outcome const& made, double dt);

@@ -58,7 +58,7 @@ struct RunOptions {
   int threads = 1; ///< that share its loops; its numbers do not depend on how many
   /// The processes that share the case, each of which runs it: the first writes its files; or null.
   linear::Ranks const* ranks = nullptr;
-  /// Runs beside the case's own, for derivatives; each of its steps then makes an iteration more.
+  /// Runs beside the case's own, for derivatives; its steps then end with a factor of where they end.
   std::vector<Shifted> beside;
   /// For tests: stopped when the run has asked so often whether it is to stop, within steps too; 0: never.
   long stop_after = 0;

@@ -200,7 +200,8 @@ the case's own steps, each corrected with the case's own factor from the case's 
 histories are below <case>/derivatives/<parameter>; summary.csv has d_<result>_d_<parameter> of every result, in SI, and
   run:derivative("mu", function(run) return run:max("sole", "force_x") end)    is the derivative of any number, quantity or list
   run:beside("mu")                                                             that run, and by how much mu is different there, SI
-They are exact to some five digits; where results jump, or a point turns from sticking to slipping within so small a change, what is told
+They are exact to some five digits, less of a parameter that does little: 1e-12 to 1e-9 of the largest force is left undone, over 1e-5 of
+the parameter. Where results jump, or a point turns from sticking to slipping within so small a change, what is told
 is the change itself. How many steps ended with a point whose status is another stands in the manifest (result.beside: turned); a run
 that cannot follow any more ends, is told, and its derivatives are nan. The case's own steps then end with a factor of where they end.
 'stiction fit' takes them for its parameters and needs no cases for derivatives, 'stiction sample' for its polynomial. There are none

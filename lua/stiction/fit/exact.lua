@@ -1,13 +1,14 @@
 -- Derivatives of a fit's residuals that take no cases of their own: from the runs beside cases whose study names the parameters in its
 -- `derivatives`, and of what the comparison alone takes.
 local copy = require "stiction.copy"
-local derivatives = require "stiction.derivatives"
 local engine = require "stiction.engine"
 local space = require "stiction.fit.space"
+local spec = require "stiction.fit.spec"
 
 local exact = {}
 
 exact.error = 1e-4 -- of a derivative
+local relative = 1e-6 -- of its range, by which a parameter is moved that costs nothing
 
 --- Whether derivatives over a parameter of a fit can be had without cases.
 function exact.is_known(study, own)
@@ -17,6 +18,16 @@ function exact.is_known(study, own)
     end
   end
   return not own.setting
+end
+
+--- Whether these are all derivatives over so many coordinates; J: by place, or nil.
+function exact.are_known(J, count)
+  for k = 1, J and count or 0 do
+    if not J[k] then
+      return false
+    end
+  end
+  return J ~= nil
 end
 
 --- Whether those over all of its parameters can.
@@ -33,7 +44,8 @@ end
 local function shifted(curve, runs, others, own)
   local moved, step = {}, nil
   if not own.setting then
-    others, step = derivatives.shifted(others, own.key)
+    step = relative * (own.to - own.from)
+    others[own.key] = others[own.key] + spec.quantity(own.like, step)
     return curve:model(runs, others), step
   end
   for i, run in ipairs(runs) do

@@ -3,7 +3,6 @@ local advice = require "stiction.fit.advice"
 local copy = require "stiction.copy"
 local correlated = require "stiction.fit.correlated"
 local drawing = require "stiction.drawing"
-local exact = require "stiction.fit.exact"
 local fault = require "stiction.fault"
 local finer = require "stiction.fit.finer"
 local hold = require "stiction.hold"
@@ -78,7 +77,7 @@ local function begin(fit, model, study)
 end
 
 local function about(fit, model)
-  return { curves = fit.curves, noise = model.noise, share = model.share, exact = model.exact and exact.error }
+  return { curves = fit.curves, noise = model.noise, share = model.share }
 end
 
 --- The lowest minimum with its judgement and profiles; all minima; the cases of the search alone.

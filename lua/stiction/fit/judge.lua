@@ -2,6 +2,7 @@
 -- the model is rejected. In relative coordinates: a change of 1 is by a factor e, or of a linear parameter by its own size.
 local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
+local exact = require "stiction.fit.exact"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
 local numeric = require "stiction.numeric"
@@ -203,7 +204,7 @@ end
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
 --- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =}.
 --- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
---- differences), exact = (what derivatives may be off by, of themselves, where they are none)}.
+--- differences)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
   local slopes, sizes, values = judge.scales(problem.parameters, found.z)
@@ -214,7 +215,7 @@ function judge.of(problem, found, about)
   local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
     squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
-  local floor = about.exact and about.exact * longest(columns)
+  local floor = exact.are_known(at.J, #found.z) and exact.error * longest(columns)
     or blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
   local matrix, singular, vectors, spreads = {}, {}, {}, {}
   if #free > 0 then

@@ -2,6 +2,7 @@
 -- Trial points that fail are steps too long. Derivatives between two differences: Broyden (1965), with the projections of
 -- Gay (1978).
 local engine = require "stiction.engine"
+local exact = require "stiction.fit.exact"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
 local numeric = require "stiction.numeric"
@@ -61,12 +62,12 @@ local function evaluate(self, points, word)
   return numeric.map(found, function(key) return self.seen[key] end)
 end
 
---- The parameter whose derivatives the last step tells once those of the others are known: by which it went far beside the size of
---- differences, but not too far; nil if there is none.
-local function told_by_step(self, steps)
+--- The parameter whose derivatives, not known yet, the last step tells once those of the others are: by which it went far beside the size
+--- of differences, but not too far; nil if there is none.
+local function told_by_step(self, steps, known)
   local best, widest = nil, 0
   for k, h in ipairs(self.last and not self.problem.central and steps or {}) do
-    local ratio = math.abs((self.z[k] - self.last.z[k]) / h)
+    local ratio = known[k] and 0 or math.abs((self.z[k] - self.last.z[k]) / h)
     if ratio > widest then
       best, widest = k, ratio
     end
@@ -96,7 +97,7 @@ local function differences(self, z, at)
     steps[k] = self.problem.parameters[k].from and z[k] + h > 1 and -h or h
   end
   local known = at.J or {}
-  local m = next(known) == nil and told_by_step(self, steps) or nil
+  local m = told_by_step(self, steps, known)
   local function moved(k, h)
     local other = table.move(z, 1, p, 1, {})
     other[k] = z[k] + h
@@ -162,16 +163,6 @@ local function news_of(self, dz)
   return v
 end
 
---- Whether an answer tells all its derivatives.
-local function is_known(answer, count)
-  for k = 1, answer.J and count or 0 do
-    if not answer.J[k] then
-      return false
-    end
-  end
-  return answer.J ~= nil
-end
-
 --- Brings derivatives along to a new point.
 local function follow(self, z, at)
   local dz, square = {}, 0
@@ -198,7 +189,7 @@ local function follow(self, z, at)
   if square > 0 then
     self.J, self.fresh, self.refused = J, false, 0
   end
-  if square > 0 and (self.problem.always or not good or is_known(at, #z)) then
+  if square > 0 and (self.problem.always or not good or exact.are_known(at.J, #z)) then
     refresh(self)
   end
 end

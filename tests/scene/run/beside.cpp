@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <map>
 
+#include "dynamics/space.hpp"
 #include "folder.hpp"
 #include "record/series.hpp"
 #include "scene/random_scenes.hpp"
@@ -178,7 +179,7 @@ TEST_CASE("derivatives of random scenes are their differences, or are told to ha
     test::at(scene.table, "probes.energy") = test::make("probe.energy");
     test::at(scene.table, "probes.line") = test::make("probe.contact_line", {{"pair", test::text("joint")}});
     test::at(scene.table, "control") = test::make("control", {{"force_tolerance", test::value(1e-12)}});
-    Case one, more, less;
+    Case one, more, less, alone;
     one.options.beside = {{"it", shifted(scene.table, path, relative)}};
     scene::RunResult result;
     try {
@@ -187,6 +188,8 @@ TEST_CASE("derivatives of random scenes are their differences, or are told to ha
       CHECK(std::string(error.what()).find("no derivatives with respect to it: ") != std::string::npos);
       continue;
     }
+    auto const without = alone.run(scene.table);
+    CHECK(result.verdict == without.verdict);
     if (result.verdict != "finished" || more.run(shifted(scene.table, path, h)).verdict != "finished" ||
         less.run(shifted(scene.table, path, -h)).verdict != "finished" || result.cuts > 0)
       continue;
@@ -255,14 +258,8 @@ TEST_CASE("what can have no run beside it is told") {
 }
 
 TEST_CASE("derivatives of bodies that are solved for by multigrid are those of a factor") {
-  auto table = test::cube_on_floor();
-  test::at(table, "bodies.foot.material") =
-      test::make("material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}});
-  test::at(table, "bodies.foot.mesh.cells") = test::values({3, 3, 3});
-  test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
-  test::at(table, "motions") =
-      test::list({test::drive("foot.top", {0, 1, 2}, {{{0, 0, 0.2}, {0, 0, 0.1}, {0, -0.1, -0.1}}})});
-  test::at(table, "schedule") = test::schedule({{1, 4}, {2, 5}});
+  auto table = test::dragged_cube(test::make(
+      "material.neo_hookean", {{"young", test::value(1000, "Pa")}, {"poisson", test::value(0.3)}}));
   test::at(table, "probes.whole") = test::make("probe.contact", {{"pair", test::text("sole")}});
   auto const slopes = [&](char const* bulk) {
     test::at(table, "control") = test::make("control", {{"bulk", test::text(bulk)}});

@@ -131,13 +131,7 @@ test::Input neo_hookean() {
 }
 
 test::Input cube(test::Input material) {
-  auto table = test::cube_on_floor();
-  test::at(table, "bodies.foot.material") = std::move(material);
-  test::at(table, "bodies.foot.mesh.cells") = test::values({3, 3, 3});
-  test::at(table, "pairs.sole.friction") = test::coulomb(0.3);
-  test::at(table, "motions") =
-      test::list({test::drive("foot.top", {0, 1, 2}, {{{0, 0, 0.2}, {0, 0, 0.1}, {0, -0.1, -0.1}}})});
-  test::at(table, "schedule") = test::schedule({{1, 4}, {2, 5}});
+  auto table = test::dragged_cube(std::move(material));
   test::at(table, "control") = test::make("control", {{"bulk", test::text("multigrid")}});
   return table;
 }
