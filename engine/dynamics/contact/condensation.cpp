@@ -2,6 +2,7 @@
 #include "dynamics/contact/condensation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "linear/decompositions.hpp"
 
@@ -73,6 +74,8 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
                              Vector& free) {
   symmetric_ = bulk.symmetric();
   held_ = bulk.hold() > 0;
+  of_ = bulk.identity();
+  lead_ = nullptr;
   for (Index u = 0; held_ && u < bulk.surface(); ++u) // S du = y is (S + hold P) du = y + hold P du
     K_.push_back({u, u, bulk.hold() / weight});
   free.setZero(rows_);
@@ -87,17 +90,22 @@ void Condensation::eliminate(linear::BulkFactor& bulk, Vector const& y, double w
   if (plain && one_to_one()) {
     Vector const sides = Vector::NullaryExpr(rows_, [&](Index row) { return H_[ix(row)].value; });
     bulk.compliance(used_, W);
+    V_.resize(0, 0);
     for (auto const& h : H_)
       W.col(h.row).array() *= (weight * h.value) * sides.array();
     return;
   }
-  set_mobility(bulk, y, W);
-  if (support_ > 0)
-    add_stiffness_of_contact(W, free);
+  set_mobility(bulk, W);
+  if (support_ == 0)
+    return;
+  add_stiffness_of_contact(W);
+  move_without_forces(*this, y, free);
 }
 
 linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& free) {
   support_ = 0;
+  of_.reset();
+  lead_ = nullptr;
   free.setZero(rows_);
   for (auto const& h : H_)
     free[h.row] += h.value * y[h.column];
@@ -105,24 +113,22 @@ linear::SurfaceRows Condensation::rows(Vector const& y, double weight, Vector& f
 }
 
 /// W = weight (H + change) V H^T
-void Condensation::set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W) {
+void Condensation::set_mobility(linear::BulkFactor& bulk, Dense& W) {
   bulk.compliance(used_, V_);
-  right_.setZero(V_.rows(), rows_ + 1);
+  right_.setZero(V_.rows(), rows_);
   for (auto const& h : H_)
     right_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]);
-  right_.col(rows_) = y(used_);
   W.setZero(rows_, rows_);
-  bool const symmetric = symmetric_ && change_.empty();
   each_row_entry([&](Entry const& h) {
-    if (auto const row = right_.row(slot_[ix(h.column)]).head(rows_); symmetric) // W is its own transpose
+    if (auto const row = right_.row(slot_[ix(h.column)]); alike()) // W is its own transpose
       W.col(h.row) += h.value * row.transpose();
     else
       W.row(h.row) += h.value * row;
   });
 }
 
-/// Adds what K_geo does to W and free.
-void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
+/// Adds what K_geo does to W.
+void Condensation::add_stiffness_of_contact(Dense& W) {
   Index const m = rows_, s = support_;
   small_.setIdentity(s, s);
   bool const crowded = K_.size() > static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
@@ -135,24 +141,58 @@ void Condensation::add_stiffness_of_contact(Dense& W, Vector& free) {
   for (auto const& k : K_)
     if (!crowded)
       small_.col(slot_[ix(k.column)]) -= (weight_ * k.value) * V_.col(slot_[ix(k.row)]).head(s);
-  Dense const motion = small_.partialPivLu().solve(right_.topRows(s)).transpose();
-  K_motion_.setZero(m + 1, s);
+  small_factor_.compute(small_);
+  Dense const motion = small_factor_.solve(right_.topRows(s)).transpose();
+  K_motion_.setZero(m, s);
   if (crowded)
     K_motion_.noalias() = motion * K_all_.transpose();
   for (auto const& k : K_)
     if (!crowded)
       K_motion_.col(slot_[ix(k.row)]) += (weight_ * k.value) * motion.col(slot_[ix(k.column)]);
-  bool const symmetric = symmetric_ && change_.empty();
-  if (!symmetric) {
+  if (!alike()) {
     left_.setZero(s, m);
     each_row_entry([&](Entry const& h) {
       left_.col(h.row) += (weight_ * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
     });
   }
-  // (H + change) V = (weight V^T (H + change)^T)^T / weight
-  auto const HV = (symmetric ? right_ : left_).topLeftCorner(s, m).transpose();
-  W.noalias() += (1 / weight_) * (HV * K_motion_.topRows(m).transpose());
-  free.noalias() += (1 / weight_) * (HV * K_motion_.row(m).transpose());
+  W.noalias() += (1 / weight_) * (sides() * K_motion_.transpose());
+}
+
+/// Adds to `free` what the K_geo of `made` does where nothing but y moves its support.
+void Condensation::move_without_forces(Condensation const& made, Vector const& y, Vector& free) {
+  Index const s = made.support_;
+  Vector motion = y(made.used_).head(s);
+  motion = made.small_factor_.solve(motion).eval();
+  K_moving_.setZero(s);
+  for (auto const& k : made.K_)
+    K_moving_[made.slot_[ix(k.row)]] += (made.weight_ * k.value) * motion[made.slot_[ix(k.column)]];
+  free.noalias() += (1 / made.weight_) * (made.sides() * K_moving_);
+}
+
+bool Condensation::eliminate_as(Condensation const& lead, linear::BulkFactor const& bulk, Present const& now,
+                                double weight, Vector& free) {
+  if (!lead.of_ || lead.lead_ != nullptr || lead.of_ != bulk.identity() || lead.weight_ != weight)
+    return false;
+  extra_ = weight * now.reaction;
+  for (auto const& h : lead.H_)
+    extra_[h.column] -= weight * h.value * now.force[h.row];
+  moved_ = now.y;
+  if (!extra_.isZero(0)) {
+    if (lead.V_.rows() != static_cast<Eigen::Index>(lead.used_.size()))
+      return false;
+    double inside = 0;
+    for (Index const u : lead.used_)
+      inside += std::abs(extra_[u]);
+    if (inside < extra_.lpNorm<1>()) // the points have come to other nodes
+      return false;
+    moved_(lead.used_) += lead.V_ * extra_(lead.used_);
+  }
+  lead_ = &lead;
+  free.setZero(lead.rows_);
+  lead.each_row_entry([&](Entry const& h) { free[h.row] += h.value * moved_[h.column]; });
+  if (lead.support_ > 0)
+    move_without_forces(lead, moved_, free);
+  return true;
 }
 
 /// With V = L L^T, where I - L^T K_geo L is; a K_geo small beside V^-1 needs no factor.
@@ -176,13 +216,16 @@ bool Condensation::stable() const {
 }
 
 void Condensation::add_forces(Vector const& force, double weight, Vector& c) const {
-  for (auto const& h : H_)
+  auto const& made = lead_ != nullptr ? *lead_ : *this;
+  if (lead_ != nullptr)
+    c += extra_;
+  for (auto const& h : made.H_)
     c[h.column] += weight * h.value * force[h.row];
-  if (support_ == 0)
+  if (made.support_ == 0)
     return;
-  Vector const extra = K_motion_.topRows(rows_).transpose() * force + K_motion_.row(rows_).transpose();
-  for (Index i = 0; i < support_; ++i)
-    c[used_[ix(i)]] += extra[i];
+  Vector const extra = made.K_motion_.transpose() * force + K_moving_;
+  for (Index i = 0; i < made.support_; ++i)
+    c[made.used_[ix(i)]] += extra[i];
 }
 
 } // namespace stiction::dynamics

@@ -1,6 +1,7 @@
 // The bulk seen from the contact points: rows of H and geometric stiffness reduced to the Delassus operator.
 #pragma once
 #include "linear/bulk_factor.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::dynamics {
 
@@ -21,6 +22,18 @@ public:
   /// taken away like a K_geo. W is left as it is where nothing that it is made of has changed since the last
   /// problem.
   void eliminate(linear::BulkFactor& bulk, Vector const& y, double weight, Dense& W, Vector& free);
+  /// What the surface does without contact, [surface unknowns], and the forces of its rows with H^T p of
+  /// them.
+  struct Present {
+    Vector const& y;
+    Vector const& force;
+    Vector const& reaction;
+  };
+  /// As the problem that `lead` last eliminated, whose W holds, from present forces whose rows H differ a
+  /// little: changes of forces act by the lead's. False, and nothing done, where that was of another matrix
+  /// or of other nodes. `lead` must stay as it is until the forces are added.
+  [[nodiscard]] bool eliminate_as(Condensation const& lead, linear::BulkFactor const& bulk,
+                                  Present const& now, double weight, Vector& free);
   /// The rows of H for a bulk that contact is solved together with, and free = H y; there is neither K_geo
   /// nor change then.
   [[nodiscard]] linear::SurfaceRows rows(Vector const& y, double weight, Vector& free);
@@ -43,22 +56,34 @@ private:
   Index rows_ = 0;
   bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
   std::vector<Entry> H_, change_, K_;
-  Origin made_of_; ///< the last W
+  Origin made_of_;                     ///< the last W
+  std::shared_ptr<void const> of_;     ///< the matrix of the problem last eliminated
+  Condensation const* lead_ = nullptr; ///< whose problem that was; null: its own
   void find_used(Index surface);
   [[nodiscard]] bool one_to_one() const;
+  [[nodiscard]] bool alike() const { return symmetric_ && change_.empty(); } ///< rows and columns of W
+  /// weight (H + change) V on the support, [rows, support]
+  [[nodiscard]] auto sides() const {
+    return (alike() ? right_ : left_).topLeftCorner(support_, rows_).transpose();
+  }
   template<class Act> void each_row_entry(Act const& act) const;
-  void set_mobility(linear::BulkFactor& bulk, Vector const& y, Dense& W);
-  void add_stiffness_of_contact(Dense& W, Vector& free);
+  void set_mobility(linear::BulkFactor& bulk, Dense& W);
+  void add_stiffness_of_contact(Dense& W);
+  void move_without_forces(Condensation const& made, Vector const& y, Vector& free);
 
   Indices used_, slot_; ///< unknowns that K and H touch, those of K first; the slot of each there or -1
   double weight_ = 1;   ///< of the problem last eliminated
   Index support_ = 0;   ///< how many of them K touches
   Dense V_;             ///< between them
-  Dense right_;         ///< weight V H^T | y, [used, rows + 1]
+  Dense right_;         ///< weight V H^T, [used, rows]
   Dense left_;  ///< weight V^T (H + change)^T on the support, [support, rows]; where it is not that of right_
   Dense small_; ///< I - weight V K on the support
   Dense K_all_; ///< weight K on the support, where it has more entries than slots
-  Dense K_motion_; ///< weight K du on the support, a row per force and one without, [rows + 1, support]
+  Eigen::PartialPivLU<Dense> small_factor_;
+  Dense K_motion_;  ///< weight K du on the support, a row per force, [rows, support]
+  Vector K_moving_; ///< the same without forces, [support]
+  Vector extra_;    ///< of a problem like a lead's: weight (H - H of the lead)^T p, [surface unknowns]
+  Vector moved_;    ///< the surface by y and these, m
 };
 
 } // namespace stiction::dynamics

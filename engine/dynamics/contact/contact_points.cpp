@@ -51,6 +51,7 @@ template<int D, int C> void ContactPoints<D, C>::begin(State const& old, double 
     point.data.bond = {state.bond, dt, state.status != interface::Status::open};
     point.data.mu = pair_of(point).law.mu(state.status);
     point.kinematics.foot = state.foot;
+    point.apart = false;
     if (weights_.velocity_level())
       limit_rates(point, dt);
   }
@@ -60,6 +61,8 @@ template<int D, int C> void ContactPoints<D, C>::follow(ContactPoints const& lea
   for (std::size_t k = 0; k < points_.size(); ++k) {
     points_[k].force = lead.points_[k].force;
     points_[k].data.bond.closed = lead.points_[k].data.bond.closed;
+    points_[k].kinematics.foot = lead.points_[k].kinematics.foot;
+    points_[k].apart = !lead.points_[k].kinematics.found && !geometry_.shared(points_[k].id.pair);
   }
 }
 
@@ -87,7 +90,8 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
   each_point([&](Point const& point) { geometry_.see(point.id, point.kinematics.foot); });
   geometry_.settle();
   each_point([&](Point& point) {
-    point.kinematics = geometry_.kinematics(point.id, point.kinematics.foot);
+    point.kinematics =
+        point.apart ? contact::PointKinematics<D>{} : geometry_.kinematics(point.id, point.kinematics.foot);
     choose_active(point);
   });
   active_.clear();

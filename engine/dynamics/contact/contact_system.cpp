@@ -3,6 +3,8 @@
 #include "dynamics/contact/contact_system.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "contact/solvers/descent.hpp"
 #include "dynamics/bulk/timer.hpp"
@@ -21,11 +23,13 @@ public:
         of_many_starts_(std::holds_alternative<contact::BipotentialNewton>(model.solver)) {}
   void begin(State const& old, double t1, double dt, bool turning) override {
     points_.begin(old, t1, dt);
+    lead_ = nullptr;
     solver_->forget();
     assembly_.begin(old, dt, turning);
   }
   void follow(ContactSystem const& lead) override {
-    points_.follow(dynamic_cast<System const&>(lead).points_);
+    lead_ = &dynamic_cast<System const&>(lead);
+    points_.follow(lead_->points_);
   }
   void keep() override { points_.keep(); }
   void restore() override { points_.restore(); }
@@ -56,9 +60,10 @@ private:
     return of_many_starts_ && !contact::frictionless(problem_) && problem_.W.together() == nullptr;
   }
 
-  bool of_many_starts_; ///< the solver
-  Indices rows_;        ///< into all points, behind the problem's rows
-  Vector forces_;       ///< that the solver left
+  bool of_many_starts_;          ///< the solver
+  Indices rows_;                 ///< into all points, behind the problem's rows
+  System const* lead_ = nullptr; ///< of one that follows: whose last problem the next one is like
+  Vector forces_;                ///< that the solver left
 };
 
 template<int D, int C>
@@ -71,7 +76,11 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   Vector guess;
   contact::Solution found;
   auto const pose = [&] {
-    guess = assembly_.pose(points_, bulk, y, weight, problem_);
+    std::optional<Vector> like;
+    if (auto const* const lead = std::exchange(lead_, nullptr); lead != nullptr)
+      if (lead->rows_ == points_.active() && !lead->problem_.points.empty())
+        like = assembly_.pose_as(lead->assembly_, lead->problem_, points_, bulk, y, weight, problem_);
+    guess = like ? *std::move(like) : assembly_.pose(points_, bulk, y, weight, problem_);
     cost.add(bulk.spent());
   };
   auto const solve_from = [&](Vector const& start) {

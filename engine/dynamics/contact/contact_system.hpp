@@ -25,7 +25,9 @@ public:
   /// know that normals turn as points move? The balance has that all the same: iterations converge, if
   /// slower.
   virtual void begin(State const& old, double t1, double dt, bool turning) = 0;
-  /// After `begin`: forces, and which bonds are closed, as another system of the same pairs has them now.
+  /// After `begin`: forces, which bonds are closed, and which points have no counterpart, as another system
+  /// of the same pairs has them now, and the first problem's operator as that of its last one. It must stay
+  /// as it is until then.
   virtual void follow(ContactSystem const& lead) = 0;
   /// Keeps the points as they are, and puts them back to what was kept last.
   virtual void keep() = 0;

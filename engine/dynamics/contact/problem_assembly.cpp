@@ -56,6 +56,35 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
     return guess;
   }
   turned_ = turned_ || (turning_ && condensation_.turns());
+  return fill(points, problem);
+}
+
+template<int D, int C>
+std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, contact::Problem const& led,
+                                                     Points const& points, linear::BulkFactor& bulk,
+                                                     Vector const& y, double weight,
+                                                     contact::Problem& problem) {
+  force_.resize(C * static_cast<Index>(points.active().size()));
+  reaction_.setZero(y.size());
+  for (std::size_t row = 0; row < points.active().size(); ++row) {
+    auto const& point = points.active(row);
+    auto const& H = point.kinematics.H;
+    force_.segment<C>(C * static_cast<Index>(row)) = point.force;
+    auto const& unknowns = unknowns_of(point.kinematics.nodes);
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      if (unknowns[j] >= 0)
+        reaction_[unknowns[j]] += H.col(static_cast<Eigen::Index>(j)).template head<C>().dot(point.force);
+  }
+  if (!condensation_.eliminate_as(lead.condensation_, bulk, {y, force_, reaction_}, weight, problem.free))
+    return {};
+  problem.W = led.W;
+  turning_ = lead.turning_;
+  return fill(points, problem);
+}
+
+/// The points of a problem whose operator is there, and their gaps and slips; returns their present forces.
+template<int D, int C>
+Vector ProblemAssembly<D, C>::fill(Points const& points, contact::Problem& problem) const {
   problem.dim = C;
   problem.points.clear();
   std::size_t const count = points.active().size();

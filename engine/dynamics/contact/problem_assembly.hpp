@@ -21,6 +21,11 @@ public:
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
                             contact::Problem& problem);
+  /// The same for points at the state where `lead` posed `led` last, or very near, by what that is made of;
+  /// none where theirs is of another matrix.
+  [[nodiscard]] std::optional<Vector> pose_as(ProblemAssembly const& lead, contact::Problem const& led,
+                                              Points const& points, linear::BulkFactor& bulk, Vector const& y,
+                                              double weight, contact::Problem& problem);
   /// Lets bonds hold the bodies more tightly in the problems to come of this attempt. False where they hold
   /// as tightly as they may, where there are none, and with inertia: then a shorter step has an answer.
   [[nodiscard]] bool tighten(Points const& points);
@@ -30,6 +35,7 @@ public:
   }
 
 private:
+  [[nodiscard]] Vector fill(Points const& points, contact::Problem& problem) const;
   void gather(Points const& points, double weight);
   void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
   void add_spins(Points const& points, double weight);
@@ -45,6 +51,7 @@ private:
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
   Indices unknowns_;                     ///< surface unknowns of one point
+  Vector force_, reaction_;              ///< of one that follows: present forces, N
   Condensation condensation_;
 };
 
