@@ -60,12 +60,11 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
 }
 
 template<int D, int C>
-std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, contact::Problem const& led,
-                                                     Points const& points, linear::BulkFactor& bulk,
-                                                     Vector const& y, double weight,
+std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, Points const& points,
+                                                     linear::BulkFactor& bulk, Unloaded const& now,
                                                      contact::Problem& problem) {
   force_.resize(C * static_cast<Index>(points.active().size()));
-  reaction_.setZero(y.size());
+  reaction_.setZero(now.y.size());
   for (std::size_t row = 0; row < points.active().size(); ++row) {
     auto const& point = points.active(row);
     auto const& H = point.kinematics.H;
@@ -75,9 +74,9 @@ std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead
       if (unknowns[j] >= 0)
         reaction_[unknowns[j]] += H.col(static_cast<Eigen::Index>(j)).template head<C>().dot(point.force);
   }
-  if (!condensation_.eliminate_as(lead.condensation_, bulk, {y, force_, reaction_}, weight, problem.free))
+  if (!condensation_.eliminate_as(lead.condensation_, bulk, {now.y, force_, reaction_}, now.weight,
+                                  problem.free))
     return {};
-  problem.W = led.W;
   turning_ = lead.turning_;
   return fill(points, problem);
 }

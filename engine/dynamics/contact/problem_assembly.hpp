@@ -21,11 +21,16 @@ public:
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
                             contact::Problem& problem);
-  /// The same for points at the state where `lead` posed `led` last, or very near, by what that is made of;
-  /// none where theirs is of another matrix.
-  [[nodiscard]] std::optional<Vector> pose_as(ProblemAssembly const& lead, contact::Problem const& led,
-                                              Points const& points, linear::BulkFactor& bulk, Vector const& y,
-                                              double weight, contact::Problem& problem);
+  /// What the surface does without contact, m, and the weight of reactions.
+  struct Unloaded {
+    Vector const& y;
+    double weight;
+  };
+  /// The same for points at the state where `lead` posed its last problem, or very near, by what that is made
+  /// of, all but its W; none where it is of another matrix.
+  [[nodiscard]] std::optional<Vector> pose_as(ProblemAssembly const& lead, Points const& points,
+                                              linear::BulkFactor& bulk, Unloaded const& now,
+                                              contact::Problem& problem);
   /// Lets bonds hold the bodies more tightly in the problems to come of this attempt. False where they hold
   /// as tightly as they may, where there are none, and with inertia: then a shorter step has an answer.
   [[nodiscard]] bool tighten(Points const& points);
