@@ -78,11 +78,11 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   auto const pose = [&] {
     std::optional<Vector> like;
     auto const* const lead = std::exchange(lead_, nullptr);
-    if (lead != nullptr)
-      if (lead->rows_ == points_.active() && !lead->problem_.points.empty())
-        like = assembly_.pose_as(lead->assembly_, points_, bulk, {y, weight}, problem_);
-    if (lead != nullptr && like)
-      problem_.W = lead->problem_.W;
+    if (lead != nullptr && lead->rows_ == points_.active() && !lead->problem_.points.empty()) {
+      like = assembly_.pose_as(lead->assembly_, points_, bulk, {y, weight}, problem_);
+      if (like)
+        problem_.W = lead->problem_.W;
+    }
     guess = like ? *std::move(like) : assembly_.pose(points_, bulk, y, weight, problem_);
     cost.add(bulk.spent());
   };

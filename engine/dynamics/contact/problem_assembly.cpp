@@ -63,18 +63,17 @@ template<int D, int C>
 std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, Points const& points,
                                                      linear::BulkFactor& bulk, Unloaded const& now,
                                                      contact::Problem& problem) {
-  force_.resize(C * static_cast<Index>(points.active().size()));
+  Vector const force = forces_of(points);
   reaction_.setZero(now.y.size());
-  for (std::size_t row = 0; row < points.active().size(); ++row) {
-    auto const& point = points.active(row);
+  for (Index const k : points.active()) {
+    auto const& point = points.all()[ix(k)];
     auto const& H = point.kinematics.H;
-    force_.segment<C>(C * static_cast<Index>(row)) = point.force;
     auto const& unknowns = unknowns_of(point.kinematics.nodes);
     for (std::size_t j = 0; j < unknowns.size(); ++j)
       if (unknowns[j] >= 0)
         reaction_[unknowns[j]] += H.col(static_cast<Eigen::Index>(j)).template head<C>().dot(point.force);
   }
-  if (!condensation_.eliminate_as(lead.condensation_, bulk, {now.y, force_, reaction_}, now.weight,
+  if (!condensation_.eliminate_as(lead.condensation_, bulk, {now.y, force, reaction_}, now.weight,
                                   problem.free))
     return {};
   turning_ = lead.turning_;
@@ -86,18 +85,23 @@ template<int D, int C>
 Vector ProblemAssembly<D, C>::fill(Points const& points, contact::Problem& problem) const {
   problem.dim = C;
   problem.points.clear();
-  std::size_t const count = points.active().size();
-  Vector guess(C * static_cast<Index>(count));
-  problem.start.setZero(guess.size());
-  for (std::size_t row = 0; row < count; ++row) {
+  problem.start.setZero(problem.free.size());
+  for (std::size_t row = 0; row < points.active().size(); ++row) {
     auto const& point = points.active(row);
     auto const first = C * static_cast<Index>(row);
     problem.free.segment<C>(first) += point.x();
     problem.points.push_back(point.data);
-    guess.segment<C>(first) = point.force;
     problem.start[first] = points.before(point).gap;
   }
-  return guess;
+  return forces_of(points);
+}
+
+/// Of the active points, one below the other, N.
+template<int D, int C> Vector ProblemAssembly<D, C>::forces_of(Points const& points) {
+  Vector forces(C * static_cast<Index>(points.active().size()));
+  for (std::size_t row = 0; row < points.active().size(); ++row)
+    forces.segment<C>(C * static_cast<Index>(row)) = points.active(row).force;
+  return forces;
 }
 
 /// Without W: a product with it is a solution of the bulk.

@@ -41,6 +41,7 @@ public:
 
 private:
   [[nodiscard]] Vector fill(Points const& points, contact::Problem& problem) const;
+  [[nodiscard]] static Vector forces_of(Points const& points);
   void gather(Points const& points, double weight);
   void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
   void add_spins(Points const& points, double weight);
@@ -56,7 +57,7 @@ private:
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
   Indices unknowns_;                     ///< surface unknowns of one point
-  Vector force_, reaction_;              ///< of one that follows: present forces, N
+  Vector reaction_;                      ///< of one that follows: H^T p of present forces, N
   Condensation condensation_;
 };
 

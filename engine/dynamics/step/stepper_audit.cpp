@@ -104,7 +104,7 @@ double Stepper::path_work(State const& old, State const& next) const {
   }
   if (bulk_.relaxing())
     return relaxing_work(old) + stored;
-  if (follows_) // what the rule tells of the tangent is the leader's to tell
+  if (follows_) // the leader's audit tells of both; the rule would take two passes of forces a step
     return strain_ - old.ledger.strain + stored;
   auto const elastic = [this](Vector const& all, Vector const& viscous) {
     return bulk_.damped() ? all.dot(d_) - viscous.dot(d_) : all.dot(d_);

@@ -80,6 +80,65 @@ TEST_SUITE("dynamics") {
       }
   }
 
+  TEST_CASE("a problem beside another one is that one's, with its own present forces by its own rows") {
+    Bulk bulk;
+    bulk.take(3);
+    std::mt19937 random(8);
+    std::normal_distribution<double> normal;
+    auto const any = [&](Index size) {
+      return Vector(Vector::NullaryExpr(size, [&] { return normal(random); }));
+    };
+    double const weight = 0.7;
+    Dense const H = rows_of(false);
+    Dense W;
+    Vector free;
+    for (double const stiffness : {0.0, 0.2})
+      for (int trial = 0; trial < 20; ++trial) {
+        INFO("stiffness " << stiffness << ", trial " << trial);
+        Dense K = Dense::Zero(surface, surface);
+        K(2, 3) = K(3, 2) = K(5, 5) = stiffness;
+        Condensation lead, beside;
+        pose(lead, H, K);
+        lead.eliminate(*bulk.factor, any(surface), weight, W, free);
+        Dense const turned =
+            H + 0.1 * H.cwiseProduct(Dense::NullaryExpr(4, surface, [&] { return normal(random); }));
+        Vector const y = any(surface), now = any(4), next = any(4), reaction = turned.transpose() * now;
+        REQUIRE(beside.eliminate_as(lead, *bulk.factor, {y, now, reaction}, weight, free));
+        Dense const A = (Dense::Identity(surface, surface) - weight * bulk.V * K).inverse();
+        Vector const extra = weight * (turned - H).transpose() * now, moved = y + bulk.V * extra;
+        CHECK((free - H * A * moved).norm() <= 1e-12 * free.norm());
+        Vector c = Vector::Zero(surface);
+        beside.add_forces(next, weight, c);
+        Vector const du = A * (moved + weight * bulk.V * H.transpose() * next);
+        CHECK((c - weight * (K * du + H.transpose() * next) - extra).norm() <= 1e-12 * c.norm());
+      }
+  }
+
+  TEST_CASE("a problem beside another one is not that one's where matrix, weight or nodes are others") {
+    Bulk bulk;
+    bulk.take(3);
+    Dense const none = Dense::Zero(surface, surface), H = rows_of(false);
+    Vector const y = Vector::LinSpaced(surface, -1, 3), p = Vector::LinSpaced(4, 2, -1);
+    Vector const reaction = H.transpose() * p, elsewhere = reaction + Vector::Unit(surface, 0);
+    Condensation lead, beside;
+    Dense W, own;
+    Vector free;
+    pose(lead, 1.1 * H, none);
+    pose(beside, H, none);
+    beside.eliminate(*bulk.factor, y, 1, own, free);
+    CHECK_FALSE(beside.eliminate_as(lead, *bulk.factor, {y, p, reaction}, 1, free)); // it has posed none
+    lead.eliminate(*bulk.factor, y, 1, W, free);
+    CHECK_FALSE(beside.eliminate_as(lead, *bulk.factor, {y, p, reaction}, 0.5, free));
+    CHECK_FALSE(beside.eliminate_as(lead, *bulk.factor, {y, p, elsewhere}, 1, free));
+    REQUIRE(beside.eliminate_as(lead, *bulk.factor, {y, p, reaction}, 1, free));
+    Dense const expected = own;
+    own = W; // as who poses does: what W was made of before tells nothing of it now
+    beside.eliminate(*bulk.factor, y, 1, own, free);
+    CHECK((own - expected).norm() <= 1e-14 * expected.norm());
+    bulk.take(5);
+    CHECK_FALSE(beside.eliminate_as(lead, *bulk.factor, {y, p, reaction}, 1, free));
+  }
+
   TEST_CASE("the bulk with the stiffness of contact is stable where dense algebra says so") {
     Bulk bulk;
     bulk.take(3);
