@@ -1,16 +1,27 @@
-# What makes builds quick: files of a layer are compiled together; only the layers that compute are optimized in full, and what
-# they share with others is theirs. With STICTION_SANITIZE Clang parses what most files include, and makes its templates, once a
-# target (GCC gains nothing by it).
+# What makes builds quick: files of a layer are compiled together; only the layers that compute are optimized in full, and what they
+# share with others is theirs; the headers of others are parsed once. With STICTION_SANITIZE Clang makes their templates then, too,
+# and parses what most files of a target include.
 set(STICTION_COMPUTES linear interface solid contact dynamics halfspace)
 set(STICTION_PATIENCE 120) # s, for a test
 if(STICTION_SANITIZE)
   set(STICTION_PATIENCE 900)
 endif()
 
-function(precompile target) # precompile(TARGET [HEADER...]), headers of the engine or in <brackets>
+function(precompile target) # precompile(TARGET [HEADER...]), headers of the engine or in <brackets>, for checkers
+  set(headers ${PROJECT_SOURCE_DIR}/engine/cmake/precompiled.hpp)
   if(STICTION_SANITIZE)
     list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/engine/ REGEX "^[^<]")
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp ${ARGN})
+    target_precompile_headers(${target} PRIVATE ${headers} ${ARGN})
+  elseif(STICTION_UNITY) # once for all that compile alike
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    string(MAKE_C_IDENTIFIER "${options}" alike)
+    get_property(first GLOBAL PROPERTY STICTION_PRECOMPILED_${alike})
+    if(first)
+      target_precompile_headers(${target} REUSE_FROM ${first})
+    else()
+      set_property(GLOBAL PROPERTY STICTION_PRECOMPILED_${alike} ${target})
+      target_precompile_headers(${target} PRIVATE ${headers})
+    endif()
   endif()
 endfunction()
 

@@ -1,12 +1,36 @@
-// The one place where these templates are made.
 #include "linear/decompositions.hpp"
 
 namespace Eigen {
 
-template class LLT<stiction::Dense>;
-template class PartialPivLU<stiction::Dense>;
-template class FullPivLU<stiction::Dense>;
-template class HouseholderQR<stiction::Dense>;
-template class SelfAdjointEigenSolver<stiction::Dense>;
+template LLT<stiction::Dense>& LLT<stiction::Dense>::compute(DenseBaseOf const&);
+template void PartialPivLU<stiction::Dense>::compute();
+template void FullPivLU<stiction::Dense>::computeInPlace();
+template void HouseholderQR<stiction::Dense>::computeInPlace();
+template void ColPivHouseholderQR<stiction::Dense>::computeInPlace();
+template ColPivHouseholderQR<stiction::Dense>&
+ColPivHouseholderQR<stiction::Dense>::compute(DenseBaseOf const&);
+template void ColPivHouseholderQR<stiction::Dense>::_solve_impl(stiction::Vector const&,
+                                                                stiction::Vector&) const;
+template SelfAdjointEigenSolver<stiction::Dense>&
+SelfAdjointEigenSolver<stiction::Dense>::compute(DenseBaseOf const&, int);
+template JacobiSVD<stiction::Dense>& JacobiSVD<stiction::Dense>::compute(stiction::Dense const&,
+                                                                         unsigned int);
 
 } // namespace Eigen
+
+namespace stiction::linear {
+
+Dense first_columns(Eigen::HouseholderSequence<Dense, Vector> const& Q, Eigen::Index count) {
+  return Q * Dense::Identity(Q.rows(), count);
+}
+
+Dense pseudo_inverse(Dense const& A) {
+  Eigen::SelfAdjointEigenSolver<Dense> const parts(A);
+  Vector values = parts.eigenvalues();
+  double const least = 1e-10 * values[values.size() - 1];
+  for (double& value : values)
+    value = value > least ? 1 / value : 0;
+  return parts.eigenvectors() * values.asDiagonal() * parts.eigenvectors().transpose();
+}
+
+} // namespace stiction::linear

@@ -7,10 +7,29 @@
 
 namespace Eigen {
 
-extern template class LLT<stiction::Dense>;
-extern template class PartialPivLU<stiction::Dense>;
-extern template class FullPivLU<stiction::Dense>;
-extern template class HouseholderQR<stiction::Dense>;
-extern template class SelfAdjointEigenSolver<stiction::Dense>;
+using DenseBaseOf = EigenBase<stiction::Dense>;
+extern template LLT<stiction::Dense>& LLT<stiction::Dense>::compute(DenseBaseOf const&);
+extern template void PartialPivLU<stiction::Dense>::compute();
+extern template void FullPivLU<stiction::Dense>::computeInPlace();
+extern template void HouseholderQR<stiction::Dense>::computeInPlace();
+extern template void ColPivHouseholderQR<stiction::Dense>::computeInPlace();
+extern template ColPivHouseholderQR<stiction::Dense>&
+ColPivHouseholderQR<stiction::Dense>::compute(DenseBaseOf const&);
+extern template void ColPivHouseholderQR<stiction::Dense>::_solve_impl(stiction::Vector const&,
+                                                                       stiction::Vector&) const;
+extern template SelfAdjointEigenSolver<stiction::Dense>&
+SelfAdjointEigenSolver<stiction::Dense>::compute(DenseBaseOf const&, int);
+extern template JacobiSVD<stiction::Dense>& JacobiSVD<stiction::Dense>::compute(stiction::Dense const&,
+                                                                                unsigned int);
 
 } // namespace Eigen
+
+namespace stiction::linear {
+
+/// The first columns of Q of one of the decompositions Q R.
+[[nodiscard]] Dense first_columns(Eigen::HouseholderSequence<Dense, Vector> const& Q, Eigen::Index count);
+
+/// Of a symmetric matrix; eigenvalues below 1e-10 of the largest count as zero.
+[[nodiscard]] Dense pseudo_inverse(Dense const& A);
+
+} // namespace stiction::linear

@@ -1,10 +1,9 @@
 // Aggregates of nodes, prolongators smoothed from rigid-body modes, Galerkin products and the V cycle.
 #include "linear/multigrid.hpp"
 
+#include "linear/decompositions.hpp"
 #include "linear/single_level.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -35,7 +34,6 @@ using namespace level;
 constexpr Index few = 100;         ///< coarse nodes that are factored at once
 constexpr double strong = 0.02;    ///< of the geometric mean of the diagonal blocks
 constexpr double dependent = 1e-8; ///< of a mode's length, left after the others are taken out
-constexpr double none = 1e-10;     ///< of a block's largest eigenvalue
 constexpr double regular = 1e-6;   ///< pivot over the largest diagonal, from which on there is an inverse
 constexpr int powers = 12;
 constexpr std::size_t most_levels = 20;
@@ -47,12 +45,7 @@ template<int B> Square<B> inverse_of(Square<B> const& block) {
       factor.info() == Eigen::Success &&
       factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() > regular * block.diagonal().maxCoeff())
     return factor.solve(Square<B>::Identity());
-  Eigen::SelfAdjointEigenSolver<Square<B>> const parts(block);
-  Eigen::Matrix<double, B, 1> values = parts.eigenvalues();
-  double const least = none * values[B - 1];
-  for (double& value : values)
-    value = value > least ? 1 / value : 0;
-  return parts.eigenvectors() * values.asDiagonal() * parts.eigenvectors().transpose();
+  return pseudo_inverse(block);
 }
 
 template<int B> Square<B> diagonal_block(Level<B> const& level, Index i) {

@@ -7,14 +7,13 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include "bind/push.hpp"
 #include "bind/wrap.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::bind {
 
@@ -209,7 +208,7 @@ int regress(lua_State* lua) {
   if (A.rows() < A.cols() || qr.rank() < A.cols())
     return 0;
   Eigen::VectorXd const x = qr.solve(y), off = y - A * x;
-  Matrix const Q = qr.householderQ() * Matrix::Identity(A.rows(), A.cols());
+  Matrix const Q = linear::first_columns(qr.householderQ(), A.cols());
   push(lua, std::vector<double>(x.begin(), x.end()));
   push(lua, left_out(Q, off, group).square().mean());
   return 2;

@@ -134,7 +134,7 @@ private:
     Eigen::LLT<Dense> const small(Dense::Identity(s, s) + R * scaled);
     if (small.info() != Eigen::Success)
       return false;
-    Q_ = qr.householderQ() * Dense::Identity(F_->cols(), s);
+    Q_ = linear::first_columns(qr.householderQ(), s);
     T_ = Dense::Identity(s, s) - small.solve(Dense::Identity(s, s));
     Dense const Y = G_.transpose() * Q_;
     M_ = base_;

@@ -1,13 +1,12 @@
 // Gauss-Seidel with Anderson's mixing.
 #include "contact/solvers/mixed_sweeps.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/threads.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 
@@ -180,7 +179,8 @@ private:
     last_x_ = x_;
     if (kept_ == 0)
       return;
-    Vector const part = changes_.leftCols(kept_).colPivHouseholderQr().solve(change);
+    Dense const changes = changes_.leftCols(kept_);
+    Vector const part = changes.colPivHouseholderQr().solve(change);
     p_ -= forces_.leftCols(kept_) * part;
     x_ -= displacements_.leftCols(kept_) * part;
   }
