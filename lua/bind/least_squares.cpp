@@ -179,6 +179,30 @@ int singular(lua_State* lua) {
   return 2;
 }
 
+/// cholesky(rows) -> the rows of the lower factor L of a symmetric matrix, and the trace of its inverse; or nil
+/// and the least eigenvalue of one that is not positive definite beyond rounding
+int cholesky(lua_State* lua) {
+  Matrix const A = read_columns(lua, 1);
+  Eigen::Index const n = A.rows();
+  if (A.cols() != n)
+    refuse("the rows are not as long as they are many");
+  Eigen::LLT<Matrix> const factor(A);
+  if (factor.info() != Eigen::Success || factor.rcond() < 1e-13) {
+    lua_pushnil(lua);
+    push(lua, Eigen::SelfAdjointEigenSolver<Matrix>(A, Eigen::EigenvaluesOnly).eigenvalues().minCoeff());
+    return 2;
+  }
+  Matrix const L = factor.matrixL();
+  lua_createtable(lua, static_cast<int>(n), 0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::VectorXd const row = L.row(i).head(i + 1);
+    push(lua, std::vector<double>(row.begin(), row.end()));
+    lua_rawseti(lua, -2, i + 1);
+  }
+  push(lua, L.triangularView<Eigen::Lower>().solve(Matrix::Identity(n, n)).squaredNorm());
+  return 2;
+}
+
 /// What the first row of each group of so many is off by where the group is left out; Q: orthonormal columns,
 /// off: what rows are off by with all.
 Eigen::ArrayXd left_out(Matrix const& Q, Eigen::VectorXd const& off, Eigen::Index group) {
@@ -235,6 +259,7 @@ int beyond(lua_State* lua) {
 void add_least_squares_functions(lua_State* lua) {
   add<least_squares>(lua, "least_squares");
   add<singular>(lua, "singular");
+  add<cholesky>(lua, "cholesky");
   add<regress>(lua, "regress");
   add<quantile>(lua, "quantile");
   add<beyond>(lua, "beyond");

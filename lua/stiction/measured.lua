@@ -13,8 +13,12 @@ local function split(head)
   return name or head:match("^%s*(.-)%s*$"), unit
 end
 
---- The rows of a file, its head first, without comments (#) and empty lines.
-local function rows_of(path)
+local function place(file, folder)
+  return (file:sub(1, 1) == "/" or not folder) and file or folder .. "/" .. file
+end
+
+--- The rows of a file, its head first (head: it has one), without comments (#) and empty lines; and its text.
+local function rows_of(path, head)
   local text, reason = engine.read_file(path)
   if not text then
     fault.script("csv: %s", reason)
@@ -28,7 +32,7 @@ local function rows_of(path)
   end
   local rows
   rows, reason = csv.read(table.concat(lines, "\n") .. "\n")
-  if not rows or #rows < 2 then
+  if not rows or head and #rows < 2 then
     fault.script("csv: %s: %s", path, reason or "there is no row of values below its head")
   end
   return rows, text
@@ -44,11 +48,16 @@ local function factor_of(word, path, name)
   return word == "1" and 1 or units.units(word)
 end
 
+local function finite(word)
+  local value = tonumber(word)
+  return value and value == value and math.abs(value) < math.huge and value
+end
+
 local function column(rows, i, factor, path, name)
   local list = {}
   for k = 2, #rows do
-    local value = tonumber(rows[k][i])
-    if not value or value ~= value or math.abs(value) == math.huge then
+    local value = finite(rows[k][i])
+    if not value then
       fault.script("csv: %s: row %d, column '%s': '%s' is no number; leave the row out, or comment it out with #", path,
         k - 1, name, rows[k][i])
     end
@@ -65,8 +74,8 @@ function measured.read(t, folder, note)
   if type(t) ~= "table" or type(t.file) ~= "string" or (t.units ~= nil and type(t.units) ~= "table") then
     fault.script("stiction.csv takes a file's name, or { file = \"...\", units = { column = \"N/m\" } }")
   end
-  local path = (t.file:sub(1, 1) == "/" or not folder) and t.file or folder .. "/" .. t.file
-  local rows, text = rows_of(path)
+  local path = place(t.file, folder)
+  local rows, text = rows_of(path, true)
   local columns, names, words = {}, {}, {}
   for i, head in ipairs(rows[1]) do
     local name, unit = split(head)
@@ -86,6 +95,23 @@ function measured.read(t, folder, note)
     fault.script("%s has no column '%s'%s; columns: %s", path, tostring(name), fault.meant(name, names),
       table.concat(names, ", "))
   end }), words
+end
+
+--- The numbers of a square file without head, a list of rows, in SI, and its unit. t: {file =, unit =}; what: where that is said.
+function measured.matrix(t, folder, note, what)
+  local path = place(t.file or fault.script("%s: file is missing", what), folder)
+  local unit = factor_of(t.unit or fault.script("%s: unit is missing: unit = \"mN^2\"", what), path, "1")
+  local rows, text = rows_of(path)
+  note(path, text)
+  for i, row in ipairs(rows) do
+    if #row ~= #rows then
+      fault.script("csv: %s: %d rows of %d; as many columns as rows are wanted, and no head", path, #rows, #row)
+    end
+    for k, word in ipairs(row) do
+      row[k] = units.si((finite(word) or fault.script("csv: %s: row %d, column %d: '%s' is no number", path, i, k, word)) * unit)
+    end
+  end
+  return rows, unit
 end
 
 return measured

@@ -231,6 +231,14 @@ axis("rough", "heights from point to point [m]", { "dent", "dent_space" }, {
   { "1e-5_bonded", { form = "rough", height = 1e-5, without = { "mu" } } },
   { "periodic", { form = "rough", height = 1e-5, boundary = "periodic", nu = 0.3, depth = 0.01 } },
 })
+axis("map", "heights from a file", { "dent", "dent_space" }, {
+  { "as_many", { map = "own" } }, { "few", { map = "few" }, want = "refused" }, { "few_bilinear", { map = "few", between = "bilinear" } },
+  { "few_bicubic", { map = "few", between = "bicubic" } }, { "many_bilinear", { map = "many", between = "bilinear" } },
+  { "flat", { map = "flat" } }, { "spike", { map = "spike" } }, { "nanometres", { map = "own", map_unit = "nm" } },
+  { "metres", { map = "own", map_unit = "m" } }, { "other_size", { map = "own", map_size = 0.02 }, want = "refused" },
+  { "hole", { map = "hole" }, want = "refused" },
+  { "seam", { map = "ramp", boundary = "periodic", nu = 0.3, depth = 0.01 }, want = "refused" },
+})
 axis("range", "of attraction [m], between points 8e-4 apart", { "dent", "dent_space" }, {
   { "1e-12", { range = 1e-12, without = { "mu" } } }, { "1e-9", { range = 1e-9, without = { "mu" } } },
   { "1e-6", { range = 1e-6, without = { "mu" } } }, { "1e-3", { range = 1e-3, without = { "mu" } } },

@@ -4,7 +4,7 @@ local stiction = require "stiction"
 
 local dent = {}
 
---- Heights over a half space: a paraboloid, a wave, or as rough as points can tell.
+--- Heights over a half space: a paraboloid, a wave, as rough as points can tell, or a map from a file.
 local function heights_of(parts, q, u)
   if q.form == "wave" then
     local lengths = q.solid and { q.size, q.size } or { q.size }
@@ -15,6 +15,9 @@ local function heights_of(parts, q, u)
       state = state * 48271 % 2147483647 -- Park and Miller's
       return state / 2147483647
     end }
+  elseif q.map then
+    return stiction.surface.measured { file = ("maps/%s_%s.csv"):format(q.map, q.solid and "plane" or "line"), unit = q.map_unit,
+      size = parts.unit_list(q.solid and { q.map_size, q.map_size } or { q.map_size }, u.m), interpolation = q.between }
   end
   return stiction.surface[q.solid and "sphere" or "cylinder"] { radius = q.radius * u.m }
 end
@@ -28,7 +31,8 @@ end
 
 --- A half space under a ball (in the plane a roller) that is pressed on, moved along and drawn off.
 local values = { size = 0.01, points = { 12 }, radius = 0.05, mu = 0.3, C = 1e9, w = 1, b = 0.5, press = 1e-4, slip = 2e-5,
-  pull = 1e-3, steps = 20, nu = 0.5, boundary = "free", form = "ball", height = 5e-5, depth = 0 }
+  pull = 1e-3, steps = 20, nu = 0.5, boundary = "free", form = "ball", height = 5e-5, depth = 0,
+  map_unit = "um", map_size = 0.01 }
 
 local function made(parts, q, u)
   local sides = q.solid and { q.size, q.width or q.size } or { q.size }

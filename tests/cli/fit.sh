@@ -105,6 +105,22 @@ sed 's/sigma = "scatter",/&  correlation = "estimated",/' soft/study.lua >soft/e
 expect 0 "the noise of drag is correlated over |, as its residuals tell" "$stiction" fit soft/estimated.lua --no-figures \
   --no-profiles --out estimated
 
+# the same noise as a table of covariances; and beside noise of each point's own
+awk -F, 'NR > 1 { x[++n] = $1; s[n] = $3 } END { for (i = 1; i <= n; ++i) for (k = 1; k <= n; ++k) {
+  d = x[i] > x[k] ? x[i] - x[k] : x[k] - x[i]
+  printf "%.12g%s", s[i] * s[k] * exp(-d / 0.2), k < n ? "," : "\n" } }' soft/drag.csv >soft/common.txt
+{ echo "# covariances of drag.csv" && cat soft/common.txt; } >soft/common.csv
+sed 's/sigma = "scatter",/covariance = { file = "common.csv", unit = "N^2\/m^2" },/' soft/study.lua >soft/common.lua
+expect 0 "the noise of drag is as common.csv says: its 10 points are worth 3.2 independent ones|determined: mu" "$stiction" fit \
+  soft/common.lua --no-figures --no-profiles --out common
+holds "what a length says as well, to the bit but for rounding" between "$(value_of best common/fit.json)" \
+  "$(value_of best declared/fit.json | awk '{ print $1 * (1 - 1e-6) }')" "$(value_of best declared/fit.json | awk '{ print $1 * (1 + 1e-6) }')"
+holds "the table is among the files" grep -q '"path": "common.csv"' common/fit.json
+expect 0 "correlated as common.csv says" "$stiction" explain soft/common.lua
+sed 's/sigma = "scatter",/&  correlation = 0.2*s, white = 0.02*units("N\/m"),/' soft/study.lua >soft/white.lua
+expect 0 "the noise of drag is correlated over 0.2 s, beside what each point has for itself: its 10 points are worth" "$stiction" fit \
+  soft/white.lua --no-figures --no-profiles --out white
+
 # a wrong model is rejected
 sed 's/file = "drag.csv"/file = "wrong.csv"/' soft/study.lua >soft/wrong.lua
 sed 's/^1\.1,0.53/1.1,1.9/; s/^2.0,2.315/2.0,1.2/' soft/drag.csv >soft/wrong.csv
@@ -134,6 +150,24 @@ refused across 's/sigma = "scatter",/sigma = "scatter", correlation = 0.1*mm,/' 
 refused word 's/sigma = "scatter",/sigma = "scatter", correlation = "told",/' "correlation is told; it must be a length along time, like 1 s, or"
 refused long 's/sigma = "scatter",/sigma = "scatter", correlation = 5*s,/' "longer than the curve, 0.9 in SI|own = { zero = { from, to } }"
 refused short 's/sigma = 0.1/correlation = "estimated", &/' 'correlation = "estimated" takes 10 points, there are 5'
+refused alone 's/sigma = "scatter",/white = 0.1*units("N\/m"), &/' "say sigma of that, and correlation"
+refused white 's/sigma = "scatter",/&  correlation = 0.1*s, white = 0.1*mm,/' "white is 0.1 mm; it must be above 0 and like force"
+table() { # NAME FILE-COMMAND UNIT SETTINGS "PART|PART": a table of covariances that is refused so
+  mkdir -p "$1"
+  cp soft/*.lua soft/*.csv "$1"
+  eval "$2" >"$1/common.csv"
+  sed "s/sigma = \"scatter\",/covariance = { file = \"common.csv\", unit = \"$3\" },$4/" soft/study.lua >"$1/study.lua"
+  expect 2 "$5" "$stiction" fit "$1" --no-figures
+}
+table unlike "cat soft/common.csv" N "" 'unit = "N"; it must be like the square of force, in N/m'
+table unknown "cat soft/common.csv" "N.2" "" "unknown unit 'N.2'"
+table both "cat soft/common.csv" 'N^2\/m^2' " sigma = \"scatter\"," "covariance says all of the noise; leave out sigma"
+table less "cut -d, -f1-9 soft/common.txt | head -9" 'N^2\/m^2' "" "has 9 rows for 10 points"
+table narrow "cut -d, -f1-9 soft/common.txt" 'N^2\/m^2' "" "10 rows of 9; as many columns as rows are wanted, and no head"
+table headed "sed 1s/^[^,]*/force/ soft/common.txt" 'N^2\/m^2' "" "row 1, column 1: 'force' is no number"
+table skew "sed '2s/^[^,]*/0.0001/' soft/common.txt" 'N^2\/m^2' "" "(2, 1) and (1, 2) differ; a covariance is symmetric"
+table gone "sed '1s/^[^,]*/0/' soft/common.txt" 'N^2\/m^2' "" "variance 1 is 0; it is above 0"
+table flat "yes 1,1,1,1,1,1,1,1,1,1 | head -10" 'N^2\/m^2' "" "is not positive definite: the least eigenvalue of its correlations is"
 refused key 's/finer = {/finest = {/' "unknown key 'finest'; did you mean 'finer'?"
 refused loss 's/finer = {/loss = "hubert", finer = {/' "did you mean 'huber'?"
 refused setting 's/finer = { cells/finer = { cels/' "study.fit.finer: the study has no parameter 'cels'; did you mean 'cells'?"

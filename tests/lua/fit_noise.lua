@@ -3,6 +3,7 @@ local test, equal = ...
 local correlated = require "stiction.fit.correlated"
 local correlation = require "stiction.fit.correlation"
 local curve = require "stiction.fit.curve"
+local noise_module = require "stiction.fit.noise"
 local numeric = require "stiction.numeric"
 local plain = require "stiction.fit.plain"
 
@@ -19,7 +20,7 @@ local function dice(seed)
   return function() return math.sqrt(-2 * math.log(uniform())) * math.cos(2 * math.pi * uniform()) end, uniform
 end
 
---- Noise of variance 1, each value from the one before it; not by correlation.coloured.
+--- Noise of variance 1, each value from the one before it; not by the library's.
 local function noise(xs, length, random)
   local list = { random() }
   for i = 2, #xs do
@@ -96,24 +97,54 @@ local function forward(L, b)
   return own
 end
 
-local function covariances(xs, length)
-  return numeric.map(xs, function(a)
-    return numeric.map(xs, function(b) return math.exp(-math.abs(a - b) / length) end)
-  end)
+--- Of noise that goes on along xs and makes such shares of the standard errors, all where there are none.
+local function covariances(xs, length, shares)
+  local C = {}
+  for i, a in ipairs(xs) do
+    C[i] = {}
+    for k, b in ipairs(xs) do
+      local share = shares and shares[i] * shares[k] or 1
+      C[i][k] = i == k and 1 or share * math.exp(-math.abs(a - b) / length)
+    end
+  end
+  return C
 end
 
 test("whitened residuals are those of Cholesky's factor of the whole covariance", function()
-  local xs, random = irregular(50, 3), dice(4)
+  local xs, random, uniform = irregular(50, 3), dice(4)
   for _, length in ipairs { 0.05, 0.3, 2 } do
     local r = numeric.map(xs, function() return random() end)
-    local shares = correlation.shares(xs, length)
-    local own, exact = correlation.whitened(r, shares), forward(cholesky(covariances(xs, length)), r)
-    local back = correlation.coloured(own, shares)
-    for i = 1, #xs do
-      assert(math.abs(own[i] - exact[i]) < 1e-12 * math.max(1, math.abs(exact[i])), ("%d: %g"):format(i, own[i] - exact[i]))
-      assert(math.abs(back[i] - r[i]) < 1e-12)
+    for _, shares in ipairs { false, numeric.map(xs, function() return 0.2 + 0.7 * uniform() end) } do
+      local C = covariances(xs, length, shares)
+      local L = cholesky(C)
+      local exact, determinant, trace = forward(L, r), 0, 0
+      for i, row in ipairs(L) do
+        determinant = determinant + 2 * math.log(row[i])
+        local column = forward(L, numeric.map(xs, function(at) return at == xs[i] and 1 or 0 end))
+        for _, value in ipairs(column) do
+          trace = trace + value ^ 2
+        end
+      end
+      local course = noise_module.along(xs, length, shares or nil)
+      assert(math.abs(course:log_determinant() - determinant) < 1e-9 * math.abs(determinant))
+      for _, own in ipairs { course, noise_module.of_correlations(C) } do
+        local white = own:whitened(r)
+        local back = own:coloured(white)
+        for i = 1, #xs do
+          assert(math.abs(white[i] - exact[i]) < 1e-10 * math.max(1, math.abs(exact[i])), ("%d: %g"):format(i, white[i] - exact[i]))
+          assert(math.abs(back[i] - r[i]) < 1e-11)
+        end
+        assert(math.abs(noise_module.roughened(own, #xs) / math.sqrt(trace / #xs) - 1) < 1e-9)
+      end
     end
   end
+end)
+
+test("a table of correlations that no noise can have is told by its least eigenvalue", function()
+  local none, least = noise_module.of_correlations { { 1, 0.9, -0.9 }, { 0.9, 1, 0.9 }, { -0.9, 0.9, 1 } }
+  assert(none == nil and math.abs(least + 0.8) < 1e-12, least) -- of the vector (1, -1, 1)
+  none, least = noise_module.of_correlations { { 1, 1 }, { 1, 1 } }
+  assert(none == nil and math.abs(least) < 1e-12)
 end)
 
 test("points count as many independent ones as tell a constant as well", function()
@@ -124,8 +155,76 @@ test("points count as many independent ones as tell a constant as well", functio
   for _, value in ipairs(own) do
     sum = sum + value * value
   end
-  assert(math.abs(correlation.effective(correlation.shares(xs, 0.4)) - sum) < 1e-10, sum)
-  assert(math.abs(correlation.effective(correlation.shares(xs, 1e-4)) - 20) < 1e-10)
+  assert(math.abs(noise_module.effective(noise_module.along(xs, 0.4), 20) - sum) < 1e-10, sum)
+  assert(math.abs(noise_module.effective(noise_module.along(xs, 1e-4), 20) - 20) < 1e-10)
+end)
+
+--- How many of so many fits' intervals hold each parameter, and how many reject the model. draw(random): noise of the deviation 1.
+local function coverage(repeats, draw, t)
+  local held, rejected = { 0, 0 }, 0
+  for i = 1, repeats do
+    local list, own = draw(dice(900 + i)), { sigma = 0.1, parameters = parameters, x = x, f = rising, share = 1e-4, enough = 1e-4 }
+    for key, value in pairs(t) do
+      own[key] = value
+    end
+    own.y = numeric.map(x, function(at) return rising(truth, at) end)
+    for n in ipairs(x) do
+      own.y[n] = own.y[n] + 0.1 * list[n]
+    end
+    local _, judged = plain.fit(own, 1)
+    rejected = rejected + (judged.rejected and 1 or 0)
+    for k = 1, 2 do
+      held[k] = held[k] + (math.abs(math.log(judged.values[k] / truth[k])) <= judged.t * judged.relative[k] and 1 or 0)
+    end
+  end
+  return held, rejected
+end
+
+test("intervals cover where each point has noise for itself beside what goes on, or a scale has an error of its own", function()
+  local repeats, share = 200, 0.8
+  local shares = numeric.map(x, function() return share end)
+  local function both(random)
+    local slow = noise(x, 0.5, random)
+    return numeric.map(slow, function(value) return share * value + math.sqrt(1 - share ^ 2) * random() end)
+  end
+  local R = covariances(x, 0.5, shares)
+  for way, t in pairs { filter = { correlation = 0.5, shares = shares }, whole = { common = noise_module.of_correlations(R) } } do
+    local held, rejected = coverage(repeats, both, t)
+    for k = 1, 2 do
+      assert(held[k] >= 180 and held[k] <= 198, ("%s: %d of %d"):format(way, held[k], repeats))
+    end
+    assert(rejected <= 6, ("%s: %d rejected"):format(way, rejected))
+  end
+  local _, rejected = coverage(repeats, both, { correlation = 0.5 }) -- as if all of it went on: residuals jump too much
+  assert(rejected > 0.9 * repeats, rejected)
+
+  local gain = 0.7 -- of all values alike, as of a load cell whose scale is not known better
+  local weights = numeric.map(x, function(at) return gain * rising(truth, at) / truth[1] end)
+  local function scaled(random)
+    local own = random()
+    return numeric.map(weights, function(weight) return math.sqrt(1 - gain ^ 2) * random() + weight * own end)
+  end
+  local C = {}
+  for i, a in ipairs(weights) do
+    C[i] = numeric.map(weights, function(b) return a * b end)
+    C[i][i] = C[i][i] + 1 - gain ^ 2
+  end
+  local sigma = {}
+  for i, row in ipairs(C) do
+    sigma[i] = math.sqrt(row[i])
+  end
+  for i, row in ipairs(C) do
+    for k in ipairs(row) do
+      row[k] = row[k] / (sigma[i] * sigma[k])
+    end
+  end
+  local held = coverage(repeats, scaled, { common = noise_module.of_correlations(C), sigmas = numeric.map(sigma, function(s)
+    return 0.1 * s end) })
+  local alone = coverage(repeats, scaled, { sigma = 0.1 })
+  for k = 1, 2 do
+    assert(held[k] >= 180 and held[k] <= 198, ("scale: %d of %d"):format(held[k], repeats))
+  end
+  assert(alone[1] < 0.75 * repeats, alone[1])
 end)
 
 test("intervals cover with the correlation declared or estimated, and far less without", function()

@@ -298,7 +298,9 @@ fit = {                                               -- a key of a study
     slow = { file = "slow.csv",                       -- comma-separated, from the study's folder on
       x = "height", y = "pull",                       -- its columns, "height [um]" in the head or units = { height = "um" }; x rises
       sigma = 0.2*mN,                                 -- standard error of y, or the column that has it; relative = 0.05 as well
-      correlation = 5*um,                             -- of the noise along x, exp(-|x - x'| / 5 um); or "estimated" from the residuals
+      correlation = 5*um,                             -- of the noise along x, exp(-|x - x'| / 5 um); or "estimated" from the residuals;
+                                                      -- white = 0.1*mN: what each point has for itself beside that. Any other noise:
+                                                      -- covariance = { file = "table.csv", unit = "mN^2" }, in place of them
       case = { speed = 1*mm/s },                      -- what this curve's case has, beside the fit's parameters
       against = function(run, p) return xs, ys end,   -- the same of a run, SI; one way of x. Or { x = "probe/column", y =
                                                       -- "probe/column" or "time", x_sign = -1, y_sign = -1, after = 1*s, before = 2*s }

@@ -1,5 +1,6 @@
 -- A fit whose noise is correlated over lengths that its residuals tell: search and lengths in turn, and what is said of them.
 local correlation = require "stiction.fit.correlation"
+local noise = require "stiction.fit.noise"
 local numeric = require "stiction.numeric"
 local search = require "stiction.fit.search"
 
@@ -41,12 +42,12 @@ end
 function correlated.told(residuals, curves)
   local list = {}
   for i, curve in ipairs(curves) do
-    local free = curve.x and not curve.length and not curve.estimated
+    local free = curve.x and not curve.common and not curve.estimated
     local length, chance
     if free then
       length, chance = correlation.told(curve.x, table.move(residuals, curve.first, curve.last, 1, {}))
     end
-    list[i] = length and { length = length, chance = chance, worth = correlation.effective(correlation.shares(curve.x, length)) } or false
+    list[i] = length and { length = length, chance = chance, worth = noise.effective(noise.along(curve.x, length), #curve.x) } or false
   end
   return list
 end
@@ -67,8 +68,12 @@ function correlated.lines(curves, judged, doubt)
         .. "course; where the noise is known to be so, give its length (correlation = ...)"):format(judged.coarse and "no agreement yet: "
         or "MODEL REJECTED: ", curve.name)
     elseif curve.length then
-      lines[#lines + 1] = ("the noise of %s is correlated over %s%s: its %d points are worth %.3g independent ones"):format(curve.name,
-        curve:along_x(curve.length), curve.estimated and ", as its residuals tell" or "", #curve.x, curve:effective())
+      lines[#lines + 1] = ("the noise of %s is correlated over %s%s%s: its %d points are worth %.3g independent ones"):format(curve.name,
+        curve:along_x(curve.length), curve.estimated and ", as its residuals tell" or "",
+        curve.shares and ", beside what each point has for itself" or "", #curve.x, curve:effective())
+    elseif curve.common then
+      lines[#lines + 1] = ("the noise of %s is as %s says: its %d points are worth %.3g independent ones"):format(curve.name,
+        curve.covariance, #curve.x, curve:effective())
     elseif not judged.coarse and (plain or not curve.each and chance and chance < doubt / #curves) then
       lines[#lines + 1] = ("the residuals of %s are correlated along %s%s: either the model misses the curve's course, or the noise is so. "
         .. "It was taken for independent; else %s, and intervals are too narrow: say correlation = %s in study.fit.data.%s"):format(

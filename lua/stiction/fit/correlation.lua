@@ -1,8 +1,8 @@
--- Noise that is correlated along a curve, as exp(-|x - x'| / length) (Ornstein and Uhlenbeck's process): residuals made independent of each
--- other, how many independent points theirs are worth, and the length that residuals tell.
+-- The length over which noise goes on along a curve, as residuals tell it.
 local engine = require "stiction.engine"
 local linear = require "stiction.fit.linear"
 local loss_module = require "stiction.fit.loss"
+local noise = require "stiction.fit.noise"
 local numeric = require "stiction.numeric"
 
 local correlation = {}
@@ -14,51 +14,6 @@ local places, bends = 16, 11 -- of the search for a length: a grid in its logari
 local golden = 0.5 * (math.sqrt(5) - 1)
 local least = 1e-13 -- of the largest singular value
 local most_rounds, small = 8, 1e-3 -- of the search for several lengths one after the other; a change of a logarithm that ends it
-
---- The correlation of each point of rising xs with the one before it, 0 of the first.
-function correlation.shares(xs, length)
-  local list = { 0 }
-  for i = 2, #xs do
-    list[i] = math.exp(-(xs[i] - xs[i - 1]) / length)
-  end
-  return list
-end
-
---- Residuals without what each has of the one before: the inverse of the Cholesky factor of their correlations, times them.
-function correlation.whitened(list, shares)
-  local own = { list[1] }
-  for i = 2, #list do
-    own[i] = (list[i] - shares[i] * list[i - 1]) / math.sqrt(1 - shares[i] ^ 2)
-  end
-  return own
-end
-
---- The inverse of correlation.whitened.
-function correlation.coloured(list, shares)
-  local own = { list[1] }
-  for i = 2, #list do
-    own[i] = shares[i] * own[i - 1] + math.sqrt(1 - shares[i] ^ 2) * list[i]
-  end
-  return own
-end
-
---- How many independent points tell a constant as well.
-function correlation.effective(shares)
-  local sum = 0
-  for _, share in ipairs(shares) do
-    sum = sum + (1 - share) / (1 + share)
-  end
-  return sum
-end
-
---- By how much noise that each point has for itself grows when lists are whitened, root mean square.
-function correlation.roughened(shares)
-  local sum = 0
-  for _, share in ipairs(shares) do
-    sum = sum + (1 + share ^ 2) / (1 - share ^ 2)
-  end
-  return math.sqrt(sum / #shares)
-end
 
 --- Variance of the third difference of such noise of variance 1 that ends at the i-th point (20 of independent noise).
 function correlation.third_difference(xs, length, i)
@@ -111,15 +66,6 @@ local function lowest(f, low, high)
   return math.exp(from + at * width), best
 end
 
---- Sum of ln(1 - share^2): the logarithm of the determinant of the correlations.
-local function log_determinant(shares)
-  local sum = 0
-  for i = 2, #shares do
-    sum = sum + math.log(1 - shares[i] ^ 2)
-  end
-  return sum
-end
-
 --- The length that residuals tell of themselves, by largest likelihood at any size of theirs, and the chance that independent ones tell one
 --- as surely; nil where they tell none, or xs do not rise.
 function correlation.told(xs, residuals)
@@ -132,9 +78,12 @@ function correlation.told(xs, residuals)
     return nil
   end
   local function unlikely(length)
-    local shares = length and correlation.shares(xs, length) or numeric.map(xs, function() return 0 end)
-    local own = correlation.whitened(residuals, shares)
-    return #xs * math.log(math.max(linear.dot(own, own), 1e-300)) + log_determinant(shares)
+    local own, determinant = residuals, 0
+    if length then
+      local course = noise.along(xs, length)
+      own, determinant = course:whitened(residuals), course:log_determinant()
+    end
+    return #xs * math.log(math.max(linear.dot(own, own), 1e-300)) + determinant
   end
   local length, value = lowest(unlikely, bounds(xs))
   local gain = unlikely(nil) - value
@@ -160,25 +109,25 @@ end
 --- is the longest that is looked for.
 function correlation.estimate(problem, found, curves)
   local r, columns = copied(found.at.r), numeric.map(found.free, function(k) return copied(found.J[k]) end)
-  local lengths, shares, ends = {}, {}, {}
+  local lengths, courses, ends = {}, {}, {}
   for i, curve in ipairs(curves) do
     if curve.estimated then
-      local known = curve.length and correlation.shares(curve.x, curve.length)
+      local known = curve.length and noise.along(curve.x, curve.length, curve.shares)
       for _, list in ipairs(known and { r, table.unpack(columns) } or {}) do
-        replaced(list, curve, function(own) return correlation.coloured(own, known) end)
+        replaced(list, curve, function(own) return known:coloured(own) end)
       end
       ends[i] = { bounds(curve.x) }
       lengths[i] = curve.length or ends[i][1]
-      shares[i] = correlation.shares(curve.x, lengths[i])
+      courses[i] = noise.along(curve.x, lengths[i], curve.shares)
     end
   end
   local function unlikely()
     local own, rows, sum = copied(r), numeric.map(columns, copied), 0
-    for i, its in pairs(shares) do
+    for i, course in pairs(courses) do
       for _, list in ipairs { own, table.unpack(rows) } do
-        replaced(list, curves[i], function(part) return correlation.whitened(part, its) end)
+        replaced(list, curves[i], function(part) return course:whitened(part) end)
       end
-      sum = sum + log_determinant(its)
+      sum = sum + course:log_determinant()
     end
     local losses, slopes, squares = loss_module.of(problem.loss, own)
     if #rows > 0 then
@@ -191,15 +140,15 @@ function correlation.estimate(problem, found, curves)
     end
     return sum + (problem.known and squares or math.max(1, #r - #rows) * math.log(math.max(squares, 1e-300)))
   end
-  for _ = 1, next(shares, next(shares)) and most_rounds or 1 do -- one length alone is found at once
+  for _ = 1, next(courses, next(courses)) and most_rounds or 1 do -- one length alone is found at once
     local change = 0
-    for i in pairs(shares) do
+    for i in pairs(courses) do
       local was = lengths[i]
       lengths[i] = lowest(function(length)
-        shares[i] = correlation.shares(curves[i].x, length)
+        courses[i] = noise.along(curves[i].x, length, curves[i].shares)
         return unlikely()
       end, ends[i][1], ends[i][2])
-      shares[i] = correlation.shares(curves[i].x, lengths[i])
+      courses[i] = noise.along(curves[i].x, lengths[i], curves[i].shares)
       change = math.max(change, math.abs(math.log(lengths[i] / was)))
     end
     if change < small then

@@ -3,6 +3,7 @@ local correlation = require "stiction.fit.correlation"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local measured = require "stiction.measured"
+local noise_module = require "stiction.fit.noise"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local units = require "stiction.units"
@@ -10,11 +11,14 @@ local units = require "stiction.units"
 local curve = {}
 
 local keys = { file = "string", x = "string", y = "string", units = "table", against = true, case = "table", each = "table",
-  own = "table", sigma = true, relative = "number", weight = "number", correlation = true }
+  own = "table", sigma = true, relative = "number", weight = "number", correlation = true, white = true, covariance = "table" }
+local covariance_keys = { file = "string", unit = "string" }
 local against_keys = { x = "string", y = "string", x_sign = "number", y_sign = "number", after = true, before = true }
 local guess = 0.01 -- of the largest value: a noise that nothing tells, as all residuals count alike then
 local least_points = 8 -- of which the noise can be told
 local of_third_differences = 20 -- (1, 3, 3, 1) squared, summed
+local most_points = 2000 -- with a table of covariances
+local lopsided = 1e-6 -- of the standard errors of two points, by which their covariance may be written twice
 local slack = 1e-9 -- of the range, by which data may go beyond a run
 
 local Curve = {}
@@ -51,6 +55,14 @@ local function check(name, t)
     end
   elseif type(t.against) ~= "function" then
     fault.script("%s: against must be function(run, p) that gives xs and ys, or { x = \"probe/column\", y = \"probe/column\" }", what)
+  end
+  if t.covariance then
+    check_keys(t.covariance, what .. ".covariance", covariance_keys)
+    for _, key in ipairs { "sigma", "relative", "correlation", "white" } do
+      local _ = t[key] == nil or fault.script("%s: covariance says all of the noise; leave out %s", what, key)
+    end
+  elseif t.white ~= nil and (t.correlation == nil or not (t.sigma or t.relative)) then
+    fault.script("%s: white is what each point has for itself beside noise that goes on: say sigma of that, and correlation", what)
   end
   if t.weight and t.weight <= 0 then
     fault.script("%s: weight = %g; it must be above 0", what, t.weight)
@@ -99,6 +111,49 @@ local function told_errors(t, columns, y, unit, what)
     own[i] = math.sqrt((list and units.si(list[i]) or 0) ^ 2 + share ^ 2)
   end
   return own
+end
+
+--- Standard errors by a file of covariances [points, points], and the noise that goes with them; bad input where there can be none.
+local function by_covariance(self, t, folder, note)
+  local rows, unit = measured.matrix(t, folder, note, self.what .. ".covariance")
+  if not like(unit, self.y_unit * self.y_unit) then
+    fault.input("%s.covariance: unit = \"%s\"; it must be like the square of %s, in %s", self.what, t.unit, self.y_name, self.y_word)
+  elseif #rows ~= #self.y or #rows > most_points then
+    fault.input("%s.covariance: %s has %d rows for %d points; one for each, at most %d", self.what, t.file, #rows, #self.y, most_points)
+  end
+  local sigma = {}
+  for i, row in ipairs(rows) do
+    if row[i] <= 0 then
+      fault.input("%s.covariance: %s: variance %d is %g; it is above 0", self.what, t.file, i, row[i])
+    end
+    sigma[i] = math.sqrt(row[i])
+  end
+  for i, row in ipairs(rows) do
+    for k = 1, #row do
+      row[k] = row[k] / (sigma[i] * sigma[k])
+      if k < i and math.abs(row[k] - rows[k][i]) > lopsided then
+        fault.input("%s.covariance: %s: entries (%d, %d) and (%d, %d) differ; a covariance is symmetric", self.what, t.file, i, k, k, i)
+      end
+    end
+  end
+  local common, least = noise_module.of_correlations(rows)
+  if not common then
+    fault.input("%s.covariance: %s is not positive definite: the least eigenvalue of its correlations is %.2g; was it rounded? Add the "
+      .. "variance of what each point has for itself to the diagonal", self.what, t.file, least)
+  end
+  return sigma, common
+end
+
+--- The share of each standard error that goes on along the curve, where `white` is what each point has for itself; sigma: of both.
+local function with_white(self, white)
+  if not like(white, self.y_unit) or units.si(white) <= 0 or units.si(white) ~= units.si(white) then
+    fault.input("%s: white is %s; it must be above 0 and like %s: %s", self.what, tostring(white), self.y_name, tostring(self.y_unit))
+  end
+  self.shares = {}
+  for i, sigma in ipairs(self.sigma) do
+    self.sigma[i] = math.sqrt(sigma ^ 2 + units.si(white) ^ 2)
+    self.shares[i] = sigma / self.sigma[i]
+  end
 end
 
 --- The noise of values along a smooth curve, from their third differences: by the median, which jumps do not change. Of noise that is
@@ -163,17 +218,27 @@ function curve.read(name, t, folder, note)
   if not t.each or t.correlation ~= nil then
     check_rising(self)
   end
-  self.sigma = told_errors(t, columns, self.y, self.y_unit, what)
-  self.told = self.sigma ~= nil
+  if t.covariance then
+    self.sigma, self.common = by_covariance(self, t.covariance, folder, note)
+  else
+    self.sigma = told_errors(t, columns, self.y, self.y_unit, what)
+  end
+  self.told, self.covariance = self.sigma ~= nil, t.covariance and t.covariance.file
+  if t.white ~= nil then
+    with_white(self, t.white)
+  end
   local length
   length, self.estimated = told_length(self, t.correlation)
-  self:correlate(length)
+  if not t.covariance then
+    self:correlate(length)
+  end
   return self
 end
 
 --- Takes the noise for correlated along x over this length, SI (nil: not at all).
 function Curve:correlate(length)
   self.length = length
+  self.common = length and noise_module.along(self.x, length, self.shares)
   if not self.told then
     local noise = self.each and guess * math.abs((numeric.extreme(self.y))) or curve.noise(self.y, self.x, length)
     self.sigma = numeric.map(self.y, function() return noise end)
@@ -182,7 +247,7 @@ end
 
 --- How many independent points the curve's are worth.
 function Curve:effective()
-  return self.length and correlation.effective(correlation.shares(self.x, self.length)) or #self.x
+  return self.common and noise_module.effective(self.common, #self.x) or #self.x
 end
 
 --- The cases that the curve takes, each a table of values by name: `values` are those of the fit's parameters.
@@ -332,17 +397,17 @@ end
 
 --- By how much whitening makes noise grow that each point has for itself.
 function Curve:roughened()
-  return self.length and correlation.roughened(correlation.shares(self.x, self.length)) or 1
+  return self.common and noise_module.roughened(self.common, #self.x) or 1
 end
 
 --- A list in standard errors without what its entries have in common by the correlation of the noise.
 function Curve:whitened(list)
-  return self.length and correlation.whitened(list, correlation.shares(self.x, self.length)) or list
+  return self.common and self.common:whitened(list) or list
 end
 
 --- The inverse of Curve:whitened.
 function Curve:coloured(list)
-  return self.length and correlation.coloured(list, correlation.shares(self.x, self.length)) or list
+  return self.common and self.common:coloured(list) or list
 end
 
 --- Residuals in standard errors, weighted, independent of each other, of what Curve:model gives.

@@ -72,7 +72,9 @@ end
 
 local function error_words(curve)
   local words = not curve.told and "errors as the residuals show" or "standard errors " .. range_of(curve.sigma, curve.y_word)
-  if curve.estimated then
+  if curve.covariance then
+    return words .. ", correlated as " .. curve.covariance .. " says"
+  elseif curve.estimated then
     return words .. ", correlated as the residuals tell"
   end
   return words .. (curve.length and ", correlated over " .. curve:along_x(curve.length) or "")

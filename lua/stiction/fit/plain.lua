@@ -1,7 +1,7 @@
 -- A fit of a function in place of cases: the same search, judgement and profiles, for proofs of them.
 local correlated = require "stiction.fit.correlated"
-local correlation = require "stiction.fit.correlation"
 local judge = require "stiction.fit.judge"
+local noise = require "stiction.fit.noise"
 local numeric = require "stiction.numeric"
 local profile = require "stiction.fit.profile"
 local search = require "stiction.fit.search"
@@ -10,26 +10,32 @@ local starts = require "stiction.fit.starts"
 
 local plain = {}
 
---- The curve of such a fit, as far as its noise is concerned: t.correlation is a length or "estimated".
+--- The curve of such a fit, as far as its noise is concerned: t.correlation is a length or "estimated", t.shares as noise.along has them.
 local function curve_of(t)
   local length = type(t.correlation) == "number" and t.correlation or nil
-  return { first = 1, last = #t.x, x = t.x, name = "data", length = length, estimated = t.correlation == "estimated",
-    correlate = function(self, told) self.length = told end }
+  local own = { first = 1, last = #t.x, x = t.x, name = "data", estimated = t.correlation == "estimated", shares = t.shares,
+    correlate = function(self, told)
+      self.length, self.common = told, told and noise.along(self.x, told, self.shares)
+    end }
+  own:correlate(length)
+  own.common = t.common or own.common
+  return own
 end
 
---- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), f = function(values, x),
---- correlation =, loss =, share = (of differences), enough =, ...}; where f gives no number the point fails.
+--- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), sigmas = (one each), f =
+--- function(values, x), correlation =, shares =, common = (as of noise), loss =, share = (of differences), enough =, ...}; where f gives no
+--- number the point fails.
 function plain.problem(t)
   local count, curve = { evaluations = 0 }, curve_of(t)
   local function residuals(z)
     local values, r = space.values(t.parameters, z), {}
     for i, x in ipairs(t.x) do
-      r[i] = (t.f(values, x) - t.y[i]) / (t.sigma or 1)
+      r[i] = (t.f(values, x) - t.y[i]) / (t.sigmas and t.sigmas[i] or t.sigma or 1)
       if not numeric.is_finite(r[i]) or math.abs(r[i]) > 1e150 then
         return { failed = "no number" }
       end
     end
-    return { r = curve.length and correlation.whitened(r, correlation.shares(t.x, curve.length)) or r }
+    return { r = curve.common and curve.common:whitened(r) or r }
   end
   return { parameters = t.parameters, loss = t.loss or "squares", known = t.sigma ~= nil, enough = t.enough or 1e-6,
     most = t.most or 1000, refusals = t.refusals or 1, always = t.always, central = t.central, count = count, curves = { curve },

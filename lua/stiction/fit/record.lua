@@ -52,7 +52,7 @@ local function curves_of(fit, judged)
   local list = {}
   for i, curve in ipairs(fit.curves) do
     local told = judged.correlated[i]
-    list[i] = { name = curve.name, points = #curve.x, worth = curve:effective(), correlation = curve.length,
+    list[i] = { name = curve.name, points = #curve.x, worth = curve:effective(), correlation = curve.length, covariance = curve.covariance,
       correlation_estimated = curve.estimated, residuals_tell = told and { correlation = told.length, chance = told.chance } or nil }
   end
   return list
