@@ -7,11 +7,14 @@ if(STICTION_SANITIZE)
   set(STICTION_PATIENCE 900)
 endif()
 
+set(STICTION_OTHERS fmt/format.h Eigen/Dense algorithm chrono cmath filesystem fstream functional limits map memory numeric optional set
+    sstream stdexcept string variant vector) # most files include them
+list(TRANSFORM STICTION_OTHERS REPLACE "(.+)" "<\\1>")
+
 function(precompile target) # precompile(TARGET [HEADER...]), headers of the engine or in <brackets>, for checkers
-  set(headers ${PROJECT_SOURCE_DIR}/engine/cmake/precompiled.hpp)
   if(STICTION_SANITIZE)
     list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/engine/ REGEX "^[^<]")
-    target_precompile_headers(${target} PRIVATE ${headers} ${ARGN})
+    target_precompile_headers(${target} PRIVATE ${STICTION_OTHERS} ${ARGN})
   elseif(STICTION_UNITY) # once for all that compile alike
     get_target_property(options ${target} COMPILE_OPTIONS)
     string(MAKE_C_IDENTIFIER "${options}" alike)
@@ -20,7 +23,7 @@ function(precompile target) # precompile(TARGET [HEADER...]), headers of the eng
       target_precompile_headers(${target} REUSE_FROM ${first})
     else()
       set_property(GLOBAL PROPERTY STICTION_PRECOMPILED_${alike} ${target})
-      target_precompile_headers(${target} PRIVATE ${headers})
+      target_precompile_headers(${target} PRIVATE ${STICTION_OTHERS})
     endif()
   endif()
 endfunction()

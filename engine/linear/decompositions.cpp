@@ -1,3 +1,4 @@
+// The one place where these templates are made.
 #include "linear/decompositions.hpp"
 
 namespace Eigen {

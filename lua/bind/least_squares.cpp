@@ -179,8 +179,8 @@ int singular(lua_State* lua) {
   return 2;
 }
 
-/// cholesky(rows) -> the rows of the lower factor L of a symmetric matrix, and the trace of its inverse; or nil
-/// and the least eigenvalue of one that is not positive definite beyond rounding
+/// cholesky(rows) -> the rows of the lower factor L of a symmetric matrix, and the trace of its inverse; or
+/// nil and the least eigenvalue of one that is not positive definite beyond rounding
 int cholesky(lua_State* lua) {
   Matrix const A = read_columns(lua, 1);
   Eigen::Index const n = A.rows();

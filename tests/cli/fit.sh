@@ -106,19 +106,20 @@ expect 0 "the noise of drag is correlated over |, as its residuals tell" "$stict
   --no-profiles --out estimated
 
 # the same noise as a table of covariances; and beside noise of each point's own
-awk -F, 'NR > 1 { x[++n] = $1; s[n] = $3 } END { for (i = 1; i <= n; ++i) for (k = 1; k <= n; ++k) {
+awk -F, '$1 > 0 && /^[0-9]/ { x[++n] = $1; s[n] = $3 } END { for (i = 1; i <= n; ++i) for (k = 1; k <= n; ++k) {
   d = x[i] > x[k] ? x[i] - x[k] : x[k] - x[i]
   printf "%.12g%s", s[i] * s[k] * exp(-d / 0.2), k < n ? "," : "\n" } }' soft/drag.csv >soft/common.txt
 { echo "# covariances of drag.csv" && cat soft/common.txt; } >soft/common.csv
 sed 's/sigma = "scatter",/covariance = { file = "common.csv", unit = "N^2\/m^2" },/' soft/study.lua >soft/common.lua
 expect 0 "the noise of drag is as common.csv says: its 10 points are worth 3.2 independent ones|determined: mu" "$stiction" fit \
   soft/common.lua --no-figures --no-profiles --out common
-holds "what a length says as well, to the bit but for rounding" between "$(value_of best common/fit.json)" \
-  "$(value_of best declared/fit.json | awk '{ print $1 * (1 - 1e-6) }')" "$(value_of best declared/fit.json | awk '{ print $1 * (1 + 1e-6) }')"
+same=$(value_of best declared/fit.json)
+holds "what a length says as well: $(value_of best common/fit.json) $same" between "$(value_of best common/fit.json)" \
+  "$(awk "BEGIN { printf \"%.12g\", $same * (1 - 1e-6) }")" "$(awk "BEGIN { printf \"%.12g\", $same * (1 + 1e-6) }")"
 holds "the table is among the files" grep -q '"path": "common.csv"' common/fit.json
 expect 0 "correlated as common.csv says" "$stiction" explain soft/common.lua
 sed 's/sigma = "scatter",/&  correlation = 0.2*s, white = 0.02*units("N\/m"),/' soft/study.lua >soft/white.lua
-expect 0 "the noise of drag is correlated over 0.2 s, beside what each point has for itself: its 10 points are worth" "$stiction" fit \
+expect 0 "the noise of drag is correlated over 0.2 s, beside what each point has for itself: its 10 points are worth 4.75 independent ones" "$stiction" fit \
   soft/white.lua --no-figures --no-profiles --out white
 
 # a wrong model is rejected
