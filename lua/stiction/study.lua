@@ -89,24 +89,6 @@ local function read_results(t)
   return results
 end
 
-local columns = { case = true, verdict = true, steps = true, iterations = true, contact = true, seconds = true, set = true,
-  warnings = true } -- of a summary, besides
-
---- Of a summary no two columns have one name.
-local function check_names(results, known)
-  local seen = {}
-  for _, entry in ipairs(results) do
-    local name = entry.name
-    local other = columns[name] and "a column of every summary" or known(name) and "a parameter of the study"
-      or seen[name] and "another result"
-    if other then
-      fault.script("study.results.%s: %s is called so, too; give the result a name of its own", tostring(name), other)
-    end
-    seen[name or ""] = true
-  end
-  return results
-end
-
 local function is_table(x)
   return type(x) == "table" and not units.is_quantity(x)
 end
@@ -195,8 +177,7 @@ function study.define(t)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
     derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id,
-    scene = t.scene, problem = t.problem,
-    results = check_names(read_results(t.results), known), check = t.check, figures = t.figures, trade = t.trade,
+    scene = t.scene, problem = t.problem, results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade,
     fit = t.fit, sample = t.sample, definition = t,
   }, study_mark)
 end

@@ -72,12 +72,6 @@ test("mistakes in the study table are told", function()
   fails("study.results.peak must be", make, { results = { peak = { unit = "Pa" } } })
   fails("study.results.peak: unknown unit 'true'", make, { results = { peak = { unit = true, function() end } } })
   fails("study.results.peak: unknown unit 'Pq'", make, { results = { peak = { unit = "Pq", function() end } } })
-  local force = { unit = "N", function() end }
-  fails("study.results.mu: a parameter of the study is called so, too", make, { given = { mu = 1 }, results = { mu = force } })
-  fails("study.results.mu: a parameter of the study", make, { sweep = { mu = { 1, 2 } }, results = { mu = force } })
-  fails("study.results.steps: a column of every summary is called so, too", make, { results = { steps = force } })
-  fails("study.results.pull: another result is called so, too", make, { results = { { name = "pull", unit = "N", function() end },
-    { name = "pull", unit = "N", function() end } } })
   fails("'mu' is swept, but stands in given or chosen", function()
     return ids(make { given = { mu = 1 }, sweep = { mu = { 1 } } })
   end)
