@@ -7,6 +7,7 @@
 
 namespace Eigen {
 
+// Of what is used, each member: explicit instantiations of classes leave out the templates among these.
 using DenseBaseOf = EigenBase<stiction::Dense>;
 extern template LLT<stiction::Dense>& LLT<stiction::Dense>::compute(DenseBaseOf const&);
 extern template void PartialPivLU<stiction::Dense>::compute();

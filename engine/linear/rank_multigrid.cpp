@@ -2,12 +2,25 @@
 // the coarse matrices.
 #include "linear/rank_multigrid.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include "core/error.hpp"
-#include "linear/decompositions.hpp"
 
 namespace stiction::linear {
 
 namespace {
+
+constexpr double none = 1e-10; ///< of a block's largest eigenvalue
+
+Matrix3 inverse_of(Matrix3 const& block) {
+  Eigen::SelfAdjointEigenSolver<Matrix3> const parts(block);
+  Eigen::Vector3d values = parts.eigenvalues();
+  double const least = none * values[2];
+  for (double& value : values)
+    value = value > least ? 1 / value : 0;
+  return parts.eigenvectors() * values.asDiagonal() * parts.eigenvectors().transpose();
+}
 
 /// Where a node stands in an ascending list of held ones, or -1.
 Index place_of(std::vector<HeldNode> const& held, Index node) {
@@ -96,7 +109,7 @@ void RankMultigrid::invert(SingleLevel<3>& level) const {
     Matrix3 block = diagonal(i) + held_own_[ix(i)];
     if (border < bordering_.size() && bordering_[border] == i)
       block += share_[border++];
-    level.set_inverse(i, pseudo_inverse(block));
+    level.set_inverse(i, inverse_of(block));
   }
 }
 
@@ -111,7 +124,7 @@ void RankMultigrid::gather_diagonals(std::vector<HeldNode> const& held) {
   for (std::size_t h = 0; h < held.size(); ++h) {
     Matrix3 const own = Eigen::Map<Matrix3 const>(&blocks[9 * h]);
     turns_.push_back(held[h].stiffness.isZero(0) ? Matrix3(Matrix3::Identity())
-                                                 : Matrix3(pseudo_inverse(own + held[h].stiffness) * own));
+                                                 : Matrix3(inverse_of(own + held[h].stiffness) * own));
   }
 }
 

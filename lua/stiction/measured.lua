@@ -102,13 +102,14 @@ function measured.matrix(t, folder, note, what)
   local path = place(t.file or fault.script("%s: file is missing", what), folder)
   local unit = factor_of(t.unit or fault.script("%s: unit is missing: unit = \"mN^2\"", what), path, "1")
   local rows, text = rows_of(path)
+  local factor = units.si(unit)
   note(path, text)
   for i, row in ipairs(rows) do
     if #row ~= #rows then
       fault.script("csv: %s: %d rows of %d; as many columns as rows are wanted, and no head", path, #rows, #row)
     end
     for k, word in ipairs(row) do
-      row[k] = units.si((finite(word) or fault.script("csv: %s: row %d, column %d: '%s' is no number", path, i, k, word)) * unit)
+      row[k] = factor * (finite(word) or fault.script("csv: %s: row %d, column %d: '%s' is no number", path, i, k, word))
     end
   end
   return rows, unit

@@ -328,7 +328,7 @@ of a standard error, the same to the last bit whatever --jobs is.
 
 Errors that are not given are those that the residuals show; where some curves have them, those of the others are told by third
 differences along them. Noise that goes on from point to point (drift, a filter) tells less than independent noise: `correlation` is its
-length in x, for residuals that are each freed from what they share with the one before; chi square, runs and intervals are of these,
+length in x, for residuals that are each freed from what they share with those before; chi square, runs and intervals are of these,
 and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
 follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
 likelihood (--no-profiles: by the covariance), widened by what one finer level changes, times what claims of a trade allow for

@@ -76,7 +76,7 @@ local function residual_figure(fit, result, group, name)
     for n = curve.first, curve.last do
       list[#list + 1] = result.found.at.r[n]
     end
-    white = (curve.common or white ~= "") and ", each without what it shares with the one before" or ""
+    white = (curve.common or white ~= "") and ", each without what it shares with those before" or ""
     least, most = math.min(least, curve.x[1]), math.max(most, curve.x[#curve.x])
     curves[#curves + 1] = { label = curve.name, x = curve.x, y = list, style = "points", colour = (place - 1) % most_colours }
   end
