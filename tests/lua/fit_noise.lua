@@ -131,8 +131,8 @@ test("whitened residuals are those of Cholesky's factor of the whole covariance"
         local white = own:whitened(r)
         local back = own:coloured(white)
         for i = 1, #xs do
-          assert(math.abs(white[i] - exact[i]) < 1e-10 * math.max(1, math.abs(exact[i])), ("%d: %g"):format(i, white[i] - exact[i]))
-          assert(math.abs(back[i] - r[i]) < 1e-11)
+          assert(math.abs(white[i] - exact[i]) < 1e-12 * math.max(1, math.abs(exact[i])), ("%d: %g"):format(i, white[i] - exact[i]))
+          assert(math.abs(back[i] - r[i]) < 1e-12)
         end
         assert(math.abs(noise_module.roughened(own, #xs) / math.sqrt(trace / #xs) - 1) < 1e-9)
       end
