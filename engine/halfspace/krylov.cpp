@@ -15,9 +15,9 @@ constexpr Index basis_arrays = 30;                  // of all points, that a bas
 } // namespace
 
 template<int D>
-Krylov<D>::Krylov(Surface const& surface, Linearised<D> const& system, bool lifted)
-    : surface_(&surface), system_(&system), lifted_(lifted), all_(surface.rows()), moved_(surface.rows()),
-      some_(D * system.size()) {}
+Krylov<D>::Krylov(Surface const& surface, Linearised<D> const& system, bool lifted, double held_lift)
+    : surface_(&surface), system_(&system), lifted_(lifted), held_lift_(held_lift), all_(surface.rows()),
+      moved_(surface.rows()), some_(D * system.size()) {}
 
 template<int D> void Krylov<D>::move(Vector const& few) {
   scatter<D>(system_->points, few, all_);
@@ -100,20 +100,29 @@ Correction Krylov<D>::by_conjugate_gradients(Vector const& right, double total, 
     move(along);
     for (Index k = 0; k < n; ++k)
       pushed[k] = S(k) * along[k] + moved_[system_->points[ix(k)]];
+    if (held_lift_ > 0)
+      pushed.array() += along.sum() / held_lift_;
   };
   if (lifted_) {
     lift_force_.resize(n);
     undo_symmetric(Vector::Ones(n), lift_force_);
     lift_sum_ = lift_force_.sum();
-    if (total != 0) {
+    if (held_lift_ > 0)
+      residual.array() += total / held_lift_;
+    else if (total != 0) {
       push(lift_force_);
       step_along(lift_force_, total / lift_sum_);
     }
   }
   auto const precondition = [&] {
+    if (lifted_ && held_lift_ == 0) { // else what keeps of the residual would drown what is left of it
+      double const more = residual.dot(lift_force_) / lift_sum_;
+      made.lift += more;
+      residual.array() -= more;
+    }
     undo_symmetric(residual, solved);
     if (lifted_)
-      solved -= solved.sum() / lift_sum_ * lift_force_;
+      solved -= solved.sum() / (held_lift_ + lift_sum_) * lift_force_;
   };
   precondition();
   way = solved;
@@ -130,8 +139,8 @@ Correction Krylov<D>::by_conjugate_gradients(Vector const& right, double total, 
     way = solved + next / weight * way;
     weight = next;
   }
-  if (lifted_)
-    made.lift = residual.dot(lift_force_) / lift_sum_;
+  if (held_lift_ > 0)
+    made.lift = (made.force.sum() - total) / held_lift_;
   return made;
 }
 
@@ -166,14 +175,15 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
     to.resize(from.size());
     to.head(n) = changed;
     if (lifted_)
-      to[n] = normal_sum(few) / root;
+      to[n] = (normal_sum(few) - held_lift_ * from[n]) / root;
   };
   auto const undo_all = [&](Vector const& from, Vector& to) {
     few = from.head(n);
     undo(few, changed);
     to.resize(from.size());
     if (lifted_) {
-      to[n] = lift_sum_ != 0 ? (normal_sum(changed) - root * from[n]) / lift_sum_ : 0;
+      double const stiffness = lift_sum_ + held_lift_;
+      to[n] = stiffness != 0 ? (normal_sum(changed) - root * from[n]) / stiffness : 0;
       changed -= to[n] * lift_force_;
     }
     to.head(n) = changed;
@@ -203,7 +213,7 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
 
 template<int D> Correction Krylov<D>::solve(Vector const& right, double total, double part, long most) {
   if (system_->size() == 0)
-    return {Vector(0), Vector::Zero(surface_->rows()), 0, 0};
+    return {Vector(0), Vector::Zero(surface_->rows()), held_lift_ > 0 ? -total / held_lift_ : 0, 0};
   if constexpr (D == 1)
     if (system_->definite)
       return by_conjugate_gradients(right, total, part, most);

@@ -17,7 +17,8 @@ struct Correction {
 /// Solves until the residual is `part` of the right side, or for `most` iterations.
 template<int D> class Krylov {
 public:
-  Krylov(Surface const& surface, Linearised<D> const& system, bool lifted);
+  /// held_lift: stiffness that holds the lift, N/m.
+  Krylov(Surface const& surface, Linearised<D> const& system, bool lifted, double held_lift = 0);
   /// right[D points], as `Linearised` has it, N; total: of the changes of normal forces, N, if lifted.
   [[nodiscard]] Correction solve(Vector const& right, double total, double part, long most);
 
@@ -38,6 +39,7 @@ private:
   Surface const* surface_;
   Linearised<D> const* system_;
   bool lifted_;
+  double held_lift_;
   Vector all_, moved_; ///< of all points
   Vector some_;        ///< of those that count
   Vector lift_force_;  ///< undone: what a lift of one asks for

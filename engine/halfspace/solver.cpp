@@ -28,8 +28,11 @@ public:
     least_hold_ = 1e-3 / longest;
     governed_ = longest;
     unfelt_ = !wanted.force && !surface.mean_gives();
-    for (auto const& law : problem.adhesions)
-      strength_ = std::max(strength_, interface::scales(law).strength);
+    for (auto const& law : problem.adhesions) {
+      auto const scales = interface::scales(law);
+      strength_ = std::max(strength_, scales.strength);
+      opening_ = std::max(opening_, scales.opening);
+    }
   }
 
   Answer run(Vector const& guess) {
@@ -38,7 +41,7 @@ public:
     place();
     evaluate();
     Standing const before = standing();
-    torn_ = tells() && problem_.start.size() > 0 && before.bonds < bonds_at_start(problem_);
+    torn_ = tells() && !wanted_.force && problem_.start.size() > 0 && before.bonds < bonds_at_start(problem_);
     if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held())
       if (!solve_from_held())
         solve_by_small_moves();
@@ -70,16 +73,25 @@ private:
     state.adhesion_by_x.diagonal().array() -= hold;
     return state;
   }
-  /// Stiffness that holds a point with adhesion near where it was, N/m.
+  /// Stiffness that holds a point near where it was, if adhesion may make it snap from there, N/m.
   [[nodiscard]] double held(Index i) const {
-    return hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 ? hold_ * problem_.points[ix(i)].area : 0;
+    bool const near = hold_ > 0 && problem_.points[ix(i)].adhesion >= 0 && near_[D * i] < far * opening_;
+    return near ? hold_ * problem_.points[ix(i)].area : 0;
   }
+  /// Stiffness that holds the counterpart near where it was, N/m.
+  [[nodiscard]] double held_lift() const { return hold_ * lift_share_; }
 
   [[nodiscard]] bool tells() const {
-    return !wanted_.force && !problem_.adhesions.empty() && !interface::evolves(problem_.adhesions.front());
+    return !problem_.adhesions.empty() && !interface::evolves(problem_.adhesions.front());
   }
+  /// With the work that a force has still to do.
   [[nodiscard]] Standing standing() const {
-    return tells() ? halfspace::standing<D>(problem_, answer_.force, answer_.x) : Standing{};
+    if (!tells())
+      return {};
+    auto now = halfspace::standing<D>(problem_, answer_.force, answer_.x);
+    if (wanted_.force)
+      now.potential += (*wanted_.force - 0.5 * now.force) * answer_.lift;
+    return now;
   }
 
   /// Where a displacement tears bonds before any force changes, an answer without them is compared with what
@@ -207,13 +219,17 @@ private:
         part += answer_.force[D * i];
       return part;
     });
-    return *wanted_.force - sum;
+    return *wanted_.force - sum + held_lift() * (answer_.lift - lift_near_);
   }
   [[nodiscard]] bool balanced() const {
-    return !wanted_.force || std::abs(missing()) <= wanted_.tolerance * std::abs(*wanted_.force) ||
-           std::abs(missing()) <= wanted_.tolerance * answer_.force.cwiseAbs().maxCoeff();
+    return !wanted_.force || std::abs(missing()) <= tolerance() * std::abs(*wanted_.force) ||
+           std::abs(missing()) <= tolerance() * answer_.force.cwiseAbs().maxCoeff();
   }
-  [[nodiscard]] bool there() const { return verdict_.relative() <= wanted_.tolerance && balanced(); }
+  /// While points are held their answers are but stations on a way.
+  [[nodiscard]] double tolerance() const {
+    return hold_ > 0 ? std::max(wanted_.tolerance, tolerance_held) : wanted_.tolerance;
+  }
+  [[nodiscard]] bool there() const { return verdict_.relative() <= tolerance() && balanced(); }
 
   /// The points at which W counts; forces of the others change at once.
   void linearise() {
@@ -268,7 +284,7 @@ private:
       right.segment<D>(D * k) =
           -system_.left[ix(k)] * F_.segment<D>(D * i) - system_.B[ix(k)] * made.motion.segment<D>(D * i);
     }
-    Krylov<D> krylov(surface_, system_, wanted_.force.has_value());
+    Krylov<D> krylov(surface_, system_, wanted_.force.has_value(), held_lift());
     Correction const inner = krylov.solve(right, total, part, most_inner);
     for (Index k = 0; k < system_.size(); ++k)
       made.force.segment<D>(D * system_.points[ix(k)]) += inner.force.segment<D>(D * k);
@@ -289,7 +305,7 @@ private:
   /// Newton's iterations, each as long as the residual allows; false where they lead nowhere.
   bool solve_from_here() {
     bool const dry = problem_.adhesions.empty() && D == 1;
-    double last = norm_, best = norm_;
+    double last = norm_, before = norm_, best = norm_;
     int vain = 0;
     for (int k = 0; k < wanted_.iterations && !enough(); ++k) {
       if (there() && settled())
@@ -298,7 +314,7 @@ private:
       linearise();
       double const progress = k == 0 ? 1 : norm_ / last;
       double const part = std::clamp(0.5 * progress * progress, tightest, loosest);
-      last = norm_;
+      before = std::exchange(last, norm_);
       auto const step = correct(part);
       ++answer_.iterations;
       move(step, 1);
@@ -307,6 +323,10 @@ private:
       while (!dry && !(norm_ < 2 * last) && length > shortest) {
         move(step, -0.5 * length);
         length *= 0.5;
+        evaluate();
+      }
+      if (!dry && k > 1 && length == 1 && norm_ > 0.9 * before) { // to and fro over a kink
+        move(step, -0.5);
         evaluate();
       }
       if (!std::isfinite(norm_))
@@ -321,7 +341,7 @@ private:
 
   /// Where a force presses and nothing touches: down by as much as the nearest point takes for it.
   void reach_down() {
-    if (!wanted_.force || !(missing() > 0) || answer_.force.cwiseAbs().maxCoeff() > 0)
+    if (!wanted_.force || hold_ > 0 || !(missing() > 0) || answer_.force.cwiseAbs().maxCoeff() > 0)
       return;
     double nearest = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < n_; ++i)
@@ -340,20 +360,23 @@ private:
     return there();
   }
 
-  /// Where a bond snaps or forms at once: points are held near where they are, less and less, so that the
-  /// energy falls from answer to answer until none is held.
+  /// Where a bond snaps or forms at once: points, and a counterpart that a force moves, are held near where
+  /// they are, less and less, so that the energy falls from answer to answer until nothing is held.
   void solve_by_small_moves() {
     double const steepest = this->steepest();
-    if (steepest == 0 || wanted_.force)
+    if (steepest == 0)
       return;
     if (!torn_ || !hold_bonds_at_start()) {
       answer_.force = guess_;
+      answer_.lift = 0;
       place();
     }
     hold_ = 2 * steepest;
+    lift_share_ = wanted_.force ? std::abs(missing()) / (hold_ * opening_) : 0;
     double most_moved = 0, least = 1e-3 * steepest;
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
+      lift_near_ = answer_.lift;
       Vector const force = answer_.force;
       evaluate();
       if (!solve_from_here()) {
@@ -362,28 +385,43 @@ private:
         since = 0;
         answer_.force = force;
         answer_.x = near_;
+        answer_.lift = lift_near_;
         if (hold_ > 1e6 * steepest)
           break;
         continue;
       }
+      if (parted())
+        break;
       if (++since % 8 == 0)
         least = std::max(0.5 * least, 1e-3 * steepest);
-      hold_ = std::max(0.5 * hold_, least);
+      double const hold = std::exchange(hold_, 0);
       double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
       most_moved = std::max(most_moved, moved);
-      double const hold = std::exchange(hold_, 0);
       evaluate();
       // where nothing pulls any more, forces are no yardstick for what is left of them
       bool const arrived = verdict_.relative() < 1e-3 || moved < 1e-3 * most_moved;
-      Vector const held = answer_.force;
-      if (arrived && solve_from_here())
+      if (arrived && try_without_hold())
         return;
-      hold_ = hold;
-      answer_.force = held;
-      place();
+      hold_ = std::max(0.5 * hold, least);
     }
     hold_ = 0;
     evaluate();
+  }
+  /// False where nothing has changed.
+  bool try_without_hold() {
+    Vector const held = answer_.force;
+    double const lift = answer_.lift;
+    if (solve_from_here())
+      return true;
+    answer_.force = held;
+    answer_.lift = lift;
+    place();
+    return false;
+  }
+  /// Is there nothing left that a force could pull at?
+  [[nodiscard]] bool parted() const {
+    return wanted_.force && *wanted_.force < 0 &&
+           answer_.force.cwiseAbs().sum() < 1e-6 * std::abs(*wanted_.force);
   }
 
   void finish() {
@@ -400,7 +438,9 @@ private:
                           "iterations",
                           answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
     if (!answer_.interrupted && !balanced())
-      answer_.reason = fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
+      answer_.reason =
+          parted() ? fmt::format("nothing is left that bears a pull of {:g} N", -*wanted_.force)
+                   : fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
   }
   /// With the lift in its free gaps, which set the yardstick.
   [[nodiscard]] contact::Problem const& shifted() {
@@ -413,6 +453,9 @@ private:
   }
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
+  static constexpr double tolerance_held = 1e-6;
+  static constexpr double far =
+      8; ///< over the opening of the largest traction: what adheres there hardly falls
   static constexpr int most_vain = 8, most_moves = 2000;
   static constexpr int most_vain_dry = 40; ///< sets of points that touch are found however residuals go
   static constexpr long most_inner = 200;
@@ -427,11 +470,13 @@ private:
   double least_hold_ = 0, governed_ = 0;
   bool unfelt_ = false; ///< the mean force of a displacement
   double strength_ = 0; ///< of adhesion, Pa
+  double opening_ = 0;  ///< up to which it is reached, m
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;
-  double hold_ = 0, norm_ = 0; ///< N/m^3; N
-  bool torn_ = false;          ///< does the step tear bonds before any force changes?
+  double hold_ = 0, norm_ = 0;            ///< N/m^3; N
+  double lift_share_ = 0, lift_near_ = 0; ///< of the hold, m^2; m
+  bool torn_ = false;                     ///< does the step tear bonds before any force changes?
   contact::Verdict verdict_;
   Linearised<D> system_;
   contact::Problem lifted_;

@@ -31,7 +31,7 @@ Stepper::Stepper(Model const& model)
 State Stepper::initial() const {
   Index const n = model_->grid.size();
   State state;
-  state.lift = model_->force ? 0 : model_->shift[2].value(0);
+  state.lift = model_->force ? std::max(0.0, -model_->heights.minCoeff()) : model_->shift[2].value(0);
   state.along = {model_->shift[0].value(0), model_->shift[1].value(0)};
   state.force = state.u = state.dry = Vector::Zero(surface_.rows());
   state.gap = model_->heights.array() + state.lift;

@@ -57,3 +57,26 @@ TEST_CASE("a disc of a half space that is about to snap is solved") {
     CHECK(residual(surface, system, right, made.force) < 1e-6);
   }
 }
+
+/// A counterpart that a force moves, and that is held or not: forces and lift keep both equations, whether
+/// the points only yield or some soften.
+TEST_CASE("systems of a half space with a lift are solved, held or not") {
+  Surface const surface({32, 32, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  double const own = surface.delassus().block<1>(0)(0, 0), total = 7;
+  for (bool const definite : {true, false})
+    for (double const held : {0.0, 3e3, 3e5}) {
+      CAPTURE(definite);
+      CAPTURE(held);
+      auto system = softening(surface, 0.3, definite ? 0.5 * own : -1.5 * own);
+      system.definite = definite;
+      system.softness = 0.5 * own;
+      system.yields.assign(system.points.size(), definite);
+      Vector const right = Vector::LinSpaced(system.size(), 1, 2);
+      auto const made = halfspace::Krylov<1>(surface, system, true, held).solve(right, total, 1e-9, 400);
+      Vector without = right;
+      for (Index k = 0; k < system.size(); ++k)
+        without[k] -= system.B[ix(k)](0, 0) * made.lift;
+      CHECK(residual(surface, system, without, made.force) * without.norm() < 1e-7 * right.norm());
+      CHECK(made.force.sum() - held * made.lift == doctest::Approx(total).epsilon(1e-6));
+    }
+}

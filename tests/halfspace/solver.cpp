@@ -187,6 +187,53 @@ TEST_CASE("a half space that snaps is answered, with less energy than before") {
   CHECK(answer.force.isZero(0)); // let go
 }
 
+/// What a sphere adheres with under forces, one after the other: heights of the counterpart, m. Answers are
+/// those of a displacement as far.
+std::vector<double> under_forces(std::vector<double> const& forces, interface::AdhesionLaw const& adhesion) {
+  Surface const surface({32, 32, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
+  auto problem = pressed(surface, {{}, adhesion}, 0);
+  halfspace::Solver const solver(surface);
+  halfspace::Answer answer;
+  answer.force = Vector::Zero(surface.rows());
+  std::vector<double> lifts;
+  double height = 0;
+  for (double const force : forces) {
+    CAPTURE(force);
+    halfspace::Wanted wanted;
+    wanted.force = force;
+    answer = solver.solve(problem, answer.force, wanted);
+    CHECK_MESSAGE(answer.converged, answer.reason);
+    problem.free.array() += answer.lift;
+    lifts.push_back(height += answer.lift);
+    auto const moved = solver.solve(problem, answer.force, {});
+    CHECK_MESSAGE(moved.converged, moved.reason);
+    CHECK((moved.force - answer.force).norm() < 1e-6 * answer.force.norm());
+    problem.start = answer.x;
+    for (Index i = 0; i < problem.size(); ++i)
+      problem.points[std::size_t(i)].bond.old = interface::initial_bond(adhesion, answer.x[i]);
+  }
+  halfspace::Wanted wanted;
+  wanted.force = -100;
+  auto const parted = solver.solve(problem, answer.force, wanted);
+  CHECK_FALSE(parted.converged);
+  CHECK(parted.reason == "nothing is left that bears a pull of 100 N");
+  return lifts;
+}
+
+/// It jumps in under no force at all, is farther up the more it is pulled, on the same way back and forth,
+/// and lets go.
+TEST_CASE("a force on a half space that snaps finds what bears it, or that nothing does") {
+  for (interface::AdhesionLaw const& law : {interface::AdhesionLaw{interface::Dugdale{1000, 2e-3, 0.2}},
+                                            interface::AdhesionLaw{interface::Potential{2, 5e-4}}}) {
+    auto const lifts = under_forces({0.01, 1, -1, -2, 1}, law);
+    CHECK(lifts[0] < 0);
+    CHECK(lifts[1] < lifts[0]);
+    CHECK(lifts[2] > lifts[0]);
+    CHECK(lifts[3] > lifts[2]);
+    CHECK(lifts[4] == doctest::Approx(lifts[1]).epsilon(0.02));
+  }
+}
+
 /// Guesses where traction falls faster than the body springs back: the state between bonded and free, where
 /// Newton's iteration ends, has more energy than they.
 TEST_CASE("a half space is not left where energy has its maximum") {
