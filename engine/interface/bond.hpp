@@ -42,7 +42,7 @@ template<int D> struct Adhesion {
 struct Scales {
   double work = 0;      ///< of separation along the normal, J/m^2
   double strength = 0;  ///< largest normal traction, Pa
-  double opening = 0;   ///< up to which it is reached, m
+  double opening = 0;   ///< up to which it is reached, or, where it is at none, that leaves 1/e of it, m
   double softening = 0; ///< steepest fall of the normal traction, N/m^3
   double along = 0;     ///< slip at the largest tangential traction, m; 0: nothing acts along the surface
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "interface/attraction.hpp"
 #include "interface/bilinear.hpp"
 #include "interface/coulomb.hpp"
 #include "interface/dugdale.hpp"
@@ -19,7 +20,7 @@
 namespace stiction::interface {
 
 using FrictionLaw = std::variant<Coulomb, Tresca, PressureFriction, VelocityFriction, StaticKinetic>;
-using AdhesionLaw = std::variant<Rcc, Bilinear, Exponential, Dugdale, Potential>;
+using AdhesionLaw = std::variant<Rcc, Bilinear, Exponential, Dugdale, Potential, Attraction>;
 static_assert(core::every<FrictionLaw, owed::OfFriction>);
 static_assert(core::every<AdhesionLaw, owed::OfAdhesion>);
 

@@ -136,6 +136,17 @@ TEST_SUITE("interface") {
     CHECK(exponential.dissipated == doctest::Approx(3).epsilon(1e-5));
   }
 
+  TEST_CASE("attraction: w / range where it touches, 1/e of it at the range, psi itself") {
+    Attraction const law{3, 0.02};
+    CHECK(pull(law, {1e-9, 0.7, 0})[0] == doctest::Approx(150).epsilon(1e-6));
+    CHECK(pull(law, {0.02, 0.7, 0})[0] == doctest::Approx(150 / std::numbers::e).epsilon(1e-12));
+    CHECK(pull(law, {0.02, 0.7, 0}).tail<2>().isZero(0));
+    for (double const x : {0.0, 0.01, 0.07}) {
+      Bond const bond = advance<2>(law, {{}, 1, false}, {x, 0});
+      CHECK(bond_energy(law, bond, x) == doctest::Approx(-3 * std::exp(-x / 0.02)).epsilon(1e-13));
+    }
+  }
+
   TEST_CASE("potential: w / (e delta) at delta, work w, psi itself") {
     Potential const law{3, 0.02};
     CHECK(pull(law, {0.02, 0.7, 0})[0] == doctest::Approx(3 / (std::numbers::e * 0.02)).epsilon(1e-12));

@@ -88,7 +88,8 @@ inline std::vector<NamedAdhesion> adhesions() {
       {"exponential, reversible, coupled", exponential_sample(Memory::reversible, 0.6, 0.3)},
       {"dugdale", dugdale_sample(Memory::reversible)},
       {"dugdale, irreversible", dugdale_sample(Memory::irreversible)},
-      {"potential", Potential{3, 0.02}}};
+      {"potential", Potential{3, 0.02}},
+      {"attraction", Attraction{3, 0.02}}};
   return completed(known, std::type_identity<AdhesionLaw>{});
 }
 

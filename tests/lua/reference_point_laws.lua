@@ -109,6 +109,8 @@ test("Dugdale and the short potential: strength and work", function()
   near(laws.dugdale.traction(5, 2, 0.1, 2.1), 2.5)
   assert(laws.dugdale.traction(5, 2, 0.1, 3) == 0)
   near(laws.potential.traction(2, 0.1, 0.1), 20 / math.exp(1))
+  near(laws.attraction.traction(2, 0.1, 0), 20)
+  near(laws.attraction.traction(2, 0.1, 0.1), 20 / math.exp(1))
 end)
 
 test("friction: the borders of each law", function()

@@ -1,6 +1,6 @@
 -- Laws of one contact point under a given motion: closed curves of adhesion and friction. Openings in m, SI numbers,
 -- unless a function says that it takes them in the scales of the law.
-local point_laws = { rcc = {}, bilinear = {}, exponential = {}, dugdale = {}, potential = {}, friction = {} }
+local point_laws = { rcc = {}, bilinear = {}, exponential = {}, dugdale = {}, potential = {}, attraction = {}, friction = {} }
 
 local rcc = point_laws.rcc
 
@@ -126,6 +126,11 @@ end
 --- w/delta (x/delta) exp(-x/delta) of Rose, Ferrante and Smith 1981, Pa.
 function point_laws.potential.traction(w, delta, x)
   return w * x / delta ^ 2 * math.exp(-x / delta)
+end
+
+--- w/range exp(-x/range) of the contact mechanics challenge (Muser 2017), Pa.
+function point_laws.attraction.traction(w, range, x)
+  return w / range * math.exp(-x / range)
 end
 
 --- min(mu p, tau_max) (Orowan 1943), Pa.
