@@ -156,7 +156,7 @@ template<int D> void Krylov<D>::prepare_lift() {
 
 /// As large as room allows: restarts forget the few ways in which a surface is about to snap.
 template<int D> int Krylov<D>::basis() const {
-  Index const vectors = basis_arrays * surface_->rows() / (2 * D * system_->size());
+  Index const vectors = basis_arrays * surface_->rows() / (D * system_->size());
   return static_cast<int>(std::clamp(vectors, least_basis, most_basis));
 }
 
@@ -196,7 +196,7 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
   double const start = residual.norm();
   for (double before = start; before > part * start && made.iterations < most;) {
     auto const end = linear::gmres(apply_all, undo_all, residual, step,
-                                   linear::KrylovLimits<>{part * start / before, basis()});
+                                   linear::KrylovLimits<>{part * start / before, basis(), {}, true});
     made.iterations += end.iterations;
     apply_all(step, answer);
     made.force += step.head(n);

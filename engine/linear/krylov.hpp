@@ -26,6 +26,7 @@ template<class Vectors = WholeVectors> struct KrylovLimits {
   double tolerance;
   int most;
   Vectors vectors{};
+  bool linear = false; ///< is what the preconditioner makes of a sum the sum of what it makes?
 };
 
 /// A x = b from the x given, A symmetric. apply(x, y): y = A x; precondition(r, z). Ends at |r| <= tolerance
@@ -64,7 +65,8 @@ KrylovEnd conjugate_gradients(Apply const& apply, Precondition const& preconditi
 }
 
 /// A x = b from zero by GMRES (Saad & Schultz 1986), preconditioned from the right, so that what it makes
-/// small is |b - A x|. Keeps `most` vectors twice; does not restart.
+/// small is |b - A x|. Keeps `most` vectors, twice unless the preconditioner is linear, when it is applied
+/// once more instead; does not restart.
 template<class Apply, class Precondition, class Vectors = WholeVectors>
 KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector const& b, Vector& x,
                 KrylovLimits<Vectors> const& limits) {
@@ -83,7 +85,8 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
   g[0] = whole;
   Index k = 0;
   for (; k < limits.most && !end.converged; ++k) {
-    z.emplace_back();
+    if (z.empty() || !limits.linear)
+      z.emplace_back();
     precondition(v[ix(k)], z.back());
     v.emplace_back();
     apply(z.back(), v.back());
@@ -114,8 +117,13 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
     end.iterations = k + 1;
   }
   Vector const parts = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
+  auto const& kept = limits.linear ? v : z;
   for (Index i = 0; i < k; ++i)
-    x += parts[i] * z[ix(i)];
+    x += parts[i] * kept[ix(i)];
+  if (limits.linear && k > 0) {
+    precondition(x, z.back());
+    x.swap(z.back());
+  }
   return end;
 }
 
