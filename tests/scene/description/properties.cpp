@@ -88,14 +88,20 @@ void check_balance(scene::Scene const& scene, State const& state) {
   CHECK(sum.lpNorm<Eigen::Infinity>() <= 1e-9 * size);
 }
 
-/// Of the largest traction, ten times a tolerance: the contact solver's; with a bond the step's, since the
-/// dry part is what is left of the whole force, and the bond moves on with the last correction. An explicit
-/// step has none: its bond is taken where the linear motion ends, so nothing is said of it here.
-double slack(scene::Scene const& scene, std::size_t pair) {
+/// Ten times a tolerance, Pa: the contact solver's, of the largest traction; with a bond the step's, of the
+/// largest force too, since the dry part is what is left of the whole force, and the bond moves on with the
+/// last correction. An explicit step has none: its bond is taken where the linear motion ends, so nothing is
+/// said of it here.
+double slack(scene::Scene const& scene, State const& state, std::size_t pair, double traction) {
   if (!scene.model->pairs[pair].law.adhesion)
-    return 1e-9;
-  bool const explicit_forces = dynamics::weights(scene.model->scheme).explicit_forces;
-  return explicit_forces ? std::numeric_limits<double>::max() : 10 * scene.model->control.force_tolerance;
+    return 1e-9 * traction;
+  if (dynamics::weights(scene.model->scheme).explicit_forces)
+    return std::numeric_limits<double>::max();
+  double area = 0;
+  for (auto const& point : state.contacts[pair])
+    area = std::max(area, point.area);
+  double const borne = area > 0 ? state.internal.lpNorm<Eigen::Infinity>() / area : 0;
+  return 10 * scene.model->control.force_tolerance * std::max(traction, borne);
 }
 
 void check_state(scene::Scene const& scene, State const& state, double scale) {
@@ -104,7 +110,7 @@ void check_state(scene::Scene const& scene, State const& state, double scale) {
   CHECK(finite(state.ledger));
   for (std::size_t p = 0; p < state.contacts.size(); ++p)
     for (auto const& point : state.contacts[p])
-      check_point(point, largest_mu(scene.model->pairs[p].law), slack(scene, p) * scale);
+      check_point(point, largest_mu(scene.model->pairs[p].law), slack(scene, state, p, scale));
   if (std::ranges::find(scene.bodies, "lower") != scene.bodies.end())
     check_balance(scene, state);
 }
