@@ -31,7 +31,8 @@ public:
     for (auto const& law : problem.adhesions) {
       auto const scales = interface::scales(law);
       strength_ = std::max(strength_, scales.strength);
-      length_ = std::max({length_, scales.opening, scales.strength > 0 ? scales.work / scales.strength : 0});
+      double const wide = scales.strength > 0 ? 3 * scales.work / scales.strength : 0;
+      reach_ = std::max({reach_, far * scales.opening, wide});
     }
   }
 
@@ -79,7 +80,7 @@ private:
     if (hold_ == 0 || point.adhesion < 0)
       return 0;
     bool const stays = interface::evolves(problem_.adhesions[ix(point.adhesion)]) && point.bond.old.beta > 0;
-    return stays || near_[D * i] < far * length_ ? hold_ * point.area : 0;
+    return stays || near_[D * i] < reach_ ? hold_ * point.area : 0;
   }
   /// Stiffness that holds the counterpart near where it was, N/m.
   [[nodiscard]] double held_lift() const { return hold_ * lift_share_; }
@@ -375,7 +376,7 @@ private:
       place();
     }
     hold_ = 2 * steepest;
-    lift_share_ = wanted_.force && length_ > 0 ? std::abs(missing()) / (hold_ * length_) : 0;
+    lift_share_ = wanted_.force && reach_ > 0 ? std::abs(missing()) * far / (hold_ * reach_) : 0;
     double most_moved = 0, least = 1e-3 * steepest;
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
@@ -457,7 +458,7 @@ private:
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
   static constexpr double tolerance_held = 1e-6;
-  static constexpr double far = 8; ///< over the length of the law: what adheres there hardly falls
+  static constexpr double far = 8; ///< over the opening of the strength: what adheres there hardly falls
   static constexpr int most_vain = 8, most_moves = 2000;
   static constexpr int most_vain_dry = 40; ///< sets of points that touch are found however residuals go
   static constexpr long most_inner = 200;
@@ -472,7 +473,7 @@ private:
   double least_hold_ = 0, governed_ = 0;
   bool unfelt_ = false; ///< the mean force of a displacement
   double strength_ = 0; ///< of adhesion, Pa
-  double length_ = 0;   ///< that it acts over: work over strength, or the opening where this is, m
+  double reach_ = 0;    ///< of the law: beyond, it hardly falls, m
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;
