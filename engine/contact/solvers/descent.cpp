@@ -163,8 +163,9 @@ private:
   /// Goes along the direction, stopped at the bounds, as far as the potential falls; a step too small to leap
   /// over anything is taken at once, as rounding would judge it.
   bool walk() {
-    double length = std::min(1.0, longest_descent / stride(direction_));
-    while (length > 1e-6) {
+    double length = std::min(1.0, longest_descent / stride(direction_)); // however long the direction is
+    double const shortest = 1e-6 * length;
+    while (length > shortest) {
       Vector next = x_ + length * direction_;
       for (Index i = 0; i < problem_.size(); ++i)
         next[D * i] = std::max(next[D * i], shift(i));
