@@ -411,7 +411,7 @@ private:
     hold_ = 0;
     evaluate();
   }
-  /// False where nothing has changed.
+  /// Where it fails, all is as before.
   bool try_without_hold() {
     Vector const held = answer_.force;
     double const lift = answer_.lift;
@@ -443,7 +443,8 @@ private:
                           answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
     if (!answer_.interrupted && !balanced())
       answer_.reason =
-          parted() ? fmt::format("nothing is left that bears a pull of {:g} N", -*wanted_.force)
+          parted() ? fmt::format("nothing is left that bears a pull of {:g} {}", -*wanted_.force,
+                                 surface_.grid().line ? "N/m" : "N")
                    : fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
   }
   /// With the lift in its free gaps, which set the yardstick.

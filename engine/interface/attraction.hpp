@@ -6,9 +6,8 @@
 namespace stiction::interface {
 
 struct Attraction {
-  double w = 0; ///< work of separation, J/m^2
-  double length =
-      0; ///< opening that leaves 1/e of the largest traction, w / length, which acts where points touch, m
+  double w = 0;      ///< work of separation, J/m^2
+  double length = 0; ///< opening that leaves 1/e of the largest traction, w / length, m
 
   static core::Schema const& schema() {
     using core::Need;

@@ -201,7 +201,12 @@ local function picture(cases, name, title, wanted)
       y[k + 1] = math.sqrt(normal ^ 2 + along ^ 2)
     end
     curves[#curves + 1] = { label = test:gsub("_", " "), x = x, y = y, colour = i }
-    curves[#curves + 1] = { label = i == 1 and "run" or nil, x = opening(run), y = size(run), style = "dot", colour = 6 }
+    local openings, sizes = opening(run), size(run)
+    if t.strongest_at_none then -- which acts from the first step on
+      table.remove(openings, 1)
+      table.remove(sizes, 1)
+    end
+    curves[#curves + 1] = { label = i == 1 and "run" or nil, x = openings, y = sizes, style = "dot", colour = 6 }
   end
   return stiction.figure.lines { name = name, title = title, x = { label = "opening", unit = "mm" },
     y = { label = "traction", unit = "kPa" }, curves = curves, legend = "below" }
