@@ -41,22 +41,33 @@ function(optimize_little target) # what takes longer to compile than it ever run
   endif()
 endfunction()
 
-# Several files at a time share what their headers cost and their templates; alone stay those whose local names clash with
-# others', and those that tests/exercise compiles anew.
-function(compile_together target) # compile_together(TARGET): at most 8 files at a time
+# Several files at a time share what their headers cost and their templates, the more the fewer texts there are, as long as every
+# core has its own. What tests/exercise compiles anew stays apart.
+cmake_host_system_information(RESULT STICTION_CORES QUERY NUMBER_OF_LOGICAL_CORES)
+set(STICTION_TOGETHER 8)
+if(STICTION_CORES LESS 5 AND NOT STICTION_SANITIZE)
+  math(EXPR STICTION_TOGETHER "48 / ${STICTION_CORES}")
+endif()
+function(compile_together target) # compile_together(TARGET): at most STICTION_TOGETHER files at a time
   if(NOT STICTION_UNITY)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
-  set(clashing curve obstacle_3d search surface surface_kinematics surface_walk path explain_scene explain_springs)
   set(exercised law law_text step_error stepper_audit catalog explain_numbers explain_warnings)
-  list(APPEND clashing rank_factor rank_multigrid ${exercised})
-  list(JOIN clashing "|" alone)
-  list(FILTER sources INCLUDE REGEX "/(${alone}).cpp$")
-  if(sources)
-    set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  endif()
+  list(JOIN exercised "|" apart)
+  set(others ${sources})
+  list(FILTER sources INCLUDE REGEX "/(${apart}).cpp$")
+  list(FILTER others EXCLUDE REGEX "/(${apart}).cpp$")
+  set_source_files_properties(${sources} PROPERTIES UNITY_GROUP exercised)
+  list(LENGTH others count)
+  math(EXPR texts "(${count} + ${STICTION_TOGETHER} - 1) / ${STICTION_TOGETHER}") # of like size
+  set(k 0)
+  foreach(file ${others})
+    math(EXPR text "${k} * ${texts} / ${count}")
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${text})
+    math(EXPR k "${k} + 1")
+  endforeach()
 endfunction()
 
 function(prefer_what_is_optimized program) # the linker takes the first of several copies of a template
@@ -69,7 +80,7 @@ endfunction()
 
 # Test files keep local names of their own, many of them the same: each stands in a namespace of its part, after all headers.
 # Alone stay those that define what belongs to a named namespace or to C.
-function(together_in_parts name sources together) # together_in_parts(NAME "FILE..." OUT): at most 8 at a time; OUT: what to compile
+function(together_in_parts name sources together) # together_in_parts(NAME "FILE..." OUT): OUT: what to compile
   set(alone ${sources})
   if(STICTION_UNITY)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources}) # as their headers are read here
@@ -85,7 +96,7 @@ function(together_in_parts name sources together) # together_in_parts(NAME "FILE
     endforeach()
     while(shared)
       list(LENGTH alone count)
-      list(SUBLIST shared 0 8 files)
+      list(SUBLIST shared 0 ${STICTION_TOGETHER} files)
       list(REMOVE_ITEM shared ${files})
       set(unit ${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${count}.cpp)
       write_parts(${unit} "${files}")

@@ -64,7 +64,7 @@ core::Complaints Rough::check() const {
 
 namespace {
 
-using Complex = std::complex<double>;
+using Amplitude = std::complex<double>;
 
 double extent(Grid const& grid) {
   return grid.line ? grid.Lx : std::max(grid.Lx, grid.Ly);
@@ -130,7 +130,7 @@ double wave_number(Grid const& grid, Index m, Index n) { // over 2 pi
 struct Free {
   void operator()(void* data) const { fftw_free(data); }
 };
-using Waves = std::unique_ptr<Complex[], Free>;
+using Waves = std::unique_ptr<Amplitude[], Free>;
 using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, void (*)(fftw_plan)>;
 
 std::size_t wave_count(Grid const& grid) {
@@ -138,10 +138,10 @@ std::size_t wave_count(Grid const& grid) {
 }
 
 Waves no_waves(Grid const& grid) {
-  auto* data = reinterpret_cast<Complex*>(fftw_alloc_complex(wave_count(grid)));
+  auto* data = reinterpret_cast<Amplitude*>(fftw_alloc_complex(wave_count(grid)));
   if (data == nullptr)
     throw core::RunError("not enough memory for the waves of a height map");
-  std::fill_n(data, wave_count(grid), Complex{});
+  std::fill_n(data, wave_count(grid), Amplitude{});
   return Waves(data);
 }
 

@@ -17,10 +17,7 @@ namespace {
 /// Of a block of hexahedra, over the numbers of its matrix: matrix and both hierarchies; twice-passes to set
 /// up.
 constexpr double stored = 3.8, set_up_passes = 30;
-constexpr double solved_to = 1e-12;
 constexpr Index few_nodes_in_slab = 500; ///< nodes that one thread does best
-constexpr int most_for_load = 400;       ///< iterations for a load
-constexpr int most_coupled = 60;         ///< vectors of GMRES
 constexpr std::size_t remembered = 2;    ///< answers of earlier steps
 constexpr double independent = 1e-16;    ///< part of a motion's energy that has to be its own
 

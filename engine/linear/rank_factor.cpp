@@ -8,16 +8,14 @@
 #include "core/error.hpp"
 #include "linear/held_points.hpp"
 #include "linear/krylov.hpp"
+#include "linear/multigrid_factor.hpp"
 #include "linear/rank_multigrid.hpp"
 
 namespace stiction::linear {
 
 namespace {
 
-/// As of one process (multigrid_factor.cpp).
-constexpr double solved_to = 1e-12;
-constexpr int most_for_load = 400, most_coupled = 60;
-constexpr double stored = 3; ///< numbers over those of the matrix: it and both hierarchies
+constexpr double stored_by_ranks = 3; ///< numbers over those of the matrix: it and both hierarchies
 
 /// Vectors of which each rank has its own nodes' part.
 struct SharedVectors {
@@ -44,7 +42,7 @@ public:
   [[nodiscard]] Pattern const& pattern() const override { return *pattern_; }
   [[nodiscard]] Effort effort() const override {
     double const numbers = ranks_numbers_;
-    return {stored * numbers, multigrid_effort(numbers).operations};
+    return {stored_by_ranks * numbers, multigrid_effort(numbers).operations};
   }
   [[nodiscard]] double surface_numbers() const override { return 0; }
   [[nodiscard]] CoupledBulk* coupled() override { return this; }

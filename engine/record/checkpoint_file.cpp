@@ -18,13 +18,13 @@ namespace stiction::record {
 namespace {
 
 constexpr std::string_view magic = "stiction checkpoint ";
-constexpr int layout = 1; ///< of head and bytes; raised by whatever changes either
+constexpr int head_layout = 1; ///< of head and bytes; raised by whatever changes either
 
 /// Magic and layout as text, so that any version can tell them; then a line each: program, scene, size and
 /// checksum of the bytes.
 std::string head_of(CheckpointOwner const& owner, std::string_view bytes) {
-  return fmt::format("{}{}\n{}\n{}\n{} {:08x}\n", magic, layout, owner.program, owner.scene, bytes.size(),
-                     checksum(bytes));
+  return fmt::format("{}{}\n{}\n{}\n{} {:08x}\n", magic, head_layout, owner.program, owner.scene,
+                     bytes.size(), checksum(bytes));
 }
 
 /// Takes a line off the front; nothing if there is none.
@@ -53,7 +53,7 @@ FoundCheckpoint open_bytes(std::string_view text, CheckpointOwner const& owner) 
   auto const first = take_line(text);
   if (!first || !first->starts_with(magic))
     return {"", damaged};
-  if (*first != fmt::format("{}{}", magic, layout))
+  if (*first != fmt::format("{}{}", magic, head_layout))
     return {"", "was written by another version of Stiction"};
   auto const program = take_line(text), scene = take_line(text), measure = take_line(text);
   if (!measure)

@@ -19,12 +19,12 @@ namespace stiction::bind {
 
 namespace {
 
-constexpr int requests = 0, messages = 3; // descriptors
+constexpr int request_descriptor = 0;
 
 /// Text to the next such byte, which is left out; nothing at the end of the pipe or at a signal.
 std::optional<std::string> read_to(char end) {
   std::string text;
-  for (char byte = 0; ::read(requests, &byte, 1) == 1; text.push_back(byte))
+  for (char byte = 0; ::read(request_descriptor, &byte, 1) == 1; text.push_back(byte))
     if (byte == end)
       return text;
   return std::nullopt;
@@ -75,8 +75,9 @@ pid_t fork_followed(std::vector<std::string> const& words) {
 void tell_end(End const& end) {
   auto const line = fmt::format("{{\"code\": {}, \"over\": {}, \"seconds\": {}, \"memory\": {}}}\n", end.code,
                                 stop_flag().load(), end.cpu_seconds, end.peak_memory);
-  if (write(messages, line.data(), line.size()) != static_cast<ssize_t>(line.size())) // a pipe takes it whole
-    std::raise(SIGTERM); // nobody listens any more
+  if (write(message_descriptor, line.data(), line.size()) !=
+      static_cast<ssize_t>(line.size())) // a pipe takes it whole
+    std::raise(SIGTERM);                 // nobody listens any more
 }
 
 } // namespace

@@ -9,6 +9,8 @@ namespace stiction::bind {
 
 namespace {
 
+using bind::push;
+
 char const* kind_word(core::Parameter::Kind kind) {
   using enum core::Parameter::Kind;
   switch (kind) {

@@ -20,8 +20,6 @@ namespace stiction::bind {
 
 namespace {
 
-constexpr int message_descriptor = 3;
-
 /// A pipe whose ends close on exec; dup2 in the child makes the copies that stay.
 struct Pipe {
   int ends[2] = {-1, -1};

@@ -9,6 +9,8 @@
 
 namespace stiction::bind {
 
+inline constexpr int message_descriptor = 3; ///< of a child
+
 /// Of a child that has ended, by what wait4 says of it.
 struct End {
   int code = 0;           ///< exit code, or 128 + signal number

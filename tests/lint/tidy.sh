@@ -27,16 +27,12 @@ find engine lua postproc \( -name '*.hpp' -o -name '*.cpp' \) | sort | xargs awk
     [ -e "$stamps/$hash" ] || echo "$source $stamps/$hash"
   done > "$todo"
 
-clashing=$(sed -n 's/^ *set(clashing \(.*\))$/\1/p' engine/cmake/together.cmake) # names of files whose local names others have too
-batches=$(awk -v clashing=" $clashing " '{ # up to 8 of a layer; alone those
-    count_of_parts = split($1, part, "/")
-    name = part[count_of_parts]
-    sub(/\.cpp$/, "", name)
-    if (index(clashing, " " name " ")) { alone = alone $0 "\n"; next }
-    folder = part[1] "/" part[2]
-    if (folder != last || count == 8) { separator = last == "" ? "" : "\n"; count = 0 } else separator = " "
+batches=$(awk '{ # up to 24 of a layer
+    split($1, part, "/")
+    folder = part[1] == "postproc" ? part[1] : part[1] "/" part[2]
+    if (folder != last || count == 24) { separator = last == "" ? "" : "\n"; count = 0 } else separator = " "
     printf "%s%s", separator, $0
     ++count
     last = folder
-  } END { printf "\n%s", alone }' "$todo" | sed '/^$/d')
+  } END { print "" }' "$todo" | sed '/^$/d')
 echo "$batches" | xargs -r -P2 -L1 sh "$here/tidy_batch.sh" "$database"

@@ -15,9 +15,9 @@ template<int D> using Tangents = Eigen::Matrix<double, D, D - 1>;
 
 /// What a sample's forces depend on, in this order: its position, the sum of its normals, its counterpart's
 /// position and tangents at fixed local coordinates, and the first tangent's direction (3D).
-template<int D> inline constexpr int inputs = D == 2 ? 8 : 18;
-template<int D> using By = Eigen::Matrix<double, D, inputs<D>>;
-template<int D> using ByLess = Eigen::Matrix<double, D - 1, inputs<D>>;
+template<int D> inline constexpr int input_count = D == 2 ? 8 : 18;
+template<int D> using By = Eigen::Matrix<double, D, input_count<D>>;
+template<int D> using ByLess = Eigen::Matrix<double, D - 1, input_count<D>>;
 enum Input { own_position = 0, normal_sum = 1, other_position = 2, other_tangents = 3, carried = 5 };
 
 /// The unit derivative of one vector input.

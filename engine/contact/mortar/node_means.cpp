@@ -8,12 +8,12 @@ namespace stiction::contact {
 namespace {
 
 /// Cosine between the normals, and the tangents, of nodes that may share a point.
-constexpr double alike = 0.7;
+constexpr double one_way = 0.7;
 
 template<int D> bool same_side(PointKinematics<D> const& a, PointKinematics<D> const& b) {
   bool same = b.found;
   for (int c = 0; c < D - 1 && same; ++c)
-    same = a.frame.col(c).dot(b.frame.col(c)) > alike;
+    same = a.frame.col(c).dot(b.frame.col(c)) > one_way;
   return same;
 }
 

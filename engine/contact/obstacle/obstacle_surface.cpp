@@ -34,7 +34,7 @@ Mat<3> turn_above_face(Facet const& facet, FacetNow const& now, Foot const& foot
 }
 
 /// On an edge this near (in facets) the direction to the point says nothing; the facet's own normal is taken.
-constexpr double on_edge = 1e-6;
+constexpr double at_edge = 1e-6;
 
 /// In the wedge of an edge or vertex: the normal lies along d, the way from there to the point, and `side` is
 /// 1 where d points outward, else -1.
@@ -106,7 +106,7 @@ View3d view_3d(RigidSurface const& rigid, Vec3 const& x, Foot guess) {
   auto const feature = FootFeature::of(foot);
   if (feature.kind == FootFeature::face)
     return {foot.segment, n.dot(d), n, turn_above_face(facet, now, foot, n.dot(d))};
-  bool const on_it = d.squaredNorm() < on_edge * on_edge * area_vector(now.x, facet.count).norm();
+  bool const on_it = d.squaredNorm() < at_edge * at_edge * area_vector(now.x, facet.count).norm();
   return on_it ? View3d{foot.segment, n.dot(d), n}
                : look_from_wedge(facet, now, foot, d, n.dot(d) < 0 ? -1 : 1);
 }

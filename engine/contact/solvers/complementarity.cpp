@@ -12,9 +12,9 @@ namespace {
 
 constexpr double compliance = 1e-10; // of M's diagonal, about the last answer
 constexpr int proximal = 60, exchanges = 60, patience = 4;
-constexpr double zero = 1e-14;      // of what is largest
-constexpr double too_small = 1e-10; // pivot over the largest of its column
-constexpr double alike = 1e-12;     // ratios
+constexpr double zero = 1e-14;       // of what is largest
+constexpr double too_small = 1e-10;  // pivot over the largest of its column
+constexpr double same_ratio = 1e-12; // ratios
 constexpr int balancings = 4;
 
 } // namespace
@@ -155,7 +155,7 @@ public:
     Index row = -1;
     for (Index i = 0; i < n_; ++i) {
       if (!(entries[i] < least) ||
-          std::max(constant_[i], 0.0) / -entries[i] > best + alike * (best + unit(i, column)))
+          std::max(constant_[i], 0.0) / -entries[i] > best + same_ratio * (best + unit(i, column)))
         continue;
       if (basic_[ix(i)] == artificial())
         return i;
@@ -218,7 +218,7 @@ private:
         place_[ix(other_[c])] = static_cast<Index>(c);
     for (Index k = 0; k < n_; ++k) {
       double const a = perturbed(one, k, column), b = perturbed(other, k, column);
-      if (std::abs(a - b) > alike * (std::abs(a) + std::abs(b)))
+      if (std::abs(a - b) > same_ratio * (std::abs(a) + std::abs(b)))
         return a < b;
     }
     return false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int nodes_of[] = {2, 3, 3, 4, 6, 8};
 constexpr int corner_counts[] = {2, 2, 3, 4, 3, 4};
-constexpr double square[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+constexpr double square_nodes[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
 
 std::size_t row(FacetKind kind) {
   return static_cast<std::size_t>(kind);
@@ -67,7 +67,7 @@ FacetShape tri6(Vec2 const& at) {
 FacetShape quad4(Vec2 const& at) {
   FacetShape s;
   for (int k = 0; k < 4; ++k) {
-    double const x = square[k][0], y = square[k][1], u = 1 + x * at.x(), v = 1 + y * at.y();
+    double const x = square_nodes[k][0], y = square_nodes[k][1], u = 1 + x * at.x(), v = 1 + y * at.y();
     s.N[k] = 0.25 * u * v;
     s.by[0][k] = 0.25 * x * v;
     s.by[1][k] = 0.25 * y * u;
@@ -80,7 +80,7 @@ FacetShape quad4(Vec2 const& at) {
 FacetShape quad8(Vec2 const& at) {
   FacetShape s;
   for (int k = 0; k < 4; ++k) {
-    double const x = square[k][0], y = square[k][1], p = x * at.x(), q = y * at.y();
+    double const x = square_nodes[k][0], y = square_nodes[k][1], p = x * at.x(), q = y * at.y();
     s.N[k] = 0.25 * (1 + p) * (1 + q) * (p + q - 1);
     s.by[0][k] = 0.25 * x * (1 + q) * (2 * p + q);
     s.by[1][k] = 0.25 * y * (1 + p) * (2 * q + p);
@@ -89,8 +89,8 @@ FacetShape quad8(Vec2 const& at) {
     s.by2[2][k] = 0.5 * (1 + p);
   }
   for (int k = 4; k < 8; ++k) {
-    int const a = square[k][0] == 0 ? 0 : 1, b = 1 - a; // along the side and across it
-    double const y = square[k][b], hump = 1 - at[a] * at[a], v = 1 + y * at[b];
+    int const a = square_nodes[k][0] == 0 ? 0 : 1, b = 1 - a; // along the side and across it
+    double const y = square_nodes[k][b], hump = 1 - at[a] * at[a], v = 1 + y * at[b];
     s.N[k] = 0.5 * hump * v;
     s.by[ix(a)][k] = -at[a] * v;
     s.by[ix(b)][k] = 0.5 * y * hump;

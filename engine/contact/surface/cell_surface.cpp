@@ -7,15 +7,12 @@
 #include <map>
 #include <numbers>
 
+#include "contact/surface/facet.hpp"
 #include "core/error.hpp"
 
 namespace stiction::contact {
 
 namespace {
-
-constexpr double edge_angle = 40 * std::numbers::pi / 180;
-/// Cosine between the tangents' direction and a facet's normal from which on another direction is taken.
-constexpr double nearly_parallel = 0.98;
 
 void sort_unique(Indices& nodes) {
   std::sort(nodes.begin(), nodes.end());
@@ -34,10 +31,6 @@ SideKey key_of(CellFacet const& facet, int side) {
   if (facet.corners() == 2)
     return side == 0 ? SideKey{-1, facet.nodes[0]} : SideKey{facet.nodes[1], -1};
   return {facet.nodes[ix(side)], facet.nodes[ix((side + 1) % facet.corners())]};
-}
-
-std::size_t slot(int facet, int corner) {
-  return 4 * ix(facet) + ix(corner);
 }
 
 std::size_t representative(std::vector<std::size_t>& parent, std::size_t i) {

@@ -195,7 +195,7 @@ CurvePoint Curve::evaluate(Foot foot, std::span<double const> x) const {
   for (std::size_t d = 0; d < 4; ++d) {
     point.by_xi[d].setZero();
     for (int k = 0; k < segment.count; ++k)
-      point.by_xi[d] += N[d][k] * position(x, segment.nodes[ix(k)]);
+      point.by_xi[d] += N[d][k] * contact::position(x, segment.nodes[ix(k)]);
   }
   return point;
 }

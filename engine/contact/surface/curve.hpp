@@ -49,6 +49,9 @@ public:
 
   [[nodiscard]] std::vector<Segment> const& segments() const { return segments_; }
   [[nodiscard]] CurvePoint evaluate(Foot foot, std::span<double const> x) const;
+  [[nodiscard]] Vec2 position(Foot foot, std::span<double const> x) const {
+    return evaluate(foot, x).by_xi[0];
+  }
   /// Shape functions N, N', N'', N''' at xi; [4 nodes].
   [[nodiscard]] std::array<Eigen::Vector4d, 4> shape(Foot foot) const;
 

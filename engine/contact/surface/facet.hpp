@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
+#include <numbers>
 
 #include "contact/surface/foot.hpp"
 
@@ -19,6 +20,18 @@ struct Facet {
   std::array<Vec3, 4> reference{};              ///< where the nodes lie in the reference, m
   Vec3 direction = Vec3::UnitX();               ///< of the first tangent, in the reference
 };
+
+/// Where neighbours turn by more the surface has an edge, rad.
+inline constexpr double edge_angle = 40 * std::numbers::pi / 180;
+/// Cosine between the tangents' direction and a facet's normal from which on another direction is taken.
+inline constexpr double nearly_parallel = 0.98;
+/// A foot this little beyond a side with a neighbour stays where it is.
+inline constexpr double on_side = 1e-9;
+
+/// A corner of a facet as one number.
+[[nodiscard]] inline std::size_t slot(int facet, int corner) {
+  return 4 * ix(facet) + ix(corner);
+}
 
 template<class T> using Vec3Of = Eigen::Matrix<T, 3, 1>;
 

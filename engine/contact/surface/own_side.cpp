@@ -36,12 +36,6 @@ Foot foot_at(Surface const& surface, int facet, int corner) {
   return {facet, at.x(), at.y()};
 }
 
-Vec2 position(Curve const& curve, Foot foot, std::span<double const> x) {
-  return curve.evaluate(foot, x).by_xi[0];
-}
-Vec3 position(Surface const& surface, Foot foot, std::span<double const> x) {
-  return surface.position(foot, x);
-}
 Vec2 normal_at(Curve const& curve, Foot foot, std::span<double const> x) {
   Vec2 const along = curve.evaluate(foot, x).by_xi[1].normalized();
   return {along.y(), -along.x()}; // the body lies to the left
@@ -52,7 +46,7 @@ Vec3 normal_at(Surface const& surface, Foot foot, std::span<double const> x) {
 }
 template<class Primary, class Point>
 double gap_at(Primary const& primary, Point const& point, Foot foot, std::span<double const> x) {
-  return normal_at(primary, foot, x).dot(point - position(primary, foot, x));
+  return normal_at(primary, foot, x).dot(point - primary.position(foot, x));
 }
 
 /// Where a facet is nearest to a point; of a curve: its chord.
@@ -69,7 +63,7 @@ Foot nearest_on(Surface const& surface, int facet, Vec3 const& point, std::span<
 /// m
 template<class Primary, class Point>
 double distance(Primary const& primary, Point const& point, Foot foot, std::span<double const> x) {
-  return (point - position(primary, foot, x)).norm();
+  return (point - primary.position(foot, x)).norm();
 }
 
 double interpolate(Curve const& curve, Foot foot, std::vector<double> const& of_nodes) {

@@ -8,17 +8,15 @@ namespace stiction::contact {
 
 namespace {
 
-/// A foot this little beyond a side with a neighbour stays where it is.
-constexpr double on_side = 1e-9;
 /// Cosine between a facet's normal and the ray below which it does not face it.
-constexpr double facing = 0.1;
+constexpr double least_facing = 0.1;
 /// Local coordinates at which a search has left a facet.
 constexpr double left = 5;
 
 template<int D>
 bool faces(CellSurface const& surface, int facet, Vec2 const& at, Ray<D> const& ray, Positions x) {
   Vec<D> const normal = surface.normal<D>(facet, at, x);
-  return normal.dot(ray.along) > facing * normal.norm();
+  return normal.dot(ray.along) > least_facing * normal.norm();
 }
 
 /// The side to leave by: the one farthest behind, if it leads to a facet that faces the ray; borders come

@@ -23,12 +23,6 @@ double mean_size(Curve const& curve) {
 double mean_size(Surface const& surface) {
   return surface.facet_size();
 }
-Vec2 position(Curve const& curve, Foot foot, std::span<double const> x) {
-  return curve.evaluate(foot, x).by_xi[0];
-}
-Vec3 position(Surface const& surface, Foot foot, std::span<double const> x) {
-  return surface.position(foot, x);
-}
 
 } // namespace
 
@@ -84,7 +78,7 @@ Foot Search<D>::project(Index node, Vec<D> const& point, Foot guess, std::span<d
   auto const from = [&](Foot start) {
     Foot const foot = start.found() ? primary_->follow(point, start, x, overhang) : Foot{};
     bool const good = foot.found() && allows(node, point, foot, x) &&
-                      (point - position(*primary_, foot, x)).norm() <= 1.5 * radius_;
+                      (point - primary_->position(foot, x)).norm() <= 1.5 * radius_;
     return good ? foot : Foot{};
   };
   Foot const foot = from(guess);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "mesh/topology/hats.hpp"
@@ -14,13 +13,9 @@ namespace stiction::contact {
 
 namespace {
 
-constexpr double edge_angle = 40 * std::numbers::pi / 180;
-/// Cosine between the tangents' direction and a facet's normal from which on another direction is taken.
-constexpr double nearly_parallel = 0.98;
+using LinearPiece = std::vector<int>; // local nodes of one linear facet
 
-using Piece = std::vector<int>; // local nodes of one linear facet
-
-std::vector<Piece> const& pieces_of(std::size_t nodes) {
+std::vector<LinearPiece> const& pieces_of(std::size_t nodes) {
   auto const& pieces = mesh::linear_pieces(3, nodes);
   if (pieces.empty())
     throw core::InputError(fmt::format("contact surface: a facet has {} nodes; facets in space have 3, 4, 6 "
@@ -43,11 +38,6 @@ struct Groups {
   }
   void join(std::size_t i, std::size_t j) { parent[std::max(find(i), find(j))] = std::min(find(i), find(j)); }
 };
-
-/// A corner of a facet as one number.
-std::size_t slot(int facet, int k) {
-  return 4 * ix(facet) + ix(k);
-}
 
 int local_number(Facet const& facet, Index node) {
   auto const* end = facet.nodes.data() + facet.count;

@@ -10,8 +10,6 @@ namespace stiction::contact {
 
 namespace {
 
-/// A foot this little beyond a side with a neighbour stays where it is.
-constexpr double on_side = 1e-9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Exit {
@@ -19,9 +17,9 @@ struct Exit {
   double part = 1; ///< of the step, up to the side
 };
 
-class Walk {
+class FacetWalk {
 public:
-  Walk(Surface const& surface, Vec3 const& point, std::span<double const> x, Overhang overhang)
+  FacetWalk(Surface const& surface, Vec3 const& point, std::span<double const> x, Overhang overhang)
       : surface_(&surface), point_(point), x_(x), overhang_(reaches(overhang)) {}
 
   Foot from(Foot const& start) {
@@ -284,7 +282,7 @@ Foot Surface::nearest_start(Vec3 const& point, std::span<double const> x) const 
 }
 
 Foot Surface::follow(Vec3 const& point, Foot start, std::span<double const> x, Overhang overhang) const {
-  return Walk(*this, point, x, overhang).from(start);
+  return FacetWalk(*this, point, x, overhang).from(start);
 }
 
 Foot Surface::project(Vec3 const& point, Foot guess, std::span<double const> x,

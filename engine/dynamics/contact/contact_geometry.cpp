@@ -11,7 +11,7 @@ using contact::Local;
 using contact::PointKinematics;
 
 namespace {
-constexpr double rounding = 1e-12; ///< of rows, whose entries are about 1
+constexpr double rounding_of_rows = 1e-12; ///< of rows, whose entries are about 1
 }
 
 template<int D>
@@ -151,7 +151,7 @@ void ContactGeometry<D>::change(PointId point, PointKinematics<D> const& now, Ad
     Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
     auto rows = motion_rows(*surface, now, start, positions());
     rows.by_x.leftCols(now.unknowns()) -= now.H;
-    if (rows.by_x.cwiseAbs().maxCoeff() > rounding)
+    if (rows.by_x.cwiseAbs().maxCoeff() > rounding_of_rows)
       add(rows.nodes, rows.by_x);
   }
 }

@@ -11,7 +11,7 @@ namespace stiction::dynamics {
 
 namespace {
 
-constexpr double rounding = 1e-12, stalled = 1e-10; // of forces; the latter where no more falls
+constexpr double rounding_of_forces = 1e-12, stalled = 1e-10; // of forces; the latter where no more falls
 constexpr double small = 1e-4; // correction, over a cell's size, along which forces are linear
 
 std::vector<bool> nodes_of(std::vector<Motion> const& motions, Index count) {
@@ -106,7 +106,7 @@ Outcome Stepper::follow(Stepper& lead, State const& old, double dt, Following co
     first = std::max(first, forces);
     bool const stalls =
         outcome.iterations >= settled && worst > 0.5 * before && worst <= stalled * force_scale_;
-    double const enough = std::max(how.share * first, rounding * force_scale_ + rounded());
+    double const enough = std::max(how.share * first, rounding_of_forces * force_scale_ + rounded());
     if (stalls || (outcome.iterations > 0 && worst <= enough))
       break;
     before = worst;

@@ -24,11 +24,6 @@ BodyFacts const& body_of(Facts const& all, std::string const& set) {
   return all.bodies[b];
 }
 
-void add(Section& section, std::string name, std::string words) {
-  section.lines.push_back(
-      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
-}
-
 void describe(Facts const&, TractionPart const& part, Section& section) {
   add(section, part.set, "dead traction");
 }

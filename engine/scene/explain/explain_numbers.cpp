@@ -13,7 +13,7 @@ void add(Section& section, std::string name, double value, std::string meaning, 
     section.lines.push_back({std::move(name), human(value, unit), value, unit, std::move(meaning)});
 }
 
-void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation) {
+void add_body_numbers(Facts const& all, BodyFacts const& facts, Explanation& explanation) {
   Section section{"Numbers of body " + facts.body->name, {}};
   double const shear = facts.shear_speed(), transit = facts.extent() / shear;
   add(section, "c_s", shear, "shear wave speed sqrt(G / density)", "m/s");
@@ -86,7 +86,7 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
         "above 0.25 the peak is cut off");
 }
 
-void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation) {
+void add_pair_numbers(Facts const& all, PairFacts const& facts, Explanation& explanation) {
   Section section{"Numbers of pair " + facts.pair->name, {}};
   auto const& motion = facts.motion;
   add(section, "E*", facts.modulus, "1 / sum of (1 - nu^2) / E", "Pa");
@@ -121,9 +121,9 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
 
 void describe_numbers(Facts const& facts, Explanation& explanation) {
   for (auto const& body : facts.bodies)
-    add_body(facts, body, explanation);
+    add_body_numbers(facts, body, explanation);
   for (auto const& pair : facts.pairs)
-    add_pair(facts, pair, explanation);
+    add_pair_numbers(facts, pair, explanation);
 }
 
 } // namespace stiction::scene

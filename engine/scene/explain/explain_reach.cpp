@@ -12,7 +12,7 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr double alike = 1e-6; // of the extent
+constexpr double same_place = 1e-6; // of the extent
 
 /// Is the bound of what strain changes measured for this law? Of others it is not known: with Blatz-Ko, Ogden
 /// and steep Yeoh laws, and below Poisson's ratio 0, it was broken by up to 2.4 times.
@@ -85,10 +85,10 @@ std::optional<bool> base_sticks(dynamics::Model const& model, double base, doubl
   std::array<std::size_t, 2> held{}, wanted{};
   auto const& nodes = model.reference;
   for (Index i = 0; i < model.node_count(); ++i)
-    wanted[0] += std::abs(nodes(i, 1) - base) < alike * extent ? 1 : 0;
+    wanted[0] += std::abs(nodes(i, 1) - base) < same_place * extent ? 1 : 0;
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes) {
-      bool const at_base = std::abs(nodes(node, 1) - base) < alike * extent;
+      bool const at_base = std::abs(nodes(node, 1) - base) < same_place * extent;
       if (!at_base && (motion.component != 0 || nodes(node, 0) != 0))
         return {};
       held[ix(motion.component)] += at_base ? 1 : 0;
@@ -105,9 +105,9 @@ bool is_block(Facts const& all, PairFacts const& pair) {
   auto const& nodes = all.scene->model->reference;
   double const L = body.sides.x(), h = body.sides.y();
   double const full = std::numbers::pi * L * L * h * body.body->density;
-  bool const to_the_rim = std::ranges::any_of(pair.pair->secondary,
-                                              [&](Index node) { return nodes(node, 0) >= (1 - alike) * L; });
-  return pair.secondary_fit.kind == ShapeFit::flat && std::abs(pair.normal.y()) > 1 - alike &&
+  bool const to_the_rim = std::ranges::any_of(
+      pair.pair->secondary, [&](Index node) { return nodes(node, 0) >= (1 - same_place) * L; });
+  return pair.secondary_fit.kind == ShapeFit::flat && std::abs(pair.normal.y()) > 1 - same_place &&
          nodes.col(0).minCoeff() == 0 && std::abs(body.mass - full) < 1e-3 * full && to_the_rim;
 }
 

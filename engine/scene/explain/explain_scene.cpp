@@ -9,10 +9,6 @@ namespace stiction::scene {
 
 namespace {
 
-void add(Section& section, std::string name, std::string words) {
-  section.lines.push_back(
-      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
-}
 void add(Section& section, std::string name, std::string words, double value) {
   section.lines.push_back({std::move(name), std::move(words), value, "1", ""});
 }

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::size_t many = 400; ///< nodes in a mean, whose matrix is a full one of that size
 
-void add(Section& section, std::string name, std::string words) {
-  section.lines.push_back(
-      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
-}
-
 /// Mass of the body or free obstacle that the node is of, kg.
 double mass_at(Facts const& all, Index node) {
   for (auto const& rigid : all.scene->model->rigids)

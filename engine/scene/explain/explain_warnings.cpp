@@ -28,8 +28,8 @@ constexpr double part_of_cell = 0.5;                      // approach in a step
 constexpr double coarse = 1.5;                            // over the primary's facets
 constexpr double locking = 0.45;                          // Poisson's ratio
 constexpr double small_strain = 0.05;
-constexpr double softened = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
-constexpr double fast = 0.1;      // over the shear wave speed
+constexpr double softened_to = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
+constexpr double fast = 0.1;         // over the shear wave speed
 constexpr double small_change = 0.02, many_periods = 25;
 
 using Warnings = std::vector<Warning>;
@@ -148,7 +148,7 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
                        body.name, percent(strain), name),
            law});
     double const kept = small ? 1 : kept_stiffness(body.material, strain);
-    if (kept < softened)
+    if (kept < softened_to)
       warnings.push_back(
           {fmt::format("body {} will be compressed by about {}, where {} keeps {} of its stiffness{}",
                        body.name, percent(strain), name, percent(std::max(0.0, kept)), spent(body.material)),

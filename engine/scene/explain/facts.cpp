@@ -83,6 +83,11 @@ double fastest(dynamics::Model const& model) {
 
 } // namespace
 
+void add(Section& section, std::string name, std::string words) {
+  section.lines.push_back(
+      {std::move(name), std::move(words), std::numeric_limits<double>::quiet_NaN(), "", ""});
+}
+
 Facts facts_of(Scene const& scene, dynamics::State const& start) {
   Facts facts;
   facts.scene = &scene;

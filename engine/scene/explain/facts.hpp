@@ -92,6 +92,8 @@ struct Facts {
 [[nodiscard]] Facts facts_of(Scene const& scene, dynamics::State const& start);
 [[nodiscard]] PairFacts pair_facts(Facts const& facts, std::size_t pair, dynamics::State const& start);
 
+/// A line of words alone.
+void add(Section& section, std::string name, std::string words);
 /// explain_scene.cpp: what the scene models.
 void describe_scene(Facts const& facts, Explanation& explanation);
 /// explain_loads.cpp: loads, one by one.

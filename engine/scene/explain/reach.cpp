@@ -9,7 +9,7 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What the end of a long bar is stiffer than bar and half space in series, over P / (pi E* L): 2.04 to 2.29
 /// for Poisson's ratios from 0 to 0.5, measured with linear elasticity and a small contact.

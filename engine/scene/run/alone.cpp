@@ -13,7 +13,7 @@ namespace {
 constexpr double enough = 0.2; // s for each, or `most` repetitions, at least `fewest`
 constexpr int most = 1000, fewest = 3;
 
-template<class Work> double least(Work const& work) {
+template<class Work> double least_of(Work const& work) {
   double best = std::numeric_limits<double>::infinity(), spent = 0;
   for (int k = 0; k < most && (k < fewest || spent < enough); ++k) {
     double const seconds = work();
@@ -41,9 +41,9 @@ std::map<std::string, double> alone(dynamics::Stepper& stepper, dynamics::Model 
   Vector force;
   std::map<std::string, double> found;
   found["force_pass"] =
-      least([&] { return timed([&] { static_cast<void>(bulk.internal_force(state.u, force)); }); });
+      least_of([&] { return timed([&] { static_cast<void>(bulk.internal_force(state.u, force)); }); });
   double stiffness = std::numeric_limits<double>::infinity();
-  found["factorization"] = least([&] {
+  found["factorization"] = least_of([&] {
     dynamics::Cost cost;
     static_cast<void>(bulk.factorize(state.u, weights, dt, cost));
     stiffness = std::min(stiffness, cost.assembly);
@@ -51,7 +51,7 @@ std::map<std::string, double> alone(dynamics::Stepper& stepper, dynamics::Model 
   });
   found["stiffness_pass"] = stiffness;
   Vector b = Vector::Ones(bulk.unknowns());
-  found["solve"] = least([&] { return timed([&] { bulk.factor().solve(b); }); });
+  found["solve"] = least_of([&] { return timed([&] { bulk.factor().solve(b); }); });
   return found;
 }
 
