@@ -30,18 +30,20 @@ char const* name_of(Cut cut) {
   return names[static_cast<std::size_t>(cut)];
 }
 
-Pace::Pace(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model)
-    : accuracy_(accuracy), history_(bulk, model), rungs_(weights(model.scheme).inertia) {
-  decides_ = rungs_ || accuracy.events > 0 ||
-             std::ranges::any_of(model.pairs, [](Pair const& pair) { return pair.law.adhesion.has_value(); });
+Pace<History> pace_of(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model) {
+  bool const inertia = weights(model.scheme).inertia;
+  auto const bonded = [](Pair const& pair) { return pair.law.adhesion.has_value(); };
+  return {History(bulk, model),
+          StepSizes(accuracy, inertia ? StepSizes::Kind::rungs : StepSizes::Kind::any,
+                    inertia || accuracy.events > 0 || std::ranges::any_of(model.pairs, bonded))};
 }
 
 /// The largest step that is not above dt: dt itself, or a rung.
-double Pace::rung(double dt) const {
+double StepSizes::rung(double dt) const {
   return rungs_ ? base_ * std::exp2(std::floor(std::log2(dt / base_ * (1 + rounding)))) : dt;
 }
 
-void Pace::begin(double nominal, int halvings) {
+void StepSizes::begin(double nominal, int halvings) {
   largest_ = accuracy_.largest > 0 ? accuracy_.largest : 10 * nominal;
   smallest_ = accuracy_.smallest > 0 ? accuracy_.smallest : std::ldexp(nominal, -halvings);
   base_ = nominal;
@@ -55,27 +57,24 @@ void Pace::begin(double nominal, int halvings) {
   wanted_ = std::clamp(rung(wanted_), smallest_, largest_);
 }
 
-bool Pace::at_smallest(double dt) const {
+bool StepSizes::at_smallest(double dt) const {
   return dt <= smallest_ * (1 + rounding);
 }
 
-double Pace::slack() const {
+double StepSizes::slack() const {
   return sliver * smallest_;
 }
 
-bool Pace::arrives(double dt, double left) const {
+bool StepSizes::arrives(double dt, double left) const {
   return left - dt <= slack();
 }
 
-double Pace::next(State const& old, double left) {
+double StepSizes::next(std::optional<Event> const& expected, double left) {
   double const dt = std::min(wanted_, once_);
   aim_.clear();
-  if (accuracy_.events > 0 && !retry_) {
-    auto const event = history_.next_event(old);
-    if (event && event->after > accuracy_.events && event->after < std::min(dt, left)) {
-      aim_ = words(*event, "is expected to be next: it ");
-      return std::max(rungs_ ? rung(event->after) : event->after - 0.5 * accuracy_.events, smallest_);
-    }
+  if (expected && expected->after > accuracy_.events && expected->after < std::min(dt, left)) {
+    aim_ = words(*expected, "is expected to be next: it ");
+    return std::max(rungs_ ? rung(expected->after) : expected->after - 0.5 * accuracy_.events, smallest_);
   }
   if (rungs_)
     return dt < left ? dt : rung(left + slack());
@@ -84,34 +83,30 @@ double Pace::next(State const& old, double left) {
   return left < 2 * dt ? 0.5 * left : dt; // no sliver is left over
 }
 
-Decision Pace::decide(State const& old, Outcome& outcome, double dt) {
+Decision StepSizes::failed(std::string reason, double dt) {
   Decision decision;
-  if (!outcome.converged()) {
-    decision.cut = Cut::not_converged;
-    decision.reason = outcome.reason;
-    decision.failed = at_smallest(dt);
-    shorten(dt, 0.5);
-    patience_ = patience;
-    return decision;
-  }
-  decision.error = history_.error(old, outcome.state);
-  look_for_cut(old, outcome.state, decision);
+  decision.cut = Cut::not_converged;
+  decision.reason = std::move(reason);
+  decision.failed = at_smallest(dt);
+  shorten(dt, 0.5);
+  patience_ = patience;
+  return decision;
+}
+
+Decision StepSizes::judge(StepError const& error, std::optional<Event> const& unlocated, double dt) {
+  Decision decision;
+  decision.error = error;
+  look_for_cut(unlocated, dt, decision);
   if (!decision.accepted() && at_smallest(dt)) {
     decision.cut = Cut::none;
     decision.at_floor = true;
   }
-  if (!decision.accepted())
-    return decision;
-  State advanced = outcome.state;
-  history_.advance_bonds(old, advanced);
-  history_.accept(old, outcome.state, accuracy_.events);
-  outcome.state = std::move(advanced);
-  grow(decision, dt);
+  if (decision.accepted())
+    grow(decision, dt);
   return decision;
 }
 
-void Pace::look_for_cut(State const& old, State const& next, Decision& decision) {
-  double const dt = next.t - old.t;
+void StepSizes::look_for_cut(std::optional<Event> const& unlocated, double dt, Decision& decision) {
   auto const& error = decision.error;
   double const part = error.largest() / accuracy_.tolerance,
                change = error.beta_change / accuracy_.beta_change;
@@ -124,25 +119,22 @@ void Pace::look_for_cut(State const& old, State const& next, Decision& decision)
     decision.cut = Cut::error;
     decision.reason = fmt::format("{}, more than {:g}", told(error), accuracy_.tolerance);
     shorten(dt, safety / std::sqrt(part));
-  } else if (accuracy_.events > 0) {
-    auto const event = history_.unlocated(old, next, accuracy_.events);
-    if (!event)
-      return;
+  } else if (unlocated) {
     decision.cut = Cut::event;
-    decision.reason = words(*event, "") + " somewhere within";
+    decision.reason = words(*unlocated, "") + " somewhere within";
     // the rates of old tell when, once; where they are wrong, halves of halves do
-    once_ = std::max(retry_ ? 0.5 * dt : event->after - 0.5 * accuracy_.events, deepest * dt);
+    once_ = std::max(retry_ ? 0.5 * dt : unlocated->after - 0.5 * accuracy_.events, deepest * dt);
     once_ = std::max(rung(once_), smallest_);
     retry_ = true;
   }
 }
 
-std::string Pace::told(StepError const& error) const {
+std::string StepSizes::told(StepError const& error) const {
   return fmt::format("the local error of {} is {:.2e}", error.bond > error.displacement ? "beta" : "u",
                      error.largest());
 }
 
-void Pace::shorten(double dt, double factor) {
+void StepSizes::shorten(double dt, double factor) {
   wanted_ = std::max(rung(dt * std::clamp(factor, deepest, safety)), smallest_);
   retry_ = true;
 }
@@ -151,7 +143,7 @@ void Pace::shorten(double dt, double factor) {
 /// dt^2. Small changes are left out: they would cost a factorization each. (An integral term beside such a
 /// dead band holds the error at a tenth of the tolerance.) A step that was shorter than wanted may lengthen
 /// the wanted one only.
-void Pace::grow(Decision& decision, double dt) {
+void StepSizes::grow(Decision& decision, double dt) {
   double const least = 1e-4, u = std::max(decision.error.displacement / accuracy_.tolerance, least),
                bond = std::max(decision.error.bond / accuracy_.tolerance, least);
   double factor = safety * std::min(1 / std::cbrt(u), 1 / std::sqrt(bond));

@@ -1,10 +1,11 @@
 // How long the next step is: the controller of a run whose steps follow from their error.
 #pragma once
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "dynamics/adaptivity/accuracy.hpp"
 #include "dynamics/adaptivity/step_error.hpp"
-#include "dynamics/step/stepper.hpp"
 
 namespace stiction::dynamics {
 
@@ -27,32 +28,36 @@ struct Decision {
 ///
 /// With inertia every step size wants a factor of its own. Sizes are then rungs, the stage's step times a
 /// power of two, and the stage's moments are met by rungs: a size comes back, and its kept factor serves.
-class Pace {
+class StepSizes {
 public:
-  Pace(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model);
+  enum class Kind { any, rungs };
+  /// decides: has anything an error, or an event to be located?
+  StepSizes(Accuracy const& accuracy, Kind kind, bool decides)
+      : accuracy_(accuracy), decides_(decides), rungs_(kind == Kind::rungs) {}
 
   /// A stage begins whose own step is `nominal` and may be halved so often.
   void begin(double nominal, int halvings);
-  /// The size of the next attempt from `old`, when `left` remains to a moment that must be met. s
-  [[nodiscard]] double next(State const& old, double left);
   /// Does a step of that size end at the moment?
   [[nodiscard]] bool arrives(double dt, double left) const;
   /// The event that the last size asked for aims at; empty if none.
   [[nodiscard]] std::string const& aim() const { return aim_; }
-  /// Judges an attempt of that size; an accepted one becomes part of the history, and its bonds are advanced.
-  [[nodiscard]] Decision decide(State const& old, Outcome& outcome, double dt);
-  /// Has anything an error, or an event to be located?
+  /// Of an attempt of that size that has no answer.
+  [[nodiscard]] Decision failed(std::string reason, double dt);
   [[nodiscard]] bool decides() const { return decides_; }
   [[nodiscard]] double wanted() const { return wanted_; } ///< size without aim at moments or events, s
   /// Hands over all that stages and steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [accuracy, history, decides, rungs, wanted, smallest, largest, base, once, retry, patience, aim] =
-        *this;
-    archive(history, wanted, smallest, largest, base, once, retry, patience, aim);
+    archive(wanted_, smallest_, largest_, base_, once_, retry_, patience_, aim_);
   }
 
+protected:
+  [[nodiscard]] double next(std::optional<Event> const& expected, double left);
+  [[nodiscard]] Decision judge(StepError const& error, std::optional<Event> const& unlocated, double dt);
+  [[nodiscard]] bool aims() const { return accuracy_.events > 0 && !retry_; }
+  [[nodiscard]] double within() const { return accuracy_.events; } ///< s; 0: events are not located
+
 private:
-  void look_for_cut(State const& old, State const& next, Decision& decision);
+  void look_for_cut(std::optional<Event> const& unlocated, double dt, Decision& decision);
   void shorten(double dt, double factor);
   void grow(Decision& decision, double dt);
   [[nodiscard]] bool at_smallest(double dt) const;
@@ -61,8 +66,7 @@ private:
   [[nodiscard]] std::string told(StepError const& error) const;
 
   Accuracy accuracy_;
-  History history_;
-  bool decides_ = false;
+  bool decides_;
   bool rungs_;                                            ///< are sizes held to rungs?
   double wanted_ = 0, smallest_ = 0, largest_ = 0;        ///< s
   double base_ = 0;                                       ///< a stage's step, s
@@ -71,5 +75,41 @@ private:
   int patience_ = 0;                                      ///< steps to go before a longer one is tried again
   std::string aim_;
 };
+
+/// Step sizes of states whose errors and events a history tells.
+template<class History> class Pace : public StepSizes {
+public:
+  using State = typename History::State;
+  Pace(History history, StepSizes sizes) : StepSizes(std::move(sizes)), history_(std::move(history)) {}
+
+  /// The size of the next attempt from `old`, when `left` remains to a moment that must be met. s
+  [[nodiscard]] double next(State const& old, double left) {
+    return StepSizes::next(aims() ? history_.next_event(old) : std::nullopt, left);
+  }
+  /// Judges a converged attempt of that size; an accepted one becomes part of the history, and its bonds are
+  /// advanced.
+  [[nodiscard]] Decision decide(State const& old, State& next, double dt) {
+    auto decision = judge(history_.error(old, next),
+                          within() > 0 ? history_.unlocated(old, next, within()) : std::nullopt, dt);
+    if (!decision.accepted())
+      return decision;
+    State advanced = next;
+    history_.advance_bonds(old, advanced);
+    history_.accept(old, next, within());
+    next = std::move(advanced);
+    return decision;
+  }
+  /// Hands over all that stages and steps change, to be written or read.
+  template<class Archive> void visit(Archive& archive) {
+    archive(history_);
+    StepSizes::visit(archive);
+  }
+
+private:
+  History history_;
+};
+
+/// Of bodies.
+[[nodiscard]] Pace<History> pace_of(Accuracy const& accuracy, BulkSystem const& bulk, Model const& model);
 
 } // namespace stiction::dynamics

@@ -186,8 +186,6 @@ void Builder::check_half_space_scheme() {
   refuse({"control"}, given({"control"}),
          "is of bodies with cells; the tolerance of stiction.solver.newton is all that a half space has: "
          "leave it out");
-  refuse({"schedule", "accuracy"}, part.schedule.accuracy.has_value(),
-         "does not choose the steps of half spaces yet; give stages their steps");
   refuse({"output", "problems_every"}, part.output.problems_every > 0,
          "wants contact problems as matrices, which a half space has not; leave it out");
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "halfspace/points.hpp"
 #include "scene/probes/formula_probes.hpp"
 #include "scene/probes/point_quantities.hpp"
 
@@ -12,19 +13,6 @@ namespace stiction::scene {
 
 using GridModel = halfspace::Model;
 using GridState = halfspace::State;
-
-dynamics::ContactState contact_state(GridModel const& model, GridState const& state, Index point) {
-  dynamics::ContactState at;
-  int const D = model.components();
-  at.gap = state.gap[point];
-  at.area = model.grid.area();
-  at.dry.head(D) = state.dry.segment(D * point, D) / at.area;
-  at.adhesion.head(D) = state.force.segment(D * point, D) / at.area - at.dry.head(D);
-  at.path.head(D - 1) = state.path.segment((D - 1) * point, D - 1);
-  at.bond = state.bond_of(point);
-  at.status = state.status_of(point);
-  return at;
-}
 
 contact::Vec3 total_force(GridModel const& model, GridState const& state) {
   int const D = model.components();
@@ -91,7 +79,7 @@ HalfSpaceSampler add_of(PointProbe const& probe, GridContext const& context) {
   add_quantities(context, 1);
   return [point, &model = context.model, chosen = quantities(context.dim())](GridState const& state,
                                                                              std::vector<double>& row) {
-    auto const at = contact_state(model, state, point);
+    auto const at = halfspace::contact_state(model, state, point);
     for (auto const& quantity : chosen)
       row.push_back(quantity.value(at));
   };
@@ -111,7 +99,7 @@ HalfSpaceSampler add_of(LineProbe const&, GridContext const& context) {
     row.push_back(n);
     for (auto const& quantity : chosen)
       for (Index i = 0; i < n; ++i)
-        row.push_back(quantity.value(contact_state(model, state, i)));
+        row.push_back(quantity.value(halfspace::contact_state(model, state, i)));
   };
 }
 
@@ -138,7 +126,7 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
     Index const n = model.grid.size();
     double const mean = dry_sum(model, state) / (n * model.grid.area());
     for (Index i = 0; i < n; ++i) {
-      auto const at = contact_state(model, state, i);
+      auto const at = halfspace::contact_state(model, state, i);
       counts[static_cast<int>(at.status)] += 1;
       beta_max = std::max(beta_max, at.bond.beta);
       beta_sum += at.bond.beta;

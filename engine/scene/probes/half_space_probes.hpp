@@ -15,10 +15,6 @@ using HalfSpaceSampler = std::function<void(halfspace::State const&, std::vector
 /// Declares what the probes of any scene record.
 void add_columns(Scene const& scene, Columns const& columns);
 
-/// A point as others are recorded.
-[[nodiscard]] dynamics::ContactState contact_state(halfspace::Model const& model,
-                                                   halfspace::State const& state, Index point);
-
 /// Force on the half space along (n, x, y), N.
 [[nodiscard]] contact::Vec3 total_force(halfspace::Model const& model, halfspace::State const& state);
 

@@ -338,6 +338,11 @@ void add_step_columns(Scene const& scene, record::Series& series) {
   series.add("step", "events", "1", "points that touch or separate, betas that reach or leave an end");
 }
 
+void add_step_error(dynamics::StepError const& error, std::vector<double>& row) {
+  row.insert(row.end(),
+             {error.displacement, error.bond, error.beta_change, static_cast<double>(error.events)});
+}
+
 Columns columns_of(record::Series& series) {
   return {
       [&](auto const& group, auto const& column, auto const& unit, auto const& meaning, int width) {

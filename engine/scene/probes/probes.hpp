@@ -12,6 +12,8 @@ using Sampler = std::function<void(dynamics::State const&, std::vector<double>&)
 
 /// Adds the columns "step/..." that every run has.
 void add_step_columns(Scene const& scene, record::Series& series);
+/// The last of them, of a run that chooses its steps.
+void add_step_error(dynamics::StepError const& error, std::vector<double>& row);
 
 /// Where probes declare what they record.
 struct Columns {

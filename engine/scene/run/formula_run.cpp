@@ -12,6 +12,7 @@
 #include "record/manifest.hpp"
 #include "record/step_log.hpp"
 #include "scene/probes/formula_probes.hpp"
+#include "scene/probes/probes.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/resources.hpp"
 
@@ -53,6 +54,9 @@ public:
                         {"work", operations * evaluations},
                         {"cpu_seconds", cpu_seconds()},
                         {"peak_memory", peak_memory()}};
+    if (scene_.part.schedule.accuracy)
+      result_.remarks.emplace_back(
+          "a formula is exact at any step: `accuracy` chooses none, the stages' are taken");
     return result_;
   }
 
@@ -89,6 +93,8 @@ private:
     move_along(now);
     dynamics::Timer const timer(output_);
     row_.assign({dt, 0});
+    if (scene_.part.schedule.accuracy)
+      add_step_error({}, row_); // of a step there is none
     for (auto const& sampler : samplers_)
       sampler(now, row_);
     series_.append(t, row_);

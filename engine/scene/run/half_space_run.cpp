@@ -8,12 +8,14 @@
 
 #include "dynamics/bulk/timer.hpp"
 #include "dynamics/step/visit.hpp"
+#include "halfspace/points.hpp"
 #include "halfspace/stepper.hpp"
 #include "record/fields.hpp"
 #include "record/file.hpp"
 #include "record/step_log.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
+#include "scene/run/changes.hpp"
 #include "scene/run/halves.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/patience.hpp"
@@ -64,7 +66,8 @@ struct HalfSpaceMark {
   record::SeriesMark series;
   record::FieldMark fields;
   std::uintmax_t steps = 0;
-  template<class Archive> void visit(Archive& archive) { archive(series, fields, steps); }
+  ChangeCounts changes;
+  template<class Archive> void visit(Archive& archive) { archive(series, fields, steps, changes); }
 };
 
 class HalfSpaceRun {
@@ -78,6 +81,8 @@ public:
                   {[this] { return operations(); }, [this] { return stepper_.surface().operations(); }}),
         halves_(scene.part.schedule.halvings), state_(stepper_.initial()) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
+    if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
+      pace_.emplace(halfspace::pace_of(*accuracy, model_));
     if (!story.under_way) {
       begin_files(nullptr);
       return;
@@ -125,6 +130,9 @@ public:
         {"surface_bytes", 8 * static_cast<double>(stepper_.surface().memory())},
         {"cpu_seconds", cpu_before_ + cpu_seconds()},
         {"peak_memory", peak_memory()}};
+    result_.counters.insert(changes_.begin(), changes_.end());
+    if (pace_ && !pace_->decides())
+      result_.remarks.emplace_back(no_error_seen);
     return result_;
   }
   [[nodiscard]] double time() const { return state_.t; }
@@ -138,9 +146,10 @@ private:
                                                : record::StepLog::Rows::eventful);
     fields_.emplace(options_.out, from != nullptr ? from->fields : record::FieldMark{});
     record::SeriesData before;
-    if (from != nullptr)
+    if (from != nullptr) {
       before = series_in(options_.out);
-    else
+      changes_ = from->changes;
+    } else
       remove_problems(options_.out / "problems");
     series_.emplace(options_.out / "series.h5");
     add_step_columns(scene_, *series_);
@@ -152,15 +161,20 @@ private:
   /// On from its place, which is its start unless it was begun.
   bool run_stage(StagePart const& stage, double start) {
     double const nominal = (stage.until - start) / stage.steps;
-    if (step_ == 0 && halves_.done() == 0)
+    if (!std::exchange(begun_, true)) {
       patience_.begin(nominal);
+      if (pace_)
+        pace_->begin(nominal, scene_.part.schedule.halvings);
+    }
     int const frames = scene_.part.output.frames;
     for (; step_ < stage.steps; ++step_) {
       double const from = start + step_ * nominal,
                    to = step_ + 1 == stage.steps ? stage.until : from + nominal;
-      bool const done = run_interval(from, to, nominal);
       bool const framed = static_cast<long>(step_ + 1) * frames / stage.steps >
                           static_cast<long>(step_) * frames / stage.steps;
+      if (pace_ && !framed && step_ + 1 < stage.steps)
+        continue;
+      bool const done = pace_ ? run_controlled(to) : run_interval(from, to, nominal);
       if (frames > 0 && (framed || !done)) {
         dynamics::Timer const timer(output_);
         fields_->write(frame_of(model_, state_));
@@ -169,16 +183,48 @@ private:
         return false;
     }
     step_ = 0;
+    begun_ = false;
+    return true;
+  }
+
+  /// Before an attempt: is it to be made?
+  bool goes_on() {
+    settled_ = stepper_.cost();
+    if (checkpoint_.due())
+      keep();
+    return !stopped();
+  }
+
+  /// On to a time that must be met, in steps that follow from their error.
+  bool run_controlled(double to) {
+    while (state_.t < to) {
+      if (!goes_on())
+        return false;
+      double const left = to - state_.t, dt = pace_->next(state_, left);
+      auto outcome = attempt(dt);
+      if (!outcome.converged && stopped())
+        return false;
+      auto const decision =
+          outcome.converged ? pace_->decide(state_, outcome.state, dt) : pace_->failed(outcome.reason, dt);
+      result_.cuts += decision.accepted() ? 0 : 1;
+      for (auto const& one : changes(*pace_, decision, state_.t, dt))
+        change(one);
+      auto const lost = outcome.converged ? "" : patience_.lost();
+      if (decision.failed || !lost.empty())
+        return give_up(outcome, dt, lost);
+      if (!decision.accepted())
+        continue;
+      if (pace_->arrives(dt, left))
+        outcome.state.t = to;
+      accept(std::move(outcome), dt, decision.error);
+    }
     return true;
   }
 
   /// One nominal step, in halves where it fails.
   bool run_interval(double from, double to, double nominal) {
     while (!halves_.all_done()) {
-      settled_ = stepper_.cost();
-      if (checkpoint_.due())
-        keep();
-      if (stopped())
+      if (!goes_on())
         return false;
       double const dt = nominal * halves_.part();
       auto outcome = attempt(dt);
@@ -191,7 +237,7 @@ private:
       outcome.state.t = halves_.all_done() ? to : from + (to - from) * halves_.done();
       accept(std::move(outcome), dt);
       if (grown)
-        log_->add({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
+        change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
     }
     halves_.begin();
     return true;
@@ -205,10 +251,18 @@ private:
 
   bool halve(halfspace::Outcome const& outcome, double dt) {
     ++result_.cuts;
-    log_->add({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, ""});
+    change({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, ""});
     auto const lost = patience_.lost();
-    if (halves_.cut() && lost.empty())
-      return true;
+    return (halves_.cut() && lost.empty()) || give_up(outcome, dt, lost);
+  }
+
+  void change(record::StepChange const& one) {
+    log_->add(one);
+    count(one, changes_);
+  }
+
+  /// Always false. lost: which limit has been passed, if one has.
+  bool give_up(halfspace::Outcome const& outcome, double dt, std::string const& lost) {
     result_.verdict = "not converged";
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
@@ -217,18 +271,20 @@ private:
     return false;
   }
 
-  void accept(halfspace::Outcome outcome, double dt) {
+  void accept(halfspace::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
     log_->add({state_.t, dt, dt, "step", "", "", ""});
     dynamics::Timer const timer(output_);
-    record(dt, outcome.iterations);
+    record(dt, outcome.iterations, error);
     report(dt, outcome.iterations);
   }
 
-  void record(double dt, long iterations) {
+  void record(double dt, long iterations, dynamics::StepError const& error = {}) {
     row_.assign({dt, static_cast<double>(iterations)});
+    if (pace_)
+      add_step_error(error, row_);
     for (auto const& sampler : samplers_)
       sampler(state_, row_);
     series_->append(state_.t, row_);
@@ -274,7 +330,7 @@ private:
   bool keep() {
     if (!checkpoint_.wanted())
       return false;
-    HalfSpaceMark mark{series_->mark(), fields_->mark(), log_->mark()};
+    HalfSpaceMark mark{series_->mark(), fields_->mark(), log_->mark(), changes_};
     auto story = story_;
     story.under_way = true;
     return checkpoint_.keep(story, [&](auto& archive) {
@@ -285,8 +341,10 @@ private:
 
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, stage_, step_, halves_, patience_, result_.steps, result_.cuts, spent, cpu,
-            output_, contact_);
+    archive(state_, settled_, stage_, step_, begun_, halves_, patience_, result_.steps, result_.cuts, spent,
+            cpu, output_, contact_);
+    if (pace_)
+      archive(*pace_);
     if constexpr (Archive::reads) {
       stepper_.go_on(settled_);
       before_ = spent;
@@ -313,6 +371,7 @@ private:
   Story const& story_;
   halfspace::Stepper stepper_;
   Patience patience_;
+  std::optional<halfspace::Pace> pace_; ///< none: equal steps
   Halves halves_;
   halfspace::State state_;
   halfspace::Cost settled_; ///< before the present attempt
@@ -323,7 +382,9 @@ private:
   std::vector<double> row_;
   RunResult result_;
   std::size_t stage_ = 0;
-  int step_ = 0;                                                  ///< nominal, of the stage
+  int step_ = 0;       ///< nominal, of the stage
+  bool begun_ = false; ///< the stage
+  ChangeCounts changes_ = no_changes();
   double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s
   long asked_ = 0;
   Clock::time_point began_ = Clock::now(), reported_{};

@@ -17,6 +17,7 @@
 #include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
 #include "scene/run/beside.hpp"
+#include "scene/run/changes.hpp"
 #include "scene/run/checkpoint.hpp"
 #include "scene/run/halves.hpp"
 #include "scene/run/patience.hpp"
@@ -48,7 +49,7 @@ public:
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
-      pace_.emplace(*accuracy, stepper_.bulk(), *scene.model);
+      pace_.emplace(dynamics::pace_of(*accuracy, stepper_.bulk(), *scene.model));
     }
     for (auto const& shifted : options.beside)
       beside_.push_back(std::make_unique<Beside>(shifted, scene, stepper_));
@@ -105,9 +106,7 @@ public:
     remarks_.rounded(cost.contact_rounded);
     result_.remarks = remarks_.texts();
     if (pace_ && !pace_->decides())
-      result_.remarks.emplace_back(
-          "without inertia, bonds or events no error is seen by `accuracy`: steps grow to its "
-          "`largest`; give the stages their steps, and no accuracy");
+      result_.remarks.emplace_back(no_error_seen);
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
     result_.contact = contact::words(cost.answered);
@@ -240,7 +239,8 @@ private:
       bool const converged = outcome.converged();
       if (!converged && stopped())
         return false;
-      auto const decision = pace_->decide(state_, outcome, dt);
+      auto const decision =
+          converged ? pace_->decide(state_, outcome.state, dt) : pace_->failed(outcome.reason, dt);
       note(decision, dt);
       auto const enough = converged ? "" : patience_.lost();
       if (decision.failed || !enough.empty())
@@ -255,20 +255,12 @@ private:
   }
 
   void note(dynamics::Decision const& decision, double dt) {
-    auto tell = [&](char const* what, char const* cause, std::string const& reason) {
-      recorder_->change({state_.t, dt, pace_->wanted(), what, cause, reason, ""});
-    };
-    if (!decision.accepted()) {
-      ++result_.cuts;
-      return recorder_->change({state_.t, dt, pace_->wanted(), "cut", name_of(decision.cut), decision.reason,
-                                contact::words(answered())});
+    result_.cuts += decision.accepted() ? 0 : 1;
+    for (auto change : changes(*pace_, decision, state_.t, dt)) {
+      if (change.what == "cut")
+        change.contact = contact::words(answered());
+      recorder_->change(change);
     }
-    if (!pace_->aim().empty())
-      tell("aimed", "event", pace_->aim());
-    if (decision.at_floor)
-      tell("at_floor", "smallest", decision.reason);
-    else if (decision.grown)
-      tell("grown", "error", decision.reason);
   }
 
   /// One nominal step, in halves where it fails.
@@ -461,7 +453,7 @@ private:
   Story const* story_;
   AllRanks ranks_;
   dynamics::Stepper stepper_;
-  std::optional<dynamics::Pace> pace_; ///< none: equal steps
+  std::optional<dynamics::Pace<dynamics::History>> pace_; ///< none: equal steps
   std::optional<Recorder> recorder_;
   std::vector<std::unique_ptr<Beside>> beside_;
   Patience patience_;

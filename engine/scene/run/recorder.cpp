@@ -70,8 +70,7 @@ void Recorder::step(dynamics::State const& state, double dt, int iterations,
     return;
   row_.assign({dt, static_cast<double>(iterations)});
   if (scene_->part.schedule.accuracy)
-    row_.insert(row_.end(),
-                {error.displacement, error.bond, error.beta_change, static_cast<double>(error.events)});
+    add_step_error(error, row_);
   for (auto const& sampler : samplers_)
     sampler(state, row_);
   files_->series.append(state.t, row_);
@@ -96,8 +95,7 @@ std::string Recorder::problem(contact::Problem const& problem, std::string const
 void Recorder::change(record::StepChange const& change) {
   if (files_)
     files_->log.add(change);
-  if (change.what != "step")
-    ++changes_[change.what == "cut" ? "cut_" + change.cause : change.what];
+  count(change, changes_);
 }
 
 void Recorder::close() {

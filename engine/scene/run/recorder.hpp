@@ -1,14 +1,13 @@
 // Everything that a case writes while it runs: histories, fields, the log of its steps, saved problems.
 #pragma once
 #include <filesystem>
-#include <map>
 #include <memory>
 
-#include "dynamics/adaptivity/step_error.hpp"
 #include "record/fields.hpp"
 #include "record/series.hpp"
 #include "record/step_log.hpp"
 #include "scene/probes/probes.hpp"
+#include "scene/run/changes.hpp"
 
 namespace stiction::scene {
 
@@ -17,7 +16,7 @@ struct RecordMark {
   record::SeriesMark series;
   record::FieldMark fields;
   std::uintmax_t steps = 0; ///< bytes of the log
-  std::map<std::string, double> changes;
+  ChangeCounts changes;
   template<class Archive> void visit(Archive& archive) {
     auto& [of_series, of_fields, bytes, counts] = *this;
     archive(of_series, of_fields, bytes, counts);
@@ -45,8 +44,7 @@ public:
   /// Returns the file, for messages; "" when there is no contact.
   [[nodiscard]] std::string problem(contact::Problem const& problem, std::string const& name) const;
   void change(record::StepChange const& change);
-  /// How often the step was changed, and why it was cut.
-  [[nodiscard]] std::map<std::string, double> const& changes() const { return changes_; }
+  [[nodiscard]] ChangeCounts const& changes() const { return changes_; }
   void close();
 
 private:
@@ -58,9 +56,7 @@ private:
     record::StepLog log;
   };
   std::unique_ptr<Files> files_; ///< null: nothing is written
-  std::map<std::string, double> changes_ = {
-      {"cut_not_converged", 0}, {"cut_error", 0}, {"cut_beta_change", 0}, {"cut_event", 0}, {"grown", 0},
-      {"at_floor", 0},          {"aimed", 0}};
+  ChangeCounts changes_ = no_changes();
   std::vector<Sampler> samplers_;
   std::vector<double> row_;
 };

@@ -41,6 +41,17 @@ struct FormulaCase {
   }
 };
 
+TEST_CASE("a formula takes the stages' steps where an accuracy is asked for, and says so") {
+  auto table = test::formula_scene();
+  test::at(table, "schedule.accuracy") = test::make("accuracy");
+  FormulaCase const one, plain;
+  auto const result = one.run(table);
+  REQUIRE(result.remarks.size() == plain.run(test::formula_scene()).remarks.size() + 1);
+  CHECK(result.remarks.front().find("exact at any step") != std::string::npos);
+  CHECK(one.column("ball/force_z") == plain.column("ball/force_z"));
+  CHECK(one.column("step/error_beta") == std::vector<double>(8, 0.0));
+}
+
 TEST_CASE("Hertz's sphere is recorded at every time of the schedule, by displacement and by force") {
   double const E = 1e4 / 0.91, depth = 5e-3, force = 4.0 / 3 * E * std::pow(depth, 1.5);
   FormulaCase const one;

@@ -140,10 +140,48 @@ TEST_CASE("bonds of a half space form where it touches, in the time of the law, 
   CHECK(last(series_of(table), "ball/force_z") < 0);
 }
 
+/// A ball that bonds and is lifted off, in steps that follow from the error of the bonds.
+test::Input paced(double tolerance) {
+  auto law = test::rcc(0.5, 2e6, 0.1);
+  test::at(law, "beta0") = test::value(0);
+  auto table = with(test::half_space_scene(), {}, law);
+  test::at(table, "obstacles.ball.x") = test::values({0, 0, 0}, "m");
+  test::at(table, "obstacles.ball.z") = test::values({0, -5e-3, -4e-3}, "m");
+  test::at(table, "schedule") = test::schedule({{1, 10}, {2, 20}});
+  test::at(table, "schedule.accuracy") =
+      test::make("accuracy", {{"tolerance", test::value(tolerance)}, {"beta_change", test::value(0.5)}});
+  return table;
+}
+
 std::vector<test::Input> cases() {
   return {with(test::half_space_scene(), {}, {}),
           with(test::half_space_scene(), test::coulomb(0.3), test::rcc(0.5, 2e4, 0.1)),
-          with(test::half_line_scene(), test::coulomb(0.3), {})};
+          with(test::half_line_scene(), test::coulomb(0.3), {}), paced(1e-2)};
+}
+
+TEST_CASE("steps of a half space follow from the error of its bonds where an accuracy is asked for") {
+  auto const end = [](double tolerance) {
+    Case const one;
+    auto const result = one.run(paced(tolerance));
+    CHECK_MESSAGE(result.verdict == "finished", result.reason);
+    auto const series = one.series();
+    CHECK(std::ranges::max(series.columns.at("step/error_beta").values) <= tolerance);
+    CHECK(std::ranges::max(series.columns.at("step/beta_change").values) <= 0.5);
+    CHECK(series.time.back() == 2);
+    CHECK(std::ranges::count(series.time, 1.0) == 1);
+    auto const cuts = result.counters.at("cut_error") + result.counters.at("cut_beta_change");
+    CHECK(static_cast<double>(result.cuts) == cuts);
+    return std::tuple(last(series, "joint/beta_mean"), last(series, "energy/bonding_loss"), result.steps);
+  };
+  auto const [loose_beta, loose_loss, few] = end(1e-2);
+  auto const [beta, loss, many] = end(1e-3);
+  auto const [exact_beta, exact_loss, most] = end(1e-5);
+  CHECK(few < many);
+  CHECK(many < most);
+  MESSAGE(loose_beta << " " << beta << " " << exact_beta << "; " << loose_loss << " " << loss << " "
+                     << exact_loss << "; " << few << " " << many << " " << most);
+  CHECK(std::abs(beta - exact_beta) < 1e-3);
+  CHECK(std::abs(beta - exact_beta) < 0.3 * std::abs(loose_beta - exact_beta));
 }
 
 TEST_CASE("runs of half spaces are the same to the last bit, whatever the threads") {
