@@ -12,7 +12,7 @@ namespace {
 
 using namespace stiction;
 
-constexpr double w = 1, C = 1e4, b = 0.05, speed = 0.05; // J/m^2, N/m^3, N s/m, m/s
+constexpr double w = 1, C = 1e4, b = 0.1, speed = 0.05; // J/m^2, N/m^3, N s/m, m/s
 
 /// Lifted off a deep periodic half space without relief: its bonds stretch by the lift, all alike.
 halfspace::Model lifted_flat() {
@@ -75,10 +75,10 @@ Lifted lift(halfspace::Model const& model, double until, dynamics::Accuracy cons
 
 TEST_CASE("bonds of a half space fade as their law says, to the tolerance of the steps") {
   auto const model = lifted_flat();
-  constexpr double until = 0.5;
+  constexpr double until = 0.3;
   double const beta = exact(until);
-  CHECK(beta > 0.1);
-  CHECK(beta < 0.5);
+  CHECK(beta > 0.3);
+  CHECK(beta < 0.9);
   auto const error = [&](halfspace::State const& state) {
     return (state.beta.array() - beta).abs().maxCoeff();
   };
@@ -87,8 +87,6 @@ TEST_CASE("bonds of a half space fade as their law says, to the tolerance of the
   fine.tolerance = 1e-4;
   coarse.events = fine.events = 1e-6;
   auto const loose = lift(model, until, coarse), close = lift(model, until, fine);
-  MESSAGE("errors " << error(loose.state) << " " << error(close.state) << " steps " << loose.steps << " "
-                    << close.steps << " cuts " << loose.cuts << " " << close.cuts);
   CHECK(error(loose.state) < 2 * coarse.tolerance);
   CHECK(error(close.state) < 2 * fine.tolerance);
   CHECK(close.steps > loose.steps);
@@ -100,10 +98,9 @@ TEST_CASE("bonds of a half space fade as their law says, to the tolerance of the
       state = stepper.step(state, until / close.steps).state;
     return state;
   }();
-  MESSAGE("equal steps: " << error(equal));
   CHECK(error(equal) > 10 * error(close.state));
   double const stored = 0.5 * C * std::pow(speed * until, 2) * beta * beta - w * beta;
-  MESSAGE("bond energy " << close.state.ledger.bond << " " << stored);
+  CHECK(close.state.ledger.bond == doctest::Approx(stored).epsilon(5e-4));
 }
 
 TEST_CASE("a half space without bonds tells no error, and its events are located where they are asked for") {

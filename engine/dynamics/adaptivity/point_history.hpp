@@ -45,7 +45,8 @@ struct EventSign {
 ///
 /// beta: implicit Euler against the trapezoidal rule, dt/2 |beta'_1 - beta'_0|, where the rate of implicit
 /// Euler is the change of the step over dt. A bond that ends at 0 or 1 is exact. The rate before the step is
-/// not compared with across an event that was located at its start.
+/// not compared with across an event that was located at its start, but for the yield of a bond that takes
+/// time, whose rate begins at 0.
 ///
 /// Points says where a State keeps them: pairs(state), size(state, pair), at(state, pair, point),
 /// keep(state), which is Kept and answers at() as well, adhesion(pair), set_beta(state, pair, point, beta),
@@ -216,9 +217,11 @@ template<class Points> void PointHistory<Points>::accept(State const& old, State
   before_ = points_.keep(old);
   // a rate that ends or begins at this very moment is not to be compared with the next
   each_point(next, [&](std::size_t p, std::size_t i) {
+    bool const viscous = points_.adhesion(p) && interface::bond_time(*points_.adhesion(p)) > 0;
     for (auto const kind : event_kinds)
-      if (sign_of(kind).happened(points_.at(old, p, i), points_.at(next, p, i)) ||
-          after(kind, next, p, i) <= within)
+      if (!(viscous && kind == EventKind::bond_yields) && // which begins at rate 0
+          (sign_of(kind).happened(points_.at(old, p, i), points_.at(next, p, i)) ||
+           after(kind, next, p, i) <= within))
         fresh_[p][i] = true;
   });
 }

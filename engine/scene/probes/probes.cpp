@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "dynamics/adaptivity/point_history.hpp"
 #include "scene/probes/point_quantities.hpp"
 
 namespace stiction::scene {

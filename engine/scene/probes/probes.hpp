@@ -5,6 +5,10 @@
 #include "record/series.hpp"
 #include "scene/build/build.hpp"
 
+namespace stiction::dynamics {
+struct StepError;
+}
+
 namespace stiction::scene {
 
 /// Appends the probe's values of one state to a row.
