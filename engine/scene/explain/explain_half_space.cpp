@@ -1,6 +1,7 @@
 // Numbers of a half space before its first step.
 #include "scene/explain/explain_half_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -104,6 +105,31 @@ double rms_slope(halfspace::Model const& model) {
   return pairs > 0 ? std::sqrt(sum / pairs) : 0;
 }
 
+/// s
+double longest_step(std::vector<StagePart> const& stages) {
+  double start = 0, longest = 0;
+  for (auto const& stage : stages) {
+    longest = std::max(longest, (stage.until - start) / stage.steps);
+    start = stage.until;
+  }
+  return longest;
+}
+
+void bond_numbers(GridFacts const& facts, Section& section) {
+  auto const& law = *facts.model.law.adhesion;
+  auto const scales = interface::scales(law);
+  count(section, "sigma0", scales.strength, "Pa", "largest traction of a bond");
+  count(section, "u0", scales.opening, "m", "opening that goes with it");
+  double const bonding = interface::bond_time(law);
+  if (bonding == 0)
+    return;
+  auto const& schedule = facts.scene.part.schedule;
+  count(section, "bonding time", bonding, "s", std::string(interface::wording(law).time));
+  count(section, "bonding per step", longest_step(schedule.stages) / bonding, "1",
+        schedule.accuracy ? "longest nominal step over that; the steps follow from the error of beta"
+                          : "longest step over that; schedule.accuracy chooses steps from the error of beta");
+}
+
 Section grid_numbers(GridFacts const& facts) {
   Section section{"Numbers", {}};
   count(section, "E*", facts.modulus(), "Pa", "1 / sum of (1 - nu^2) / E");
@@ -115,6 +141,8 @@ Section grid_numbers(GridFacts const& facts) {
         "Dundurs)");
   count(section, "rms slope", rms_slope(facts.model), "1",
         "of the heights along x, between points; a half space is of small slopes where it touches");
+  if (facts.model.law.adhesion)
+    bond_numbers(facts, section);
   if (facts.model.grid.periodic) {
     auto const moments = halfspace::moments(facts.model.heights, facts.model.grid);
     count(section, "rms height", moments.height, "m", "about the mean");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <doctest/doctest.h>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -246,6 +247,23 @@ TEST_CASE(
   auto const settings = scene::manifest_of(table, scene, {})["settings"];
   CHECK(settings["heights"]["rms_slope"]["value"].get<double>() == doctest::Approx(0.1).epsilon(1e-12));
   CHECK(settings["obstacles"]["ball"]["surface"]["rough"]["seed"]["value"] == 1);
+}
+
+TEST_CASE("explain tells what a bond takes and how far it comes in a step of a half space") {
+  auto const number = [](scene::Explanation const& told, std::string const& name) {
+    for (auto const& section : told.sections)
+      for (auto const& line : section.lines)
+        if (line.name == name)
+          return line.value;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  auto const told =
+      scene::explain(paced(1e-2)); // rcc of w 0.5 J/m^2, C 2e6 N/m^3, b 0.1 N s/m; 10 and 20 steps of 1 s
+  CHECK(number(told, "sigma0") == doctest::Approx(1e3));
+  CHECK(number(told, "u0") == doctest::Approx(5e-4));
+  CHECK(number(told, "bonding time") == doctest::Approx(0.2));
+  CHECK(number(told, "bonding per step") == doctest::Approx(0.5));
+  CHECK(std::isnan(number(scene::explain(test::half_space_scene()), "sigma0")));
 }
 
 TEST_CASE("explain says what points of a half space cannot follow") {
