@@ -314,6 +314,9 @@ TEST_CASE("random half spaces run, and their energies add up to numbers") {
       test::at(table, "pairs.joint.friction") = test::coulomb(dice.between(0, 0.8));
     if (auto law = random_law(dice); !law.tag.empty())
       test::at(table, "pairs.joint.adhesion") = std::move(law);
+    if (dice.below(2) == 0)
+      test::at(table, "schedule.accuracy") = test::make(
+          "accuracy", {{"tolerance", test::value(0.01)}, {"events", test::value(dice.below(2) * 0.01, "s")}});
     Case const one;
     auto const result = one.run(table);
     CHECK_MESSAGE(result.verdict == "finished", result.reason);
