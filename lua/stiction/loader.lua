@@ -163,6 +163,10 @@ local function not_found(path)
   if engine.kind_of_path(path) == "file" then
     fault.input("%s is no study: a .lua file or a folder with study.lua is", path)
   end
+  if engine.kind_of_path(path) == "folder" then
+    fault.input("'%s' is a folder %s: a study is a .lua file or a folder with study.lua", path,
+      engine.kind_of_path(path .. "/summary.csv") == "file" and "of results, not the study they are of" or "without study.lua")
+  end
   local parent, name = path:match("^(.*)/([^/]+)/*$")
   local siblings = {}
   for i, sibling in ipairs(engine.list(parent or ".", false)) do

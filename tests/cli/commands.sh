@@ -29,4 +29,8 @@ expect 2 "no help on 'blatz_k'; did you mean 'blatz_ko'?" "$stiction" help blatz
 
 expect 0 "A block on a plane|descent|soft rubber|mu0.4|friction.coulomb" "$stiction" explain "$tiny"
 expect 2 "there is no study at 'nowhere'" "$stiction" run nowhere
+mkdir empty results
+: > results/summary.csv
+expect 2 "'empty' is a folder without study.lua" "$stiction" run empty
+expect 2 "'results' is a folder of results, not the study they are of" "$stiction" why results
 finish
