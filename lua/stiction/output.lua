@@ -270,7 +270,7 @@ local function words_warned(result)
   return table.concat(words, " | ")
 end
 
-local measures = { "verdict", "steps", "iterations", "contact", "seconds" }
+local measures = require "stiction.study".measures
 
 --- Calls visit(result, parameter) for the names of each derivative.
 local function each_derivative(study, visit)

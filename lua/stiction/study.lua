@@ -67,7 +67,13 @@ local function read_parameters(t, section, need_note)
   return parameters
 end
 
+--- What summary.csv tells of every case beside its parameters and results.
+study.measures = { "verdict", "steps", "iterations", "contact", "seconds" }
+
 local function read_result(name, entry)
+  if type(name) ~= "string" or name == "" then
+    fault.script("study.results: entry %s has no name; give name = \"force\"", tostring(name))
+  end
   local body = type(entry) == "table" and (entry.value or entry[1])
   if type(body) ~= "function" then
     fault.script("study.results.%s must be { unit = ..., meaning = ..., function(run, p) ... end }", tostring(name))
@@ -84,7 +90,34 @@ local function read_results(t)
   local results = {}
   for _, key in ipairs(names_of(t or {})) do
     local entry = t[key]
-    results[#results + 1] = read_result(type(key) == "number" and entry.name or key, entry)
+    local name = type(key) == "number" and type(entry) == "table" and entry.name or key
+    results[#results + 1] = read_result(name, entry)
+  end
+  return results
+end
+
+--- Each result has a column of summary.csv to itself; `swept`: the study's sweeps.
+local function check_columns(results, swept)
+  local taken = { case = "names the case", set = "tells what --set changed", warnings = "tells what explain warned of" }
+  for _, name in ipairs(study.measures) do
+    taken[name] = "is told of every case"
+  end
+  for _, sweep in ipairs(swept) do
+    for _, axis in ipairs(sweep.axes or {}) do
+      taken[axis.name] = "is swept"
+    end
+    for _, case in ipairs(sweep.cases or {}) do
+      for name in pairs(case) do
+        taken[name] = "is swept"
+      end
+    end
+  end
+  for _, result in ipairs(results) do
+    if taken[result.name] then
+      fault.script("study.results.%s: '%s' %s, and summary.csv has one column of a name; give the result another",
+        result.name, result.name, taken[result.name])
+    end
+    taken[result.name] = "is a result already"
   end
   return results
 end
@@ -169,6 +202,7 @@ function study.define(t)
   local chosen = read_parameters(t.chosen, "chosen", true)
   check_distinct(given, chosen)
   local swept = study.read_sweep(t.sweep or {})
+  local results = check_columns(read_results(t.results), { swept, study.read_sweep((t.quick or {}).sweep or {}) })
   local function known(name)
     local function is(axis) return axis.name == name end
     return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is)
@@ -177,7 +211,7 @@ function study.define(t)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
     derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id,
-    scene = t.scene, problem = t.problem, results = read_results(t.results), check = t.check, figures = t.figures, trade = t.trade,
+    scene = t.scene, problem = t.problem, results = results, check = t.check, figures = t.figures, trade = t.trade,
     fit = t.fit, sample = t.sample, definition = t,
   }, study_mark)
 end

@@ -82,7 +82,7 @@ local function times_of(by)
   local least, most = math.huge, 0
   for _, side in pairs(by) do
     for _, case in ipairs(side.list) do
-      least, most = math.min(least, case.results.seconds), math.max(most, case.results.seconds)
+      least, most = math.min(least, case.results.time), math.max(most, case.results.time)
     end
   end
   return { least, most }
@@ -166,7 +166,7 @@ return stiction.study {
   scene = scenes.scene,
   results = {
     { name = "value", unit = "1", meaning = "force over Hertz's, pull-off over pi w R, or work of friction E* / (mu P)^2", value },
-    { name = "seconds", unit = "s", meaning = "time", function(run) return run.cost.seconds end },
+    { name = "time", unit = "s", meaning = "that it took", function(run) return run.cost.seconds end },
   },
   check = function(cases, check)
     for _, contact in ipairs(contacts) do
@@ -182,7 +182,7 @@ return stiction.study {
       local function curve(label, side, colour)
         local x, y, bar = {}, {}, {}
         for i, case in ipairs(side.list) do
-          x[i], y[i], bar[i] = case.results.seconds, case.results.value + (side.shift or 0), i == #side.list and side.bar or 0
+          x[i], y[i], bar[i] = case.results.time, case.results.value + (side.shift or 0), i == #side.list and side.bar or 0
         end
         return { label = label, x = x, y = y, error = bar, style = "points", colour = colour }
       end
