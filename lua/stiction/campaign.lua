@@ -24,8 +24,8 @@ local least = 60 -- s between two of any workers
 local between_words = 1 -- s, between what a run tells other processes of itself
 local many = 200 -- cases whose scenes are not all kept in memory
 
---- Says once what is swept and no scene asks for, which is often a slip of the pen.
-local function tell_unread(plan)
+--- Says once what is swept and no scene asks for, which is often a slip of the pen, and which columns share a name.
+local function tell_slips(plan)
   local study, first = plan.study, plan.cases[1] or {}
   local known = {}
   for _, name in ipairs(first.p and ordered.keys(first.p) or {}) do
@@ -35,6 +35,11 @@ local function tell_unread(plan)
     engine.complain(("stiction: no scene reads the swept parameter '%s'%s: all its values give the same scene\n"):format(name,
       fault.meant(name, known)))
     study.told_unread = true
+  end
+  for _, column in ipairs(study.told_doubled and {} or study.doubled) do
+    engine.complain(("stiction: summary.csv has two columns '%s': a result, and what %s; give the result another name\n"):format(
+      column.name, column.why))
+    study.told_doubled = true
   end
 end
 
@@ -51,7 +56,7 @@ function campaign.survey(plan)
     adoption.find(plan, rows)
   end
   engine.watch_lines(true)
-  tell_unread(plan)
+  tell_slips(plan)
   return rows
 end
 

@@ -96,8 +96,8 @@ local function read_results(t)
   return results
 end
 
---- Each result has a column of summary.csv to itself; `swept`: the study's sweeps.
-local function check_columns(results, swept)
+--- What summary.csv has another column of the same name for: list of {name =, why =}; `swept`: the study's sweeps.
+local function doubled(results, swept)
   local taken = { case = "names the case", set = "tells what --set changed", warnings = "tells what explain warned of" }
   for _, name in ipairs(study.measures) do
     taken[name] = "is told of every case"
@@ -112,14 +112,15 @@ local function check_columns(results, swept)
       end
     end
   end
+  local list, seen = {}, {}
   for _, result in ipairs(results) do
-    if taken[result.name] then
-      fault.script("study.results.%s: '%s' %s, and summary.csv has one column of a name; give the result another",
-        result.name, result.name, taken[result.name])
+    if seen[result.name] then
+      fault.script("study.results: there are two called '%s'", result.name)
     end
-    taken[result.name] = "is a result already"
+    seen[result.name] = true
+    list[#list + 1] = taken[result.name] and { name = result.name, why = taken[result.name] } or nil
   end
-  return results
+  return list
 end
 
 local function is_table(x)
@@ -202,7 +203,7 @@ function study.define(t)
   local chosen = read_parameters(t.chosen, "chosen", true)
   check_distinct(given, chosen)
   local swept = study.read_sweep(t.sweep or {})
-  local results = check_columns(read_results(t.results), { swept, study.read_sweep((t.quick or {}).sweep or {}) })
+  local results = read_results(t.results)
   local function known(name)
     local function is(axis) return axis.name == name end
     return given[name] or chosen[name] or numeric.first_where(swept.axes or {}, is)
@@ -211,7 +212,9 @@ function study.define(t)
   return setmetatable({
     title = t.title, question = t.question or "", given = given, chosen = chosen,
     derivatives = read_derivatives(t.derivatives, known), sweep = swept, quick = t.quick or {}, case_id = t.case_id,
-    scene = t.scene, problem = t.problem, results = results, check = t.check, figures = t.figures, trade = t.trade,
+    scene = t.scene, problem = t.problem, results = results,
+    doubled = doubled(results, { swept, study.read_sweep((t.quick or {}).sweep or {}) }), check = t.check,
+    figures = t.figures, trade = t.trade,
     fit = t.fit, sample = t.sample, definition = t,
   }, study_mark)
 end

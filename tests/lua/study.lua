@@ -61,6 +61,18 @@ test("a misspelt parameter is told where it is used", function()
   fails("there is no parameter 'raduis'; did you mean 'radius'?", function() return p.raduis end)
 end)
 
+test("results that share the name of another column are listed", function()
+  local function doubled(t, name)
+    t.results = { { name = name, unit = "N", function() return 1 end } }
+    local list = make(t).doubled
+    return list[1] and list[1].name .. " " .. list[1].why or ""
+  end
+  equal(doubled({ sweep = { v = { 1, 2 } } }, "v"), "v is swept")
+  equal(doubled({ quick = { sweep = { { v = 1 } } } }, "v"), "v is swept")
+  equal(doubled({}, "steps"), "steps is told of every case")
+  equal(doubled({ sweep = { v = { 1, 2 } } }, "F"), "")
+end)
+
 test("mistakes in the study table are told", function()
   fails("unknown key 'titel'; did you mean 'title'?", make, { titel = "x" })
   fails("study.scene must be a function, not a number", make, { scene = 3 })
@@ -69,10 +81,7 @@ test("mistakes in the study table are told", function()
   fails("study.chosen.dt needs its reason", make, { chosen = { dt = 3 } })
   fails("'dt' stands in both given and chosen", make, { given = { dt = 3 }, chosen = { dt = { 3, "why" } } })
   local function result(name) return { name = name, unit = "N", function() return 1 end } end
-  fails("study.results.v: 'v' is swept", make, { sweep = { v = { 1, 2 } }, results = { result "v" } })
-  fails("study.results.v: 'v' is swept", make, { quick = { sweep = { { v = 1 } } }, results = { result "v" } })
-  fails("study.results.steps: 'steps' is told of every case", make, { results = { result "steps" } })
-  fails("study.results.F: 'F' is a result already", make, { results = { result "F", result "F" } })
+  fails("study.results: there are two called 'F'", make, { results = { result "F", result "F" } })
   fails("entry 1 has no name", make, { results = { result() } })
   fails("study.sweep.mu must be a list", make, { sweep = { mu = 3 } })
   fails("study.results.peak must be", make, { results = { peak = { unit = "Pa" } } })
