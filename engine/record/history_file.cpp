@@ -160,8 +160,8 @@ void HistoryFile::give_up(std::string const& reason) {
 
 int HistoryFile::descriptor() const {
   void* found = nullptr;
-  bool const known = H5Fget_vfd_handle(file_, H5P_DEFAULT, &found) >= 0 && found != nullptr;
-  core::expect(known, "a file descriptor below the HDF5 file");
+  if (H5Fget_vfd_handle(file_, H5P_DEFAULT, &found) < 0 || found == nullptr)
+    throw core::Bug("no file descriptor below the HDF5 file");
   return *static_cast<int*>(found);
 }
 
