@@ -18,6 +18,9 @@ struct GridPoints {
   [[nodiscard]] dynamics::ContactState at(State const& state, std::size_t, std::size_t point) const {
     return contact_state(*model, state, static_cast<Index>(point));
   }
+  [[nodiscard]] static double beta(State const& state, std::size_t, std::size_t point) {
+    return state.bond_of(static_cast<Index>(point)).beta;
+  }
   [[nodiscard]] static Kept keep(State const& state) { return state; }
   [[nodiscard]] std::optional<interface::AdhesionLaw> const& adhesion(std::size_t) const {
     return model->law.adhesion;

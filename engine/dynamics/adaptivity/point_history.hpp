@@ -49,8 +49,8 @@ struct EventSign {
 /// time, whose rate begins at 0.
 ///
 /// Points says where a State keeps them: pairs(state), size(state, pair), at(state, pair, point),
-/// keep(state), which is Kept and answers at() as well, adhesion(pair), set_beta(state, pair, point, beta),
-/// audited().
+/// keep(state), which is Kept and answers at() as well, beta(state, pair, point), which is what at() has,
+/// adhesion(pair), set_beta(state, pair, point, beta), audited().
 template<class Points> class PointHistory {
 public:
   using State = typename Points::State;
@@ -106,10 +106,10 @@ private:
 template<class Points>
 double PointHistory<Points>::bond_error(State const& old, State const& next, std::size_t p,
                                         std::size_t i) const {
-  double const dt = next.t - old.t, beta = points_.at(next, p, i).bond.beta;
+  double const dt = next.t - old.t, beta = points_.beta(next, p, i);
   if (dt_ == 0 || beta <= 0 || beta >= 1 || fresh_[p][i])
     return 0;
-  return 0.5 * (beta - points_.at(old, p, i).bond.beta - rates_[p][i] * dt);
+  return 0.5 * (beta - points_.beta(old, p, i) - rates_[p][i] * dt);
 }
 
 template<class Points> StepError PointHistory<Points>::error(State const& old, State const& next) const {
@@ -130,9 +130,8 @@ template<class Points> void PointHistory<Points>::advance_bonds(State const& old
     auto const& law = points_.adhesion(p);
     if (!law || interface::bond_time(*law) == 0)
       return;
-    double const error = bond_error(old, next, p, i), before = points_.at(old, p, i).bond.beta,
-                 beta = points_.at(next, p, i).bond.beta,
-                 share = before > 0 ? std::min(1.0, beta / before) : 1,
+    double const error = bond_error(old, next, p, i), before = points_.beta(old, p, i),
+                 beta = points_.beta(next, p, i), share = before > 0 ? std::min(1.0, beta / before) : 1,
                  better = std::clamp(beta - share * share * error, 0.0, std::max(before, beta));
     if (better != beta)
       move_bond(next, p, i, {before, better, next.t - old.t});
@@ -210,7 +209,7 @@ template<class Points> void PointHistory<Points>::accept(State const& old, State
     fresh_[p].assign(points_.size(next, p), false);
     rates_[p].resize(points_.size(next, p));
     for (std::size_t i = 0; i < points_.size(next, p); ++i)
-      rates_[p][i] = (points_.at(next, p, i).bond.beta - points_.at(old, p, i).bond.beta) / dt_;
+      rates_[p][i] = (points_.beta(next, p, i) - points_.beta(old, p, i)) / dt_;
   }
   if (within == 0)
     return;

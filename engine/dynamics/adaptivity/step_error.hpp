@@ -21,6 +21,9 @@ struct BodyPoints {
   [[nodiscard]] static ContactState const& at(Kept const& kept, std::size_t pair, std::size_t point) {
     return kept[pair][point];
   }
+  [[nodiscard]] static double beta(State const& state, std::size_t pair, std::size_t point) {
+    return state.contacts[pair][point].bond.beta;
+  }
   [[nodiscard]] static Kept keep(State const& state) { return state.contacts; }
   [[nodiscard]] std::optional<interface::AdhesionLaw> const& adhesion(std::size_t pair) const {
     return model->pairs[pair].law.adhesion;

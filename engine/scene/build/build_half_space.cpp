@@ -11,11 +11,6 @@ namespace {
 
 constexpr int most_points = 2048; ///< along an axis
 
-/// At those times, or, where none are given, nothing for ever.
-dynamics::Path drive_or_rest(Numbers const& times, Numbers const& values) {
-  return values.empty() ? dynamics::Path{} : path(times, values);
-}
-
 } // namespace
 
 bool Builder::given(Where const& where) const {
@@ -123,9 +118,8 @@ void Builder::take_height_map(std::string const& name, HeightMapPart const& part
   auto const& along_normal = line ? part.y : part.z;
   refuse({"obstacles", name, "force"}, !part.force.empty() && !along_normal.empty(),
          fmt::format("and {} cannot both be given: one follows from the other; leave one out", normal));
-  model.shift = {drive_or_rest(part.times, part.x),
-                 line ? dynamics::Path{} : drive_or_rest(part.times, part.y),
-                 drive_or_rest(part.times, along_normal)};
+  model.shift = {path(part.times, part.x), line ? dynamics::Path{} : path(part.times, part.y),
+                 path(part.times, along_normal)};
   if (!part.force.empty())
     model.force = path(part.times, part.force);
   auto const pulls = std::ranges::find_if(part.force, [](double force) { return force < 0; });

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/topology/surface.hpp"
+#include "scene/build/builder.hpp"
 #include "scene/explain/facts.hpp"
 
 namespace stiction::scene {
@@ -37,10 +38,6 @@ struct Mover {
   [[nodiscard]] bool prescribed() const { return !flies; }
 };
 
-dynamics::Path path_or_rest(Numbers const& times, Numbers const& values) {
-  return values.empty() ? dynamics::Path{} : dynamics::Path{times, values};
-}
-
 /// Where a flight starts, m, and how long it is followed, s.
 struct Flight {
   Vec3 centre;
@@ -69,13 +66,12 @@ std::vector<Mover> movers_of(Facts const& facts, std::size_t body) {
     if (set.substr(0, set.find('.')) != name)
       continue;
     if (auto const* drive = std::get_if<DrivePart>(&motion))
-      movers.push_back({{path_or_rest(drive->times, drive->x), path_or_rest(drive->times, drive->y),
-                         path_or_rest(drive->times, drive->z)}});
+      movers.push_back(
+          {{path(drive->times, drive->x), path(drive->times, drive->y), path(drive->times, drive->z)}});
     else if (auto const* turn = std::get_if<TurnPart>(&motion))
-      movers.push_back({{path_or_rest(turn->times, turn->x), path_or_rest(turn->times, turn->y),
-                         path_or_rest(turn->times, turn->z)},
+      movers.push_back({{path(turn->times, turn->x), path(turn->times, turn->y), path(turn->times, turn->z)},
                         Vec3::Zero(),
-                        Swing{path_or_rest(turn->times, turn->angle), turn->direction(), vec(turn->centre)}});
+                        Swing{path(turn->times, turn->angle), turn->direction(), vec(turn->centre)}});
     else if (holds_all(std::get<FixPart>(motion), dim))
       movers.push_back({});
   }
@@ -94,8 +90,7 @@ std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
   auto const& rigid = facts.scene->model->rigids[pair.rigid];
   auto const& part = facts.scene->part.obstacles.at(rigid.name);
   Mover mover;
-  mover.shift = {path_or_rest(part.times, part.x), path_or_rest(part.times, part.y),
-                 path_or_rest(part.times, part.z)};
+  mover.shift = {path(part.times, part.x), path(part.times, part.y), path(part.times, part.z)};
   if (!rigid.free())
     mover.swing = Swing{rigid.angle, rigid.axis, rigid.pivot};
   else if (Vec3 const spin = spin_of(part.spin); !vec(part.velocity).isZero(0) || !spin.isZero(0)) {

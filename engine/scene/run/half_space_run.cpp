@@ -15,8 +15,7 @@
 #include "record/step_log.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
-#include "scene/run/changes.hpp"
-#include "scene/run/halves.hpp"
+#include "scene/run/course.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
@@ -79,10 +78,10 @@ public:
         stepper_(model_),
         patience_(scene.part.schedule,
                   {[this] { return operations(); }, [this] { return stepper_.surface().operations(); }}),
-        halves_(scene.part.schedule.halvings), state_(stepper_.initial()) {
+        course_(scene.part.schedule, scene.part.output.frames), state_(stepper_.initial()) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy)
-      pace_.emplace(halfspace::pace_of(*accuracy, model_));
+      course_.choose(halfspace::pace_of(*accuracy, model_));
     if (!story.under_way) {
       begin_files(nullptr);
       return;
@@ -98,13 +97,10 @@ public:
     if (!story_.under_way) {
       record(0, 0);
       if (scene_.part.output.frames > 0)
-        fields_->write(frame_of(model_, state_));
+        frame();
     }
     result_.verdict = "finished";
-    auto const& stages = scene_.part.schedule.stages;
-    for (; stage_ < stages.size(); ++stage_)
-      if (!run_stage(stages[stage_], stage_ > 0 ? stages[stage_ - 1].until : 0))
-        break;
+    course_.go(*this);
     series_->flush();
     log_->write();
     return finish();
@@ -131,7 +127,7 @@ public:
         {"cpu_seconds", cpu_before_ + cpu_seconds()},
         {"peak_memory", peak_memory()}};
     result_.counters.insert(changes_.begin(), changes_.end());
-    if (pace_ && !pace_->decides())
+    if (course_.blind())
       result_.remarks.emplace_back(no_error_seen);
     return result_;
   }
@@ -158,34 +154,13 @@ private:
       series_->take_up(before, from->series);
   }
 
-  /// On from its place, which is its start unless it was begun.
-  bool run_stage(StagePart const& stage, double start) {
-    double const nominal = (stage.until - start) / stage.steps;
-    if (!std::exchange(begun_, true)) {
-      patience_.begin(nominal);
-      if (pace_)
-        pace_->begin(nominal, scene_.part.schedule.halvings);
-    }
-    int const frames = scene_.part.output.frames;
-    for (; step_ < stage.steps; ++step_) {
-      double const from = start + step_ * nominal,
-                   to = step_ + 1 == stage.steps ? stage.until : from + nominal;
-      bool const framed = static_cast<long>(step_ + 1) * frames / stage.steps >
-                          static_cast<long>(step_) * frames / stage.steps;
-      if (pace_ && !framed && step_ + 1 < stage.steps)
-        continue;
-      bool const done = pace_ ? run_controlled(to) : run_interval(from, to, nominal);
-      if (frames > 0 && (framed || !done)) {
-        dynamics::Timer const timer(output_);
-        fields_->write(frame_of(model_, state_));
-      }
-      if (!done)
-        return false;
-    }
-    step_ = 0;
-    begun_ = false;
-    return true;
+  friend class Course<halfspace::Pace>;
+
+  void frame() {
+    dynamics::Timer const timer(output_);
+    fields_->write(frame_of(model_, state_));
   }
+  static void stage_ended() {}
 
   /// Before an attempt: is it to be made?
   bool goes_on() {
@@ -195,68 +170,17 @@ private:
     return !stopped();
   }
 
-  /// On to a time that must be met, in steps that follow from their error.
-  bool run_controlled(double to) {
-    while (state_.t < to) {
-      if (!goes_on())
-        return false;
-      double const left = to - state_.t, dt = pace_->next(state_, left);
-      auto outcome = attempt(dt);
-      if (!outcome.converged && stopped())
-        return false;
-      auto const decision =
-          outcome.converged ? pace_->decide(state_, outcome.state, dt) : pace_->failed(outcome.reason, dt);
-      result_.cuts += decision.accepted() ? 0 : 1;
-      for (auto const& one : changes(*pace_, decision, state_.t, dt))
-        change(one);
-      auto const lost = outcome.converged ? "" : patience_.lost();
-      if (decision.failed || !lost.empty())
-        return give_up(outcome, dt, lost);
-      if (!decision.accepted())
-        continue;
-      if (pace_->arrives(dt, left))
-        outcome.state.t = to;
-      accept(std::move(outcome), dt, decision.error);
-    }
-    return true;
-  }
-
-  /// One nominal step, in halves where it fails.
-  bool run_interval(double from, double to, double nominal) {
-    while (!halves_.all_done()) {
-      if (!goes_on())
-        return false;
-      double const dt = nominal * halves_.part();
-      auto outcome = attempt(dt);
-      if (!outcome.converged) {
-        if (stopped() || !halve(outcome, dt))
-          return false;
-        continue;
-      }
-      bool const grown = halves_.advance();
-      outcome.state.t = halves_.all_done() ? to : from + (to - from) * halves_.done();
-      accept(std::move(outcome), dt);
-      if (grown)
-        change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
-    }
-    halves_.begin();
-    return true;
-  }
-
   halfspace::Outcome attempt(double dt) {
     dynamics::Timer const timer(contact_);
     patience_.begin_attempt();
     return stepper_.step(state_, dt);
   }
 
-  bool halve(halfspace::Outcome const& outcome, double dt) {
-    ++result_.cuts;
-    change({state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, ""});
-    auto const lost = patience_.lost();
-    return (halves_.cut() && lost.empty()) || give_up(outcome, dt, lost);
-  }
+  [[nodiscard]] static bool answered(halfspace::Outcome const& outcome) { return outcome.converged; }
+  static void unanswered(halfspace::Outcome const&, double) {}
 
   void change(record::StepChange const& one) {
+    result_.cuts += one.what == "cut" ? 1 : 0;
     log_->add(one);
     count(one, changes_);
   }
@@ -271,7 +195,7 @@ private:
     return false;
   }
 
-  void accept(halfspace::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
+  void accept(halfspace::Outcome outcome, double dt, dynamics::StepError const& error) {
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
@@ -283,7 +207,7 @@ private:
 
   void record(double dt, long iterations, dynamics::StepError const& error = {}) {
     row_.assign({dt, static_cast<double>(iterations)});
-    if (pace_)
+    if (scene_.part.schedule.accuracy)
       add_step_error(error, row_);
     for (auto const& sampler : samplers_)
       sampler(state_, row_);
@@ -341,10 +265,7 @@ private:
 
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, stage_, step_, begun_, halves_, patience_, result_.steps, result_.cuts, spent,
-            cpu, output_, contact_);
-    if (pace_)
-      archive(*pace_);
+    archive(state_, settled_, course_, patience_, result_.steps, result_.cuts, spent, cpu, output_, contact_);
     if constexpr (Archive::reads) {
       stepper_.go_on(settled_);
       before_ = spent;
@@ -371,8 +292,7 @@ private:
   Story const& story_;
   halfspace::Stepper stepper_;
   Patience patience_;
-  std::optional<halfspace::Pace> pace_; ///< none: equal steps
-  Halves halves_;
+  Course<halfspace::Pace> course_;
   halfspace::State state_;
   halfspace::Cost settled_; ///< before the present attempt
   std::optional<record::StepLog> log_;
@@ -381,9 +301,6 @@ private:
   std::vector<HalfSpaceSampler> samplers_;
   std::vector<double> row_;
   RunResult result_;
-  std::size_t stage_ = 0;
-  int step_ = 0;       ///< nominal, of the stage
-  bool begun_ = false; ///< the stage
   ChangeCounts changes_ = no_changes();
   double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s
   long asked_ = 0;

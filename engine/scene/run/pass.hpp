@@ -17,9 +17,8 @@
 #include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
 #include "scene/run/beside.hpp"
-#include "scene/run/changes.hpp"
 #include "scene/run/checkpoint.hpp"
-#include "scene/run/halves.hpp"
+#include "scene/run/course.hpp"
 #include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
 #include "scene/run/remarks.hpp"
@@ -45,11 +44,11 @@ public:
         patience_(scene.part.schedule, {[this] { return operations(*scene_->model, stepper_); },
                                         [this] { return stepper_.bulk().effort().operations; }}),
         state_(stepper_.initial()), remarks_(scene), meshes_(scene, state_),
-        halves_(scene.part.schedule.halvings) {
+        course_(scene.part.schedule, scene.part.output.frames) {
     stepper_.interrupt_when([this] { return !stop_reason().empty() || patience_.spent(); });
     if (auto const& accuracy = scene.part.schedule.accuracy; accuracy) {
       stepper_.bulk().keep_factors(static_cast<std::size_t>(accuracy->factors));
-      pace_.emplace(dynamics::pace_of(*accuracy, stepper_.bulk(), *scene.model));
+      course_.choose(dynamics::pace_of(*accuracy, stepper_.bulk(), *scene.model));
     }
     for (auto const& shifted : options.beside)
       beside_.push_back(std::make_unique<Beside>(shifted, scene, stepper_));
@@ -77,12 +76,7 @@ public:
     if (!story_->under_way && !begin())
       return finish();
     result_.verdict = "finished";
-    auto const& stages = scene_->part.schedule.stages;
-    for (auto& k = place_.stage; k < stages.size(); ++k) {
-      if (!run_stage(stages[k], k > 0 ? stages[k - 1].until : 0))
-        break;
-      meshes_.examine(state_);
-    }
+    course_.go(*this);
     ranks_.note_use();
     Timed const timed(*this);
     recorder_->close();
@@ -105,7 +99,7 @@ public:
     result_.seconds = seconds();
     remarks_.rounded(cost.contact_rounded);
     result_.remarks = remarks_.texts();
-    if (pace_ && !pace_->decides())
+    if (course_.blind())
       result_.remarks.emplace_back(no_error_seen);
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
@@ -146,14 +140,6 @@ private:
     if (ranks_.any(!unfit.empty()))
       throw record::Unfit(unfit);
   }
-
-  /// Where in the schedule: stage, nominal step of it.
-  struct Place {
-    std::size_t stage = 0;
-    int step = 0;
-    bool begun = false; ///< the stage
-    template<class Archive> void visit(Archive& archive) { archive(stage, step, begun); }
-  };
 
   /// The factors that need not be made when steps want them: all of a system whose factors do not depend on
   /// u, or else of the state's own those that no failed step has overwritten.
@@ -198,91 +184,18 @@ private:
     return !too_long();
   }
 
-  /// On from its place, which is its start unless it was begun.
-  bool run_stage(StagePart const& stage, double start) {
-    double const nominal = (stage.until - start) / stage.steps;
-    if (!std::exchange(place_.begun, true)) {
-      patience_.begin(nominal);
-      if (pace_)
-        pace_->begin(nominal, scene_->part.schedule.halvings);
-    }
-    for (auto& k = place_.step; k < stage.steps; ++k) {
-      bool const last = k + 1 == stage.steps;
-      double const to = last ? stage.until : start + (k + 1) * nominal;
-      int const frames = scene_->part.output.frames;
-      // frame j of the stage comes after step ceil(j * steps / frames)
-      bool const framed = frames > 0 && static_cast<long>(k + 1) * frames / stage.steps >
-                                            static_cast<long>(k) * frames / stage.steps;
-      if (pace_ && !framed && !last)
-        continue;
-      if (pace_ ? !run_controlled(to) : !run_interval(start + k * nominal, to, nominal)) {
-        if (frames > 0)
-          recorder_->frame(state_);
-        return false;
-      }
-      if (framed) {
-        Timed const timed(*this);
-        recorder_->frame(state_);
-      }
-    }
-    place_ = {place_.stage, 0, false};
-    return true;
-  }
+  friend class Course<dynamics::Pace<dynamics::History>>;
 
-  /// On to a time that must be met, in steps that follow from their error.
-  bool run_controlled(double to) {
-    while (state_.t < to) {
-      if (!goes_on())
-        return false;
-      double const left = to - state_.t, dt = pace_->next(state_, left);
-      auto outcome = attempt(dt);
-      bool const converged = outcome.converged();
-      if (!converged && stopped())
-        return false;
-      auto const decision =
-          converged ? pace_->decide(state_, outcome.state, dt) : pace_->failed(outcome.reason, dt);
-      note(decision, dt);
-      auto const enough = converged ? "" : patience_.lost();
-      if (decision.failed || !enough.empty())
-        return give_up(outcome, dt, enough);
-      if (!decision.accepted())
-        continue;
-      if (pace_->arrives(dt, left))
-        outcome.state.t = to;
-      accept(std::move(outcome), dt, decision.error);
-    }
-    return true;
+  void frame() {
+    Timed const timed(*this);
+    recorder_->frame(state_);
   }
-
-  void note(dynamics::Decision const& decision, double dt) {
-    result_.cuts += decision.accepted() ? 0 : 1;
-    for (auto change : changes(*pace_, decision, state_.t, dt)) {
-      if (change.what == "cut")
-        change.contact = contact::words(answered());
-      recorder_->change(change);
-    }
-  }
-
-  /// One nominal step, in halves where it fails.
-  bool run_interval(double from, double to, double nominal) {
-    while (!halves_.all_done()) {
-      if (!goes_on())
-        return false;
-      double const dt = nominal * halves_.part();
-      auto outcome = attempt(dt);
-      if (!outcome.converged()) {
-        if (stopped() || !halve(outcome, dt))
-          return false;
-        continue;
-      }
-      bool const grown = halves_.advance();
-      outcome.state.t = halves_.all_done() ? to : from + (to - from) * halves_.done();
-      accept(std::move(outcome), dt);
-      if (grown)
-        recorder_->change({state_.t, dt, 2 * dt, "grown", "success", "two steps converged", ""});
-    }
-    halves_.begin();
-    return true;
+  void stage_ended() { meshes_.examine(state_); }
+  void change(record::StepChange change) {
+    bool const cut = change.what == "cut";
+    result_.cuts += cut ? 1 : 0;
+    change.contact = cut ? contact::words(answered()) : "";
+    recorder_->change(change);
   }
 
   dynamics::Outcome attempt(double dt) {
@@ -292,6 +205,8 @@ private:
     answered_before_ = stepper_.cost().answered;
     return stepper_.step(state_, dt);
   }
+
+  [[nodiscard]] static bool answered(dynamics::Outcome const& outcome) { return outcome.converged(); }
 
   /// Contact problems of the last attempt.
   [[nodiscard]] contact::Methods answered() const {
@@ -363,10 +278,8 @@ private:
   /// Hands over all that a run changes on its way but its files, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, standing_, settled_, place_, halves_, attempts_, patience_, remarks_, meshes_,
-            result_.steps, result_.cuts, spent, cpu, output_);
-    if (pace_)
-      archive(*pace_);
+    archive(state_, standing_, settled_, course_, attempts_, patience_, remarks_, meshes_, result_.steps,
+            result_.cuts, spent, cpu, output_);
     for (auto const& one : beside_)
       one->visit(archive);
     if constexpr (Archive::reads) {
@@ -375,14 +288,9 @@ private:
     }
   }
 
-  bool halve(dynamics::Outcome const& outcome, double dt) {
-    ++result_.cuts;
+  void unanswered(dynamics::Outcome const& outcome, double dt) {
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
       remarks_.examine(stepper_.contact(), state_.t + dt, contact::Checked::all);
-    recorder_->change(
-        {state_.t, dt, 0.5 * dt, "cut", "not_converged", outcome.reason, contact::words(answered())});
-    auto const enough = patience_.lost();
-    return (halves_.cut() && enough.empty()) || give_up(outcome, dt, enough);
   }
 
   /// Always false. enough: which limit has been passed, if one has.
@@ -398,9 +306,9 @@ private:
     return false;
   }
 
-  void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error = {}) {
+  void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error) {
     if (auto const contact = contact::words(answered()); !contact.empty())
-      recorder_->change({state_.t, dt, pace_ ? pace_->wanted() : dt, "step", "", "", contact});
+      recorder_->change({state_.t, dt, course_.wanted(dt), "step", "", "", contact});
     for (auto const& one : beside_)
       one->follow(stepper_, outcome, dt);
     state_ = std::move(outcome.state);
@@ -453,7 +361,6 @@ private:
   Story const* story_;
   AllRanks ranks_;
   dynamics::Stepper stepper_;
-  std::optional<dynamics::Pace<dynamics::History>> pace_; ///< none: equal steps
   std::optional<Recorder> recorder_;
   std::vector<std::unique_ptr<Beside>> beside_;
   Patience patience_;
@@ -462,14 +369,13 @@ private:
   MeshControl meshes_;
   RunResult result_;
   std::vector<Warning> warnings_;
-  Place place_;
   dynamics::Cost settled_;             ///< before the present attempt
   Standing standing_;                  ///< before the present attempt
   double before_ = 0, cpu_before_ = 0; ///< s, before it was taken up
   long asked_ = 0;                     ///< whether it is to stop
   Clock::time_point began_ = Clock::now(), reported_{};
   double output_ = 0;
-  Halves halves_;
+  Course<dynamics::Pace<dynamics::History>> course_;
   long attempts_ = 0;
   contact::Methods answered_before_{}; ///< the last attempt
   std::optional<std::size_t>
