@@ -26,6 +26,7 @@ public:
         own_(problem.W.template block<D>(0)) {
     double const longest = surface.longest();
     least_hold_ = 1e-3 / longest;
+    steepest_ = steepest();
     governed_ = longest;
     unfelt_ = !wanted.force && !surface.mean_gives();
     for (auto const& law : problem.adhesions) {
@@ -153,7 +154,7 @@ private:
     Standing const held = standing();
     return solve_from_here() && !gained<D>(held, standing());
   }
-  [[nodiscard]] double steepest() const {
+  [[nodiscard]] double steepest() const { // N/m^3
     double most = 0;
     for (auto const& point : problem_.points)
       if (point.adhesion >= 0)
@@ -269,6 +270,9 @@ private:
     system_.softness = yielding > 0 ? softness / yielding : 0;
   }
 
+  /// The one answer there is then may lie behind a front that runs from point to point.
+  [[nodiscard]] bool cannot_snap() const { return steepest_ <= hold_ + 1 / governed_; }
+
   /// Frees the forces that are none of W's business, and solves for the others.
   Correction correct(double part) {
     Vector others = -F_;
@@ -337,7 +341,7 @@ private:
         return false;
       vain = norm_ < 0.99 * best ? 0 : vain + 1;
       best = std::min(best, norm_);
-      if (vain > (dry ? most_vain_dry : most_vain))
+      if (vain > (dry || cannot_snap() ? most_vain_in_front : most_vain))
         return false;
     }
     return false;
@@ -367,17 +371,16 @@ private:
   /// Where a bond snaps or forms at once: points, and a counterpart that a force moves, are held near where
   /// they are, less and less, so that the energy falls from answer to answer until nothing is held.
   void solve_by_small_moves() {
-    double const steepest = this->steepest();
-    if (steepest == 0)
+    if (steepest_ == 0)
       return;
     if (!torn_ || !hold_bonds_at_start()) {
       answer_.force = guess_;
       answer_.lift = 0;
       place();
     }
-    hold_ = 2 * steepest;
+    hold_ = 2 * steepest_;
     lift_share_ = wanted_.force && reach_ > 0 ? std::abs(missing()) * far / (hold_ * reach_) : 0;
-    double most_moved = 0, least = 1e-3 * steepest;
+    double most_moved = 0, least = 1e-3 * steepest_;
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
       lift_near_ = answer_.lift;
@@ -390,14 +393,14 @@ private:
         answer_.force = force;
         answer_.x = near_;
         answer_.lift = lift_near_;
-        if (hold_ > 1e6 * steepest)
+        if (hold_ > 1e6 * steepest_)
           break;
         continue;
       }
       if (parted())
         break;
       if (++since % 8 == 0)
-        least = std::max(0.5 * least, 1e-3 * steepest);
+        least = std::max(0.5 * least, 1e-3 * steepest_);
       double const hold = std::exchange(hold_, 0);
       double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
       most_moved = std::max(most_moved, moved);
@@ -461,7 +464,7 @@ private:
   static constexpr double tolerance_held = 1e-6;
   static constexpr double far = 8; ///< over the opening of the strength: what adheres there hardly falls
   static constexpr int most_vain = 8, most_moves = 2000;
-  static constexpr int most_vain_dry = 40; ///< sets of points that touch are found however residuals go
+  static constexpr int most_vain_in_front = 40; ///< sets of points are found however residuals go
   static constexpr long most_inner = 200;
 
   Surface const& surface_;
@@ -475,6 +478,7 @@ private:
   bool unfelt_ = false; ///< the mean force of a displacement
   double strength_ = 0; ///< of adhesion, Pa
   double reach_ = 0;    ///< of the law: beyond, it hardly falls, m
+  double steepest_ = 0; ///< fall of a bond's force, N/m^3
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;
