@@ -26,7 +26,6 @@ public:
         own_(problem.W.template block<D>(0)) {
     double const longest = surface.longest();
     least_hold_ = 1e-3 / longest;
-    steepest_ = steepest();
     governed_ = longest;
     unfelt_ = !wanted.force && !surface.mean_gives();
     for (auto const& law : problem.adhesions) {
@@ -154,7 +153,7 @@ private:
     Standing const held = standing();
     return solve_from_here() && !gained<D>(held, standing());
   }
-  [[nodiscard]] double steepest() const { // N/m^3
+  [[nodiscard]] double steepest() const {
     double most = 0;
     for (auto const& point : problem_.points)
       if (point.adhesion >= 0)
@@ -270,8 +269,8 @@ private:
     system_.softness = yielding > 0 ? softness / yielding : 0;
   }
 
-  /// The one answer there is then may lie behind a front that runs from point to point.
-  [[nodiscard]] bool cannot_snap() const { return steepest_ <= hold_ + 1 / governed_; }
+  /// There is one answer then, but it may lie behind a front that runs from point to point.
+  [[nodiscard]] bool cannot_snap() const { return steepest() <= hold_ + 1 / governed_; }
 
   /// Frees the forces that are none of W's business, and solves for the others.
   Correction correct(double part) {
@@ -341,7 +340,7 @@ private:
         return false;
       vain = norm_ < 0.99 * best ? 0 : vain + 1;
       best = std::min(best, norm_);
-      if (vain > (dry || cannot_snap() ? most_vain_in_front : most_vain))
+      if (vain > most_vain && (vain > most_vain_in_front || !cannot_snap()))
         return false;
     }
     return false;
@@ -371,16 +370,17 @@ private:
   /// Where a bond snaps or forms at once: points, and a counterpart that a force moves, are held near where
   /// they are, less and less, so that the energy falls from answer to answer until nothing is held.
   void solve_by_small_moves() {
-    if (steepest_ == 0)
+    double const steepest = this->steepest();
+    if (steepest == 0)
       return;
     if (!torn_ || !hold_bonds_at_start()) {
       answer_.force = guess_;
       answer_.lift = 0;
       place();
     }
-    hold_ = 2 * steepest_;
+    hold_ = 2 * steepest;
     lift_share_ = wanted_.force && reach_ > 0 ? std::abs(missing()) * far / (hold_ * reach_) : 0;
-    double most_moved = 0, least = 1e-3 * steepest_;
+    double most_moved = 0, least = 1e-3 * steepest;
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
       lift_near_ = answer_.lift;
@@ -393,14 +393,14 @@ private:
         answer_.force = force;
         answer_.x = near_;
         answer_.lift = lift_near_;
-        if (hold_ > 1e6 * steepest_)
+        if (hold_ > 1e6 * steepest)
           break;
         continue;
       }
       if (parted())
         break;
       if (++since % 8 == 0)
-        least = std::max(0.5 * least, 1e-3 * steepest_);
+        least = std::max(0.5 * least, 1e-3 * steepest);
       double const hold = std::exchange(hold_, 0);
       double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
       most_moved = std::max(most_moved, moved);
@@ -478,7 +478,6 @@ private:
   bool unfelt_ = false; ///< the mean force of a displacement
   double strength_ = 0; ///< of adhesion, Pa
   double reach_ = 0;    ///< of the law: beyond, it hardly falls, m
-  double steepest_ = 0; ///< fall of a bond's force, N/m^3
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;
