@@ -215,10 +215,12 @@ Foot Curve::nearest_start(Vec2 const& point, std::span<double const> x) const {
 }
 
 Foot Curve::sample(int segment, Vec2 const& point, std::span<double const> x, double& distance2) const {
-  double const early = (evaluate({segment, 0.25}, x).by_xi[0] - point).squaredNorm();
-  double const late = (evaluate({segment, 0.75}, x).by_xi[0] - point).squaredNorm();
-  distance2 = std::min(early, late);
-  return {segment, early <= late ? 0.25 : 0.75};
+  auto const& ends = segments_[ix(segment)].ends;
+  Vec2 const from = contact::position(x, ends[0]), chord = contact::position(x, ends[1]) - from;
+  double const length2 = chord.squaredNorm();
+  Foot const foot{segment, length2 > 0 ? std::clamp(chord.dot(point - from) / length2, 0.0, 1.0) : 0.5};
+  distance2 = (evaluate(foot, x).by_xi[0] - point).squaredNorm();
+  return foot;
 }
 
 Box<2> Curve::box(int segment, std::span<double const> x) const {

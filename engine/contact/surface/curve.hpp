@@ -65,7 +65,7 @@ public:
                             Overhang overhang = Overhang::found) const;
   /// A foot near the nearest one, by looking at all segments.
   [[nodiscard]] Foot nearest_start(Vec2 const& point, std::span<double const> x) const;
-  /// The nearer of two feet on one segment; `distance2`: squared distance, m^2.
+  /// The nearest foot on one segment, as if it were straight; `distance2`: squared distance, m^2.
   [[nodiscard]] Foot sample(int segment, Vec2 const& point, std::span<double const> x,
                             double& distance2) const;
   [[nodiscard]] Box<2> box(int segment, std::span<double const> x) const;

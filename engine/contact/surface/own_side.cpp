@@ -50,15 +50,10 @@ double gap_at(Primary const& primary, Point const& point, Foot foot, std::span<d
 }
 
 /// Where a facet is nearest to a point; of a curve: its chord.
-Foot nearest_on(Curve const& curve, int segment, Vec2 const& point, std::span<double const> x) {
-  auto const& ends = curve.segments()[ix(segment)].ends;
-  Vec2 const from = Eigen::Map<Vec2 const>(&x[2 * ix(ends[0])]),
-             along = Eigen::Map<Vec2 const>(&x[2 * ix(ends[1])]) - from;
-  return {segment, std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0)};
-}
-Foot nearest_on(Surface const& surface, int facet, Vec3 const& point, std::span<double const> x) {
+template<class Primary, class Point>
+Foot nearest_on(Primary const& primary, int facet, Point const& point, std::span<double const> x) {
   double distance2 = 0;
-  return surface.sample(facet, point, x, distance2);
+  return primary.sample(facet, point, x, distance2);
 }
 /// m
 template<class Primary, class Point>

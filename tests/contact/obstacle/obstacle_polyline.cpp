@@ -71,6 +71,16 @@ TEST_SUITE("contact") {
     CHECK(wedge.gap == doctest::Approx(wedge.frame(0, 0) > 0.5 ? 0.2 : 0.3)); // along the normal of one side
   }
 
+  TEST_CASE("of sides of unlike lengths the nearest is found, from anywhere") {
+    auto const plate = polyline({-6, 0, 6, 0, 6, 1, -6, 1}, true, Smoothing::polyline);
+    for (double const x : {-5.9, -5.0, -4.5, -1.0, 0.0, 3.1, 4.9, 5.75})
+      for (double const y : {0.0, 0.125, 0.4}) { // within, or on the side below
+        CAPTURE(x);
+        CAPTURE(y);
+        CHECK(seen(plate, {x, y}).gap == doctest::Approx(-std::min(y, 6 - std::abs(x))).scale(1e-12));
+      }
+  }
+
   TEST_CASE("slip on a closed profile goes the short way round") {
     auto const box = square();
     auto const start = seen(box, {-0.5, -1.1}); // near the first point
