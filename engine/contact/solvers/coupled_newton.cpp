@@ -1,6 +1,7 @@
 // Semismooth Newton on the natural map, its linear systems solved together with the bulk.
 #include "contact/solvers/coupled_newton.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
@@ -19,7 +20,10 @@ constexpr double status_settled = 1e-3; ///< residual over its scale, below whic
 constexpr double attainable = 1e-9;
 constexpr int often = 3;
 constexpr int most_halvings = 5;
-constexpr int most_idle = 8; ///< iterations in which the residual has to halve
+constexpr int most_idle = 8;       ///< iterations in which the residual has to halve
+constexpr int most_idle_held = 12; ///< the same while falling bonds are held
+constexpr int most_holds = 4;
+constexpr double let_go = 0.05; ///< residual after a hold over the one before, at which it ends
 
 double left_over(double relative, double tolerance) {
   return relative > status_settled ? coarse_step
@@ -42,9 +46,10 @@ public:
     x_ = displacement(problem_, p_);
     merit_ = evaluate_all(p_, x_);
   }
-  /// False if the linear system was not solved.
-  [[nodiscard]] bool step(double part) {
-    linearise();
+  /// False if the linear system was not solved. hold: bonds pull as they did where opening weakens them; then
+  /// a step leads downhill, whatever the residual does, and whole.
+  [[nodiscard]] bool step(double part, bool hold) {
+    linearise(hold);
     Vector dp, dx;
     if (!problem_.W.together()->solve(laws_, p_, part, dp, dx))
       return false;
@@ -54,7 +59,7 @@ public:
       p = p_ + length * dp;
       x = x_ + length * dx;
       merit_ = evaluate_all(p, x);
-      if (merit_ <= (1 - 1e-4 * length) * before || k == most_halvings)
+      if (hold || merit_ <= (1 - 1e-4 * length) * before || k == most_halvings)
         break;
     }
     problem_.W.together()->advance(length);
@@ -76,12 +81,20 @@ private:
     }
     return std::sqrt(sum);
   }
-  void linearise() {
+  /// Without what grows of a bond's pull as it gives way.
+  static LocalMatrix<D> stiffening(LocalMatrix<D> const& adhesion_by_x) {
+    Eigen::SelfAdjointEigenSolver<LocalMatrix<D>> const modes(0.5 *
+                                                              (adhesion_by_x + adhesion_by_x.transpose()));
+    return modes.eigenvectors() * modes.eigenvalues().cwiseMin(0).asDiagonal() *
+           modes.eigenvectors().transpose();
+  }
+  void linearise(bool hold) {
     for (Index i = 0; i < problem_.size(); ++i) {
       auto const& state = states_[ix(i)];
       laws_.A.template middleRows<D>(D * i) = state.residual_by_dry;
       laws_.B.template middleRows<D>(D * i) =
-          state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
+          state.residual_by_x -
+          state.residual_by_dry * (hold ? stiffening(state.adhesion_by_x) : state.adhesion_by_x);
       laws_.right.template segment<D>(D * i) = -state.residual;
     }
   }
@@ -98,8 +111,9 @@ template<int D> Solution run(Problem const& problem, Vector const& guess, double
   Solution solution;
   bool exact = true; // x is that of the forces
   double const there = forces_there(problem, guess);
-  double halved = std::numeric_limits<double>::infinity();
-  int met = 0;
+  double halved = std::numeric_limits<double>::infinity(), left = 0;
+  int met = 0, holds = 0;
+  bool hold = false;
   for (int idle = 0;;) {
     double const relative = (solution.verdict = newton.verdict()).relative();
     if (relative <= tolerance && !exact) {
@@ -114,8 +128,20 @@ template<int D> Solution run(Problem const& problem, Vector const& guess, double
       halved = newton.merit();
       idle = 0;
     }
-    if (solution.converged || solution.iterations == iterations || ++idle > most_idle ||
-        !newton.step(left_over(relative, tolerance)))
+    if (solution.converged || solution.iterations == iterations)
+      break;
+    if (hold && newton.merit() < let_go * left) {
+      hold = false;
+      idle = 0;
+    }
+    if (++idle > (hold ? most_idle_held : most_idle)) {
+      if (!hold && ++holds > most_holds)
+        break;
+      hold = !hold;
+      left = newton.merit();
+      idle = 0;
+    }
+    if (!newton.step(left_over(relative, tolerance), hold))
       break;
     ++solution.iterations;
     exact = false;

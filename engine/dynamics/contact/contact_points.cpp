@@ -13,12 +13,13 @@
 namespace stiction::dynamics {
 
 namespace {
-constexpr Index few = 64; // points that one thread does best
-}
+constexpr Index few = 64;           // points that one thread does best
+constexpr double same_place = 1e-9; // of a pair's reach
+} // namespace
 
 template<int D, int C>
 ContactPoints<D, C>::ContactPoints(Model const& model, contact::Problem& problem)
-    : model_(&model), problem_(&problem), weights_(weights(model.scheme)), geometry_(model) {
+    : model_(&model), problem_(&problem), weights_(weights(model.scheme)), geometry_(model), twins_(model) {
   for (std::size_t pair = 0; pair < model.pairs.size(); ++pair) {
     auto const& described = model.pairs[pair];
     int adhesion = -1, friction = -1;
@@ -44,8 +45,7 @@ template<int D, int C> void ContactPoints<D, C>::begin(State const& old, double 
   geometry_.begin(old, t1);
   for (auto& point : points_) {
     ContactState const& state = before(point);
-    if (auto const area = geometry_.mortar_area(point.id))
-      point.data.area = *area;
+    point.data.area = geometry_.mortar_area(point.id).value_or(own_area(point));
     point.force = point.data.area * (state.dry + state.adhesion).template head<C>();
     point.rho = 0;
     point.data.bond = {state.bond, dt, state.status != interface::Status::open};
@@ -92,8 +92,9 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
   each_point([&](Point& point) {
     point.kinematics =
         point.apart ? contact::PointKinematics<D>{} : geometry_.kinematics(point.id, point.kinematics.foot);
-    choose_active(point);
   });
+  pair_twins();
+  each_point([&](Point& point) { choose_active(point); });
   active_.clear();
   bonding_changed_ = false;
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -103,6 +104,23 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
     active_.push_back(static_cast<Index>(k));
     if (!settle)
       settle_closing(point);
+  }
+}
+
+/// Of twins that are alike the first has the area and the reaction of all.
+template<int D, int C> void ContactPoints<D, C>::pair_twins() {
+  for (auto const& [first, second] : twins_.all())
+    points_[ix(first)].data.area = own_area(points_[ix(first)]);
+  for (auto const& [first, second] : twins_.all()) {
+    auto &lead = points_[ix(first)], &point = points_[ix(second)];
+    auto const &a = lead.data, &b = point.data;
+    point.led = lead.waits == point.waits && a.bond.old.beta == b.bond.old.beta && a.mu == b.mu &&
+                twins_.alike(lead.kinematics, point.kinematics, same_place * pair_of(point).reach);
+    if (!point.led)
+      continue;
+    lead.data.area += own_area(point);
+    lead.force += point.force;
+    point.force.setZero();
   }
 }
 
@@ -116,7 +134,7 @@ template<int D, int C> void ContactPoints<D, C>::choose_active(Point& point) con
   bool const near = gap < pair.reach && deepest > -contact::most_depth * pair.reach && !point.waits &&
                     !geometry_.beneath(point.id, point.kinematics);
   bool const was = point.active;
-  point.active = point.kinematics.found && (held || near);
+  point.active = point.kinematics.found && !point.led && (held || near);
   if (!point.active)
     point.force.setZero();
   if (!was)
@@ -204,6 +222,18 @@ template<int D, int C> void ContactPoints<D, C>::finish(State& next) const {
     after.slip.template head<D - 1>() = point.kinematics.slip;
     after.path = before(point).path + after.slip;
     finish(point, after, next);
+  }
+  for (auto const& [first, second] : twins_.all()) {
+    auto const &lead = points_[ix(first)], &point = points_[ix(second)];
+    auto& contacts = next.contacts[ix(lead.id.pair)];
+    auto &of_lead = contacts[ix(lead.id.index)], &of_point = contacts[ix(point.id.index)];
+    of_lead.area = own_area(lead);
+    if (!point.led)
+      continue;
+    auto const foot = of_point.foot;
+    of_point = of_lead;
+    of_point.foot = foot;
+    of_point.area = own_area(point);
   }
 }
 

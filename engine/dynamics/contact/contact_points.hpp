@@ -2,6 +2,7 @@
 #pragma once
 #include "dynamics/contact/contact_geometry.hpp"
 #include "dynamics/contact/step_point.hpp"
+#include "dynamics/contact/twins.hpp"
 
 namespace stiction::dynamics {
 
@@ -44,6 +45,8 @@ private:
   void add_pair(int number);
   template<class Act> void each_point(Act const& act);
   void limit_rates(Point& point, double dt) const;
+  [[nodiscard]] double own_area(Point const& point) const { return pair_of(point).areas[ix(point.id.index)]; }
+  void pair_twins();
   void choose_active(Point& point) const;
   void settle_closing(Point& point);
   void finish(Point const& point, ContactState& after, State& next) const;
@@ -52,6 +55,7 @@ private:
   contact::Problem const* problem_;
   StepWeights weights_;
   ContactGeometry<D> geometry_;
+  Twins twins_;
   std::vector<Point> points_, kept_;
   Indices active_;
   State const* old_ = nullptr;

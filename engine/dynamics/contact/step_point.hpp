@@ -14,6 +14,7 @@ template<int D, int C> struct StepPoint {
   contact::ProblemPoint data;                          ///< area, mu, bond
   bool active = false;
   bool waits = false; ///< at the velocity level: its gap will not close in this step
+  bool led = false;   ///< its twin acts for both, see Twins
   bool apart = false; ///< of one that follows: there is no counterpart to look for
   [[nodiscard]] contact::Local<C> x() const {
     contact::Local<C> x;

@@ -215,6 +215,13 @@ TEST_CASE("a pad with alike sides is pressed and dragged as an infinite one") {
     CHECK(force.y() == doctest::Approx(pressed).epsilon(1e-8));
     CHECK(force.x() == doctest::Approx(-0.4 * pressed).epsilon(1e-8));
     CHECK(end.state.ledger.friction_loss > 0);
+    double area = 0;
+    for (auto const& point : end.state.contacts[0]) { // the two ends, which are one node, share alike
+      CHECK(point.dry[0] == doctest::Approx(0.1 * M).epsilon(1e-8));
+      CHECK(point.dry[1] == doctest::Approx(-0.4 * 0.1 * M).epsilon(1e-8));
+      area += point.area;
+    }
+    CHECK(area == doctest::Approx(0.5).epsilon(1e-12));
     double const off = end.state.ledger.scheme_loss();
     if (before != 0)
       CHECK(before / off == doctest::Approx(2).epsilon(0.1));

@@ -1,0 +1,30 @@
+// Contact points on nodes that move as one, like the two ends of a periodic side.
+#pragma once
+#include "contact/node_to_segment/kinematics.hpp"
+#include "dynamics/model/model.hpp"
+
+namespace stiction::dynamics {
+
+/// A point and a later one of the same pair, both numbered through all points of the model.
+struct Twin {
+  Index first, second;
+};
+
+/// Two points with one motion between them could share a reaction in any way: their problem is singular. As
+/// long as they are alike one of them acts for both.
+class Twins {
+public:
+  explicit Twins(Model const& model);
+  [[nodiscard]] std::vector<Twin> const& all() const { return all_; }
+  /// Do the same unknowns move gap and slip of both, by the same rows H to `part`, and are they equal to
+  /// `off`, m?
+  template<int D>
+  [[nodiscard]] bool alike(contact::PointKinematics<D> const& a, contact::PointKinematics<D> const& b,
+                           double off) const;
+
+private:
+  Indices moves_as_; ///< [nodes] the first of those that each one moves with
+  std::vector<Twin> all_;
+};
+
+} // namespace stiction::dynamics
