@@ -1,7 +1,9 @@
 // The closest point of a fixed curve and its derivatives by the position of the point.
 #include "contact/obstacle/obstacle_polyline.hpp"
 
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "core/error.hpp"
 
@@ -14,6 +16,35 @@ namespace {
 FixedCurve const& fixed(RigidPolyline const& line) {
   core::expect(line.prepared != nullptr, "the polyline was prepared");
   return *line.prepared;
+}
+
+constexpr double straight = 1e-6; ///< rad, no corner
+constexpr double blunt = 1e-3;    ///< of a segment: the least radius of the turn about a corner
+
+/// Where two segments meet, the first one walking in.
+struct Corner {
+  int in, out;
+  Vec2 place, walk_in, walk_out;
+  [[nodiscard]] double angle() const { return turn(walk_in, walk_out); } ///< > 0: convex
+  /// From a to b, rad.
+  static double turn(Vec2 const& a, Vec2 const& b) {
+    return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+};
+
+/// The corner that a foot lies in, if it is the end of two segments.
+std::optional<Corner> corner_of(FixedCurve const& line, Foot foot) {
+  auto const& segments = line.curve.segments();
+  int const in = foot.xi == 1 ? foot.segment : foot.xi == 0 ? segments[ix(foot.segment)].previous : -1;
+  int const out = in >= 0 ? segments[ix(in)].next : -1;
+  if (out < 0)
+    return std::nullopt;
+  auto const before = line.curve.evaluate({in, 1}, line.x).by_xi;
+  return Corner{in, out, before[0], before[1], line.curve.evaluate({out, 0}, line.x).by_xi[1]};
+}
+
+bool in_wedge(Foot foot) {
+  return foot.zeta > 0;
 }
 
 } // namespace
@@ -59,18 +90,47 @@ void prepare(RigidPolyline& line) {
 }
 
 Foot foot_2d(RigidPolyline const& line, Vec2 const& x, Foot guess) {
-  auto const& [positions, curve] = fixed(line);
-  return curve.project(x, guess, positions);
+  auto const& made = fixed(line);
+  Foot const foot = made.curve.project(x, {guess.segment, guess.xi}, made.x);
+  auto const corner = foot.found() ? corner_of(made, foot) : std::nullopt;
+  if (!corner || corner->angle() < straight)
+    return foot;
+  Vec2 const d = x - corner->place;
+  if (d.dot(corner->walk_in) <= 0 || d.dot(corner->walk_out) >= 0)
+    return foot;
+  return {corner->in, 1, Corner::turn(right_of(corner->walk_in), d), d.norm()};
 }
 
+/// What lies between the corners' wedges is the curve; the tangent points against the walk.
 double slip_2d(RigidPolyline const& line, Foot from, Foot to) {
-  auto const& [positions, curve] = fixed(line);
-  return -curve.path_length(from, to, positions); // the tangent points against the walk
+  auto const& made = fixed(line);
+  if (in_wedge(from) && in_wedge(to) && from.segment == to.segment)
+    return -to.zeta * (to.eta - from.eta);
+  double const path = made.curve.path_length(from, to, made.x);
+  int const next = made.curve.segments()[ix(from.segment)].next;
+  bool const ahead =
+      path > 0 || (path == 0 && (to.segment == from.segment ? in_wedge(to) : to.segment == next));
+  auto const round = [&](Foot foot, bool whole) { // to the side that the walk goes on, or comes from
+    return in_wedge(foot) ? foot.zeta * (whole ? corner_of(made, foot)->angle() - foot.eta : -foot.eta) : 0;
+  };
+  return -(path + round(from, ahead) - round(to, !ahead));
 }
 
 View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot) {
-  auto const& [positions, curve] = fixed(line);
-  return view_from(curve.evaluate(foot, positions), x);
+  auto const& made = fixed(line);
+  auto const at = made.curve.evaluate(foot, made.x);
+  if (!in_wedge(foot))
+    return view_from(at, x);
+  Vec2 const d = x - at.by_xi[0];
+  View2d seen;
+  seen.gap = d.norm();
+  seen.normal = d / seen.gap;
+  Vec2 const t = right_of(seen.normal);
+  double const radius = std::max(seen.gap, blunt * at.by_xi[1].norm());
+  seen.slip_by_x = t;
+  seen.gap_by_xx = t * t.transpose() / radius;
+  seen.slip_by_xx = -seen.normal * t.transpose() / radius;
+  return seen;
 }
 
 View2d view_from(CurvePoint const& foot, Vec2 const& x) {

@@ -7,6 +7,10 @@
 
 namespace stiction::dynamics {
 
+namespace {
+constexpr double nothing = 1e-250; ///< N: forces of a body let go fade step by step to numbers without digits
+}
+
 /// m, turns by their arms.
 double Stepper::largest_way(Vector const& way) const {
   return arms_.size() > 0 ? way.cwiseProduct(arms_).lpNorm<Eigen::Infinity>() : way.lpNorm<Eigen::Infinity>();
@@ -46,7 +50,7 @@ bool Stepper::near(Outcome const& outcome) const {
 /// What rounding alone leaves is enough: of bodies at once, of contact, whose gaps have the last digits of
 /// rounding, once it no longer falls.
 bool Stepper::converged(Outcome& outcome) {
-  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded();
+  double const tolerance = model_->control.force_tolerance * force_scale_ + rounded() + nothing;
   double const forces = imbalance(), contact = contact_->residual(), worst = std::max(forces, contact);
   outcome.out_of_balance = force_scale_ > 0 ? worst / force_scale_ : worst;
   outcome.force_scale = force_scale_;

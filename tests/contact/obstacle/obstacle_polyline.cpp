@@ -55,7 +55,7 @@ TEST_SUITE("contact") {
     CHECK_FALSE(seen(floor, {-2.1, -0.1}).found);
   }
 
-  TEST_CASE("corners of a profile: either side near them, the corner itself outside") {
+  TEST_CASE("corners of a profile: either side near them") {
     auto const box = square();
     auto const right = seen(box, {1.2, 0.9}), top = seen(box, {0.9, 1.2});
     CHECK(right.gap == doctest::Approx(0.2));
@@ -64,11 +64,50 @@ TEST_SUITE("contact") {
     CHECK(seen(box, {0.9, 0.95}).gap == doctest::Approx(-0.05)); // within: the nearer side
     // from the right side over the corner to the top: the length along both
     CHECK(seen(box, {0.9, 1.2}, right.foot).slip[0] == doctest::Approx(-0.2));
+  }
+
+  TEST_CASE("round a corner normals turn steadily from one side to the other, and slip goes on") {
+    auto const box = square();
+    double const quarter = std::numbers::pi / 2, r = std::hypot(0.2, 0.3), turned = std::atan2(0.3, 0.2);
     auto const wedge = seen(box, {1.2, 1.3});
-    REQUIRE(wedge.found);
-    CHECK((wedge.foot.xi == 0 || wedge.foot.xi == 1));
-    CHECK(seen(box, {0.9, 1.2}, wedge.foot).slip[0] == doctest::Approx(-0.1));
-    CHECK(wedge.gap == doctest::Approx(wedge.frame(0, 0) > 0.5 ? 0.2 : 0.3)); // along the normal of one side
+    CHECK(wedge.gap == doctest::Approx(r));
+    CHECK(wedge.frame.col(0).isApprox(Vec2(0.2, 0.3) / r));
+    CHECK(wedge.frame.col(1).isApprox(Vec2(0.3, -0.2) / r));
+    auto const right = seen(box, {1.2, 0.9}), top = seen(box, {0.9, 1.2});
+    CHECK(seen(box, {1.2, 1.3}, right.foot).slip[0] == doctest::Approx(-0.1 - r * turned));
+    CHECK(seen(box, {1.2, 1.3}, top.foot).slip[0] == doctest::Approx(0.1 + r * (quarter - turned)));
+    CHECK(seen(box, {0.9, 1.2}, wedge.foot).slip[0] == doctest::Approx(-0.1 - r * (quarter - turned)));
+    CHECK(seen(box, {1.2, 0.9}, wedge.foot).slip[0] == doctest::Approx(0.1 + r * turned));
+    CHECK(seen(box, {1.3, 1.2}, wedge.foot).slip[0] == doctest::Approx(r * (turned - std::atan2(0.2, 0.3))));
+    for (double const end : {-1e-9, 1e-9}) { // on either side of the wedge's borders
+      CHECK(seen(box, {1.2, 1 + end}).gap == doctest::Approx(0.2));
+      CHECK(seen(box, {1.2, 1 + end}).frame.col(0).isApprox(Vec2(1, 0), 1e-8));
+      CHECK(seen(box, {1 + end, 1.2}).frame.col(0).isApprox(Vec2(0, 1), 1e-8));
+      CHECK(seen(box, {1.2, 1 + end}, right.foot).slip[0] == doctest::Approx(-0.1));
+    }
+  }
+
+  TEST_CASE("round a corner the derivatives of gap and slip are what differences tend to") {
+    auto const box = square();
+    Vec2 const at(1.2, 1.3), force(0.7, -0.4);
+    auto const here = seen(box, at);
+    Mat<2> const K = curvature_stiffness<2>(box, here.foot, at, force, Vec3::UnitX());
+    std::array<double, 2> first{}, second{}, slip{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      double const h = k == 0 ? 2e-3 : 1e-3;
+      for (int c = 0; c < 2; ++c) {
+        Vec2 const step = h * Vec2::Unit(c);
+        auto const up = seen(box, at + step, here.foot), down = seen(box, at - step, here.foot);
+        first[k] = std::max(first[k], std::abs((up.gap - down.gap) / (2 * h) - here.by_x(0, c)));
+        slip[k] = std::max(slip[k], std::abs((up.slip[0] - down.slip[0]) / (2 * h) - here.by_x(1, c)));
+        Vec2 const difference = (up.by_x - down.by_x).transpose() * force / (2 * h);
+        second[k] = std::max(second[k], (difference - K.col(c)).norm());
+      }
+    }
+    for (auto const& off : {first, slip, second}) {
+      CHECK(off[1] < 1e-4);
+      CHECK(std::log2(off[0] / off[1]) == doctest::Approx(2).epsilon(0.05));
+    }
   }
 
   TEST_CASE("of sides of unlike lengths the nearest is found, from anywhere") {

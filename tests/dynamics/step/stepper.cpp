@@ -227,6 +227,29 @@ TEST_CASE("rubber that nothing strains is carried along, however short the way")
   }
 }
 
+TEST_CASE("what is left of the forces of a body let go may fade to numbers without digits") {
+  auto table = floating();
+  test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {40, 40}}, test::linear_elastic(1e5, 0.49));
+  test::at(table, "bodies.foot.interpolation") = test::text("mean_dilatation");
+  test::at(table, "motions") = test::list({test::fix("foot.bottom")});
+  test::at(table, "loads") =
+      test::list({test::make("load.traction", {{"set", test::text("foot.top")},
+                                               {"times", test::values({0, 1, 2}, "s")},
+                                               {"y", test::values({0, 100, 0}, "Pa")}})});
+  test::at(table, "scheme") = test::quasi_static();
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const pulled = test::march(stepper, stepper.initial(), 1, 1);
+  for (double const part : {1e-300, 1e-305, 1e-308, 1e-310, 1e-312}) {
+    CAPTURE(part);
+    auto faded = pulled;
+    for (auto* all : {&faded.u, &faded.internal, &faded.drive})
+      *all *= part;
+    auto const rest = test::march(stepper, faded, 1, 4);
+    CHECK(rest.u.lpNorm<Eigen::Infinity>() < 1e-200);
+  }
+}
+
 TEST_CASE("a step whose energies are rounding is not refused for making energy") {
   for (char const* scheme : {"scheme.theta_xi", "scheme.newmark"})
     for (double const drift : {0.0, 1e-12}) {
