@@ -264,14 +264,16 @@ private:
       if (solution.converged)
         return solution;
     }
-    long const most = 20L * settings_.iterations;
-    for (auto const method : {Method::descent, Method::minimisation})
+    for (auto const method : {Method::descent, Method::minimisation}) {
+      // the minimum goes where a descent cannot, on through a snap of all bonds, one front after the other
+      long const most = (method == Method::descent ? 20L : 100L) * settings_.iterations;
       if (auto const end = method == Method::descent ? descend(problem, guess, most)
                                                      : minimise(problem, guess, most, memory_)) {
         solution = by(method, landed(problem, *end));
         if (solution.converged)
           return solution;
       }
+    }
     if (!downhill_first)
       return polish(problem, guess, Stuck::sweep);
     auto last = near(problem, guess); // where a descent does not settle, Newton may answer
