@@ -20,7 +20,7 @@ halfspace::Model lifted_flat() {
   model.grid = {4, 4, 1, 1, false, true};
   model.body = {1e6, 0.2, 0};
   model.heights = Vector::Zero(16);
-  model.shift[2] = dynamics::Path({0, 1}, {0, speed});
+  model.shift[2] = dynamics::Path{{0, 1}, {0, speed}};
   interface::Rcc law;
   law.w = w;
   law.C_n = C;
@@ -108,7 +108,7 @@ TEST_CASE("a half space without bonds tells no error, and its events are located
   model.law.adhesion.reset();
   CHECK_FALSE(halfspace::pace_of({}, model).decides());
   constexpr double touch = 0.123;
-  model.shift[2] = dynamics::Path({0, 1}, {touch * 1e-3, touch * 1e-3 - 1e-3});
+  model.shift[2] = dynamics::Path{{0, 1}, {touch * 1e-3, touch * 1e-3 - 1e-3}};
   dynamics::Accuracy accuracy;
   accuracy.events = 1e-4;
   CHECK(halfspace::pace_of(accuracy, model).decides());

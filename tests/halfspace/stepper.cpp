@@ -37,7 +37,7 @@ TEST_CASE("stiff bonds part behind a front that passes many points in a step") {
   model.heights = Vector::Zero(128);
   for (Index i = 0; i < 128; ++i)
     model.heights[i] = std::abs(model.grid.x(i)) < half ? 0 : 1e-3;
-  model.shift[2] = dynamics::Path({0, 1, 2}, {0, -1e-6, 1.3e-5});
+  model.shift[2] = dynamics::Path{{0, 1, 2}, {0, -1e-6, 1.3e-5}};
   interface::Bilinear law;
   law.K = 1e4 * strength * strength / work;
   law.sigma_n = law.sigma_t = strength;

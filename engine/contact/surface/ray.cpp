@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "contact/surface/facet.hpp"
+
 namespace stiction::contact {
 
 namespace {

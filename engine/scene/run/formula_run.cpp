@@ -94,7 +94,7 @@ private:
     dynamics::Timer const timer(output_);
     row_.assign({dt, 0});
     if (scene_.part.schedule.accuracy)
-      add_step_error({}, row_); // of a step there is none
+      add_step_error(dynamics::StepError(), row_); // of a step there is none
     for (auto const& sampler : samplers_)
       sampler(now, row_);
     series_.append(t, row_);

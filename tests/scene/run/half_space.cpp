@@ -320,9 +320,11 @@ TEST_CASE("random half spaces run, and their energies add up to numbers") {
     Case const one;
     auto const result = one.run(table);
     CHECK_MESSAGE(result.verdict == "finished", result.reason);
-    for (auto const& [name, column] : one.series().columns)
-      CHECK_MESSAGE(std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); }),
-                    name);
+    auto const series = one.series();
+    for (auto const& column : series.columns)
+      CHECK_MESSAGE(
+          std::ranges::all_of(column.second.values, [](double value) { return std::isfinite(value); }),
+          column.first);
   }
 }
 
