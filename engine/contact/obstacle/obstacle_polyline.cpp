@@ -119,9 +119,9 @@ double slip_2d(RigidPolyline const& line, Foot from, Foot to) {
 View2d view_2d(RigidPolyline const& line, Vec2 const& x, Foot foot) {
   auto const& made = fixed(line);
   auto const at = made.curve.evaluate(foot, made.x);
-  if (!in_wedge(foot))
-    return view_from(at, x);
   Vec2 const d = x - at.by_xi[0];
+  if (!in_wedge(foot) || d.isZero(0))
+    return view_from(at, x);
   View2d seen;
   seen.gap = d.norm();
   seen.normal = d / seen.gap;
