@@ -81,7 +81,7 @@ private:
     }
     return std::sqrt(sum);
   }
-  /// Without what grows of a bond's pull as it gives way.
+  /// Of a bond that opening weakens, the modes in which it does not.
   static LocalMatrix<D> stiffening(LocalMatrix<D> const& adhesion_by_x) {
     Eigen::SelfAdjointEigenSolver<LocalMatrix<D>> const modes(0.5 *
                                                               (adhesion_by_x + adhesion_by_x.transpose()));

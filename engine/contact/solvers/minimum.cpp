@@ -14,7 +14,7 @@ namespace stiction::contact {
 
 namespace {
 
-constexpr double no_stride = 1e-15; // of a step, see `stride`: what is left of forces that are all but zero
+constexpr double no_way = 1e-15; // over the least opening of a law: forces are all but zero
 constexpr double enough_step = 1e-11, rounded_step = 1e-9; // over z; where it shrinks no more
 constexpr double quick_contraction = 0.03;                 // of steps, with which the stiffness is kept
 constexpr double slow_contraction = 0.3;                   // with which it is made anew
@@ -129,7 +129,8 @@ public:
         return std::nullopt;
       double const way = step_.norm(), whole = (z_ + step_).norm();
       bool const stalls = model == Model::exact && way <= rounded_step * whole && way >= 0.5 * before;
-      bool const last = quadratic_ || stalls || way <= enough_step * whole || stride() <= no_stride;
+      bool const faded = moved_.template lpNorm<Eigen::Infinity>() <= no_way * opening_;
+      bool const last = quadratic_ || stalls || faded || way <= enough_step * whole;
       double const length = walk();
       bool const failed = length == 0;
       if (failed ? model == Model::exact : last)

@@ -16,14 +16,13 @@ class Twins {
 public:
   explicit Twins(Model const& model);
   [[nodiscard]] std::vector<Twin> const& all() const { return all_; }
-  /// Do the same unknowns move gap and slip of both, by the same rows H to `part`, and are they equal to
-  /// `off`, m?
+  /// Do the same unknowns move gap and slip of both, by the same rows H, and are these equal to `off`, m?
   template<int D>
   [[nodiscard]] bool alike(contact::PointKinematics<D> const& a, contact::PointKinematics<D> const& b,
                            double off) const;
 
 private:
-  Indices moves_as_; ///< [nodes] the first of those that each one moves with
+  Indices moves_as_; ///< [nodes] the one that each follows, itself where it follows none
   std::vector<Twin> all_;
 };
 

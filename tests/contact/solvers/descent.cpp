@@ -172,6 +172,50 @@ TEST_SUITE("contact") {
     CHECK(anew->work > before);
   }
 
+  TEST_CASE("from closed contact, where no bond pulls yet, every law is followed to its minimum") {
+    for (auto const& named : adhesions()) {
+      auto const scales = interface::scales(named.law);
+      Problem problem;
+      problem.dim = 1;
+      problem.adhesions = {named.law};
+      problem.points = {{1, 0, 0, {interface::initial_bond(named.law, 0), 0.01, false}}};
+      problem.start = Vector::Zero(1);
+      for (double const load : {0.1, 0.3, 0.7}) {
+        CAPTURE(named.name);
+        CAPTURE(load);
+        problem.W = Dense::Constant(1, 1, 0.5 / scales.softening);
+        problem.free = Vector::Constant(1, load * scales.opening);
+        std::unique_ptr<MinimumMemory> none;
+        auto const found = minimise(problem, Vector::Zero(1), 1000, none);
+        REQUIRE(found);
+        CHECK(found->settled);
+        CHECK(judge(problem, found->force).relative() <= 1e-9);
+      }
+    }
+  }
+
+  TEST_CASE("what is left of forces that are all but zero is not followed for long") {
+    int const n = 40;
+    auto problem = bonded(2, n, 30, 0.5);
+    interface::Bilinear law;
+    law.K = C;
+    law.sigma_n = law.sigma_t = 0.05 * C * u0;
+    law.G_I = law.G_II = w;
+    problem.adhesions = {law};
+    for (int i = 0; i < n; ++i) { // driven back to where nothing pulls, but for rounding
+      problem.free[2 * i] = -1e-22;
+      problem.free[2 * i + 1] = 1e-10 * std::sin(3.0 * i);
+      problem.points[static_cast<std::size_t>(i)].bond.old.stretch[0] =
+          -(1 + 1e-11) * problem.free[2 * i + 1];
+    }
+    problem.start = Vector::Zero(2 * n);
+    std::unique_ptr<MinimumMemory> none;
+    auto const found = minimise(problem, Vector::Zero(2 * n), 1000, none);
+    REQUIRE(found);
+    CHECK(found->settled);
+    CHECK(found->iterations < 5);
+  }
+
   TEST_CASE("only what may have several answers is searched downhill") {
     CHECK_FALSE(may_snap(bonded(2, 4, 0.3, 0)));
     CHECK(may_snap(bonded(2, 4, 0.4, 0)));
