@@ -48,7 +48,7 @@ set(STICTION_TOGETHER 8)
 if(STICTION_CORES LESS 5 AND NOT STICTION_SANITIZE)
   math(EXPR STICTION_TOGETHER "48 / ${STICTION_CORES}")
 endif()
-function(compile_together target) # compile_together(TARGET): at most STICTION_TOGETHER files at a time
+function(compile_together target) # compile_together(TARGET [MOST]): at most MOST files at a time, by default STICTION_TOGETHER
   if(NOT STICTION_UNITY)
     return()
   endif()
@@ -61,7 +61,9 @@ function(compile_together target) # compile_together(TARGET): at most STICTION_T
   list(FILTER others EXCLUDE REGEX "/(${apart}).cpp$")
   set_source_files_properties(${sources} PROPERTIES UNITY_GROUP exercised)
   list(LENGTH others count)
-  math(EXPR texts "(${count} + ${STICTION_TOGETHER} - 1) / ${STICTION_TOGETHER}") # of like size
+  set(most ${STICTION_TOGETHER} ${ARGN})
+  list(GET most -1 most)
+  math(EXPR texts "(${count} + ${most} - 1) / ${most}") # of like size
   set(k 0)
   foreach(file ${others})
     math(EXPR text "${k} * ${texts} / ${count}")

@@ -34,4 +34,10 @@ Dense pseudo_inverse(Dense const& A) {
   return parts.eigenvectors() * values.asDiagonal() * parts.eigenvectors().transpose();
 }
 
+Dense negative_part(Dense const& A) {
+  Eigen::SelfAdjointEigenSolver<Dense> const parts(A);
+  return parts.eigenvectors() * parts.eigenvalues().cwiseMin(0).asDiagonal() *
+         parts.eigenvectors().transpose();
+}
+
 } // namespace stiction::linear

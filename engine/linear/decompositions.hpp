@@ -33,4 +33,7 @@ namespace stiction::linear {
 /// Of a symmetric matrix; eigenvalues below 1e-10 of the largest count as zero.
 [[nodiscard]] Dense pseudo_inverse(Dense const& A);
 
+/// Of a symmetric matrix, the modes whose eigenvalues are negative.
+[[nodiscard]] Dense negative_part(Dense const& A);
+
 } // namespace stiction::linear

@@ -5,6 +5,14 @@
 
 namespace stiction::contact {
 
+template<int D> Local<D> solve_local(LocalMatrix<D> const& A, Local<D> const& b) {
+  return A.fullPivLu().solve(b);
+}
+
+template Local<1> solve_local<1>(LocalMatrix<1> const&, Local<1> const&);
+template Local<2> solve_local<2>(LocalMatrix<2> const&, Local<2> const&);
+template Local<3> solve_local<3>(LocalMatrix<3> const&, Local<3> const&);
+
 template<int D>
 PointState<D> evaluate(Problem const& problem, ProblemPoint const& data, Local<D> const& p, Local<D> const& x,
                        double rho) {
@@ -65,7 +73,7 @@ double improve_point(Problem const& problem, Index point, Local<D> const& free, 
        ++iteration) {
     LocalMatrix<D> const J =
         state.residual_by_dry + (state.residual_by_x - state.residual_by_dry * state.adhesion_by_x) * W;
-    Local<D> const step = -J.fullPivLu().solve(state.residual);
+    Local<D> const step = -solve_local<D>(J, state.residual);
     double length = 1;
     Local<D> trial = p + step;
     auto next = evaluate<D>(problem, point, trial, free + W * trial, rho);
@@ -101,7 +109,7 @@ PointAnswer<D> solve_point(Problem const& problem, Index point, Local<D> const& 
     start_from(Local<D>::Zero());
   if (!done()) {
     LocalMatrix<D> const W = problem.W.block<D>(point);
-    start_from(-W.fullPivLu().solve(free - problem.points[ix(point)].shift.head<D>()));
+    start_from(-solve_local<D>(W, free - problem.points[ix(point)].shift.head<D>()));
   }
   return {p, done()};
 }

@@ -66,6 +66,9 @@ template<class Call> auto by_dimension(int dim, Call&& call) {
 /// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.
 [[nodiscard]] double natural_scale(Problem const& problem, Index point);
 
+/// A^-1 b by LU with full pivots.
+template<int D> [[nodiscard]] Local<D> solve_local(LocalMatrix<D> const& A, Local<D> const& b);
+
 template<int D> struct PointAnswer {
   Local<D> force;
   bool found; ///< else the force whose residual is the least of those tried

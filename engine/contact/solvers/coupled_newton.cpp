@@ -1,11 +1,11 @@
 // Semismooth Newton on the natural map, its linear systems solved together with the bulk.
 #include "contact/solvers/coupled_newton.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
 #include "contact/solvers/rounding.hpp"
+#include "linear/decompositions.hpp"
 
 namespace stiction::contact {
 
@@ -83,10 +83,7 @@ private:
   }
   /// Of a bond that opening weakens, the modes in which it does not.
   static LocalMatrix<D> stiffening(LocalMatrix<D> const& adhesion_by_x) {
-    Eigen::SelfAdjointEigenSolver<LocalMatrix<D>> const modes(0.5 *
-                                                              (adhesion_by_x + adhesion_by_x.transpose()));
-    return modes.eigenvectors() * modes.eigenvalues().cwiseMin(0).asDiagonal() *
-           modes.eigenvectors().transpose();
+    return linear::negative_part(0.5 * (adhesion_by_x + adhesion_by_x.transpose()));
   }
   void linearise(bool hold) {
     for (Index i = 0; i < problem_.size(); ++i) {

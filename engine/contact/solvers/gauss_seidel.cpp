@@ -1,7 +1,5 @@
 // Nonsmooth Gauss-Seidel and bi-potential Uzawa: the same sweeps, an exact or a single-projection point
 // update.
-#include <Eigen/LU>
-
 #include "contact/solvers/rounding.hpp"
 
 namespace stiction::contact {
@@ -20,9 +18,7 @@ Local<D> correct_point(Problem const& problem, Index point, Local<D> const& free
     return dry;
   // p' = dry + A rtilde(x'), x' = free + W p', linearised about x
   LocalMatrix<D> const I = LocalMatrix<D>::Identity();
-  return (I - state.adhesion_by_x * W)
-      .fullPivLu()
-      .solve(dry + (p - state.dry) - state.adhesion_by_x * (W * p));
+  return solve_local<D>(I - state.adhesion_by_x * W, dry + (p - state.dry) - state.adhesion_by_x * (W * p));
 }
 
 struct Swept {
