@@ -148,7 +148,8 @@ template<int D> [[nodiscard]] Bond advance(Exponential const& law, BondStep cons
 }
 
 /// int of (K_n d_n^2 + K_t d_t^2) / 2 over the loss of beta along the ray to the opening of the step's end,
-/// where u goes with the part y on the ray and v with y^2; Gauss' rule of five points.
+/// where u goes with the part y on the ray and v with y^2; Gauss' rule of five points for each unit of -ln
+/// beta.
 template<int D>
 [[nodiscard]] double dissipation(Exponential const& law, BondStep const& step, Local<D> const& x) {
   static constexpr std::array<double, 5> points{0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
@@ -160,16 +161,20 @@ template<int D>
     return 0;
   Local<D> const d = opening<D>(x, step.old);
   auto const [u, v] = scaled<D>(law, d);
-  double const stored = 0.5 * initial_stiffness<D>(law).dot(d.cwiseProduct(d));
+  double const first = -std::log(step.old.beta);
+  double const way = (beta > 0 ? -std::log(beta) : std::min(u + v, first - std::log(least_beta))) - first;
+  int const panels = std::max(1, static_cast<int>(std::ceil(way)));
+  double const width = way / panels;
   double sum = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    double const level = -std::log(beta + points[k] * (step.old.beta - beta)); // = y u + y^2 v
-    if (level <= 0) // beta rounds to 1, and v may be all there is
-      continue;
-    double const y = 2 * level / (u + std::sqrt(u * u + 4 * v * level));
-    sum += weights[k] * y * y;
-  }
-  return sum * stored * (step.old.beta - beta);
+  for (int panel = 0; panel < panels; ++panel)
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      double const level = first + (panel + points[k]) * width; // = y u + y^2 v
+      if (level <= 0)                                           // beta rounds to 1, and v may be all there is
+        continue;
+      double const y = 2 * level / (u + std::sqrt(u * u + 4 * v * level));
+      sum += weights[k] * y * y * std::exp(-level);
+    }
+  return sum * width * 0.5 * initial_stiffness<D>(law).dot(d.cwiseProduct(d));
 }
 
 } // namespace stiction::interface

@@ -76,6 +76,10 @@ template<int D>
 [[nodiscard]] double bond_time(AdhesionLaw const& adhesion);
 /// May the beta of a bond that evolves grow?
 [[nodiscard]] bool grows(AdhesionLaw const& adhesion);
+/// Work of the traction of a bond that follows its opening, along the straight way between two displacements
+/// of the step, to 1e-10 of what the law takes; however far they are apart. J/m^2
+[[nodiscard]] double work_along(AdhesionLaw const& adhesion, BondStep const& step, Local<3> const& from,
+                                Local<3> const& to);
 /// What implicit Euler loses in a step of a bond that evolves beside the trapezium of its pull, J/m^2.
 [[nodiscard]] double integration_loss(AdhesionLaw const& adhesion, BondMove const& move);
 /// What a bond that evolves dissipates in a step, J/m^2.

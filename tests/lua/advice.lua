@@ -10,6 +10,7 @@ local fix, drive = stiction.motion.fix, stiction.motion.drive
 
 local function warning(scene, part)
   for _, its in ipairs(engine.explain(scene).warnings) do
+    equal(its.text:gsub("%b()", ""):match("[()]"), nil) -- each bracket is closed
     if its.text:find(part, 1, true) then
       return its
     end

@@ -47,12 +47,17 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
   Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
   Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
   Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
-  bool const evolves = adhesion && interface::evolves(*adhesion);
-  Vec3 const held = evolves ? Vec3(before.area * pull_of(*adhesion, before)) : pull_0;
-  double loss = -dry[0] * moved[0] - ((chi - 0.5) * pull_1 + (1 - chi) * pull_0 - 0.5 * held).dot(moved);
-  if (evolves)
-    loss += after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
-  return {(dry + (1 - chi) * pull_0 + chi * pull_1).dot(moved), loss};
+  Vec3 const pull = (1 - chi) * pull_0 + chi * pull_1;
+  double loss = -dry[0] * moved[0] - pull.dot(moved);
+  if (adhesion && interface::evolves(*adhesion)) {
+    loss += 0.5 * (pull_1 + before.area * pull_of(*adhesion, before)).dot(moved) +
+            after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
+  } else if (adhesion) {
+    Vec3 const from(before.gap, 0, 0);
+    interface::BondStep const bond{before.bond, step.dt, false};
+    loss += 0.5 * (before.area + after.area) * interface::work_along(*adhesion, bond, from, from + moved);
+  }
+  return {(dry + pull).dot(moved), loss};
 }
 
 } // namespace

@@ -98,7 +98,7 @@ void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   bool const viscous = !wording.viscosity.empty(); // if its parameter were more than 0
   warnings.push_back(
       {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
-                   "{}): the pull-off snaps, and a quasi-static run may not get past it",
+                   "{}: the pull-off snaps, and a quasi-static run may not get past it",
                    pair.pair->name, pair.column,
                    viscous ? fmt::format("{}) and {} = 0", wording.softening, wording.viscosity)
                            : fmt::format("{:.2g} N/m^3)", interface::scales(law).softening)),
