@@ -24,20 +24,21 @@ Value if_evolving(AdhesionLaw const& adhesion, Answer const& answer, Value other
 class WorkOnWay {
 public:
   WorkOnWay(AdhesionLaw const& law, BondStep const& step, Local<3> const& from, Local<3> const& to)
-      : law_(law), step_(step), from_(from), way_(to - from), length_(way_.norm()), scale_(scales(law)) {
+      : law_(law), step_(step), from_(from), way_(to - from), scale_(scales(law)) {
     if (scale_.along > 0)
       scale_.opening = std::min(scale_.opening, scale_.along);
   }
-  [[nodiscard]] double whole() const { return over({at(0), at(0.5), at(1)}, 40); }
+  [[nodiscard]] double whole() const { return over({at(0), at(0.5), at(1)}, 60); }
 
 private:
   struct Place {
-    double part, force, opening; ///< of the way, Pa m, m
+    double part, force; ///< of the way, Pa m
+    Local<3> opening;   ///< m
   };
   using Stretch = std::array<Place, 3>;
   [[nodiscard]] Place at(double part) const {
     Local<3> const x = from_ + part * way_;
-    return {part, adhere<3>(law_, step_, x).traction.dot(way_), opening<3>(x, step_.old).norm()};
+    return {part, adhere<3>(law_, step_, x).traction.dot(way_), opening<3>(x, step_.old)};
   }
   [[nodiscard]] static double simpson(Stretch const& on) {
     return (on[2].part - on[0].part) / 6 * (on[0].force + 4 * on[1].force + on[2].force);
@@ -46,10 +47,10 @@ private:
     Stretch const first{on[0], at(0.5 * (on[0].part + on[1].part)), on[1]};
     Stretch const second{on[1], at(0.5 * (on[1].part + on[2].part)), on[2]};
     double const halves = simpson(first) + simpson(second), change = halves - simpson(on);
-    double const length = length_ * (on[2].part - on[0].part);
-    double const least = std::min({on[0].opening, on[1].opening, on[2].opening});
+    double const length = (on[2].opening - on[0].opening).norm();
+    double const least = std::min({on[0].opening.norm(), on[1].opening.norm(), on[2].opening.norm()});
     bool const seen = length <= 0.5 * scale_.opening || length <= least;
-    if (depth == 0 || (seen && std::abs(change) <= 1e-11 * scale_.work))
+    if (depth == 0 || (seen && !(std::abs(change) > 1e-11 * scale_.work)))
       return halves + change / 15;
     return over(first, depth - 1) + over(second, depth - 1);
   }
@@ -57,7 +58,6 @@ private:
   AdhesionLaw const& law_;
   BondStep const& step_;
   Local<3> from_, way_;
-  double length_;
   Scales scale_;
 };
 

@@ -229,6 +229,31 @@ TEST_SUITE("interface") {
     }
   }
 
+  TEST_CASE("work along a straight way: that of many little ones, however long it is, across and along") {
+    for (auto const& named : adhesions()) {
+      if (evolves(named.law))
+        continue;
+      CAPTURE(named.name);
+      BondStep const step{initial_bond(named.law, 0), 1, false};
+      double const u = scales(named.law).opening, work = scales(named.law).work;
+      Local<3> const from(0.3 * u, 0, 0), to(4 * u, 3 * u, -u);
+      int const parts = 20000;
+      double sum = 0;
+      for (int k = 0; k < parts; ++k)
+        sum += adhere<3>(named.law, step, from + (k + 0.5) / parts * (to - from)).traction.dot(to - from) /
+               parts;
+      CHECK(std::abs(sum) > 0.05 * work);
+      CHECK(work_along(named.law, step, from, to) == doctest::Approx(sum).epsilon(1e-6));
+      Local<3> const far = from + 1e12 * (to - from);
+      CHECK(work_along(named.law, step, from, to) + work_along(named.law, step, to, far) ==
+            doctest::Approx(work_along(named.law, step, from, far)).epsilon(1e-8));
+      BondStep const gone{Bond{}, 1, false};
+      double const gap = 2 * std::visit([](auto const& law) { return law.range(); }, named.law) + u;
+      Local<3> const away(gap, 0, 0), aside(gap, 1e12 * u, 0);
+      CHECK(std::abs(work_along(named.law, gone, away, aside)) < 1e-8 * work);
+    }
+  }
+
   TEST_CASE("reversible laws reach as far as they say, and damage begins with what the gap leaves") {
     for (auto const& named : adhesions()) {
       CAPTURE(named.name);
