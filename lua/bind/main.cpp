@@ -6,6 +6,7 @@
 #include "bind/case_server.hpp"
 #include "bind/command_line.hpp"
 #include "bind/interrupt.hpp"
+#include "bind/kernels.hpp"
 #include "bind/push.hpp"
 #include "bind/ranks.hpp"
 #include "bind/state.hpp"
@@ -85,6 +86,7 @@ int serve(lua_State* lua) {
 
 int main(int count, char** words) {
   try {
+    bind::take_kernels_of_processor(words);
     setenv("OPENBLAS_NUM_THREADS", "1", 1);
     linear::fix_blocking();
     auto const line = bind::parse_command_line(count, words);
