@@ -26,6 +26,18 @@ bool BulkFactor::factorize(std::span<double> values, std::vector<ColumnEntry> co
   return take(values) && add(std::move(columns));
 }
 
+std::vector<Vector> BulkFactor::condense_all(std::span<Vector* const> b) {
+  std::vector<Vector> motions;
+  for (auto* const one : b)
+    motions.push_back(condense(*one));
+  return motions;
+}
+
+void BulkFactor::expand_all(std::span<Vector const* const> surface_loads, std::span<Vector* const> b) {
+  for (std::size_t k = 0; k < b.size(); ++k)
+    expand(*surface_loads[k], *b[k]);
+}
+
 void BulkFactor::solve(Vector& b) {
   static_cast<void>(condense(b));
   expand(Vector::Zero(surface_), b);

@@ -105,6 +105,10 @@ public:
   [[nodiscard]] virtual Vector condense(Vector& b) = 0;
   /// From what `condense` left the motion of all with `surface_load` on the surface beside b.
   virtual void expand(Vector const& surface_load, Vector& b) = 0;
+  /// Those of several right sides at once, which take less than one by one; the numbers do not depend on
+  /// which of them come together.
+  [[nodiscard]] virtual std::vector<Vector> condense_all(std::span<Vector* const> b);
+  virtual void expand_all(std::span<Vector const* const> surface_loads, std::span<Vector* const> b);
   /// C(i, j): motion of surface unknown used[i] per load on used[j]. Only columns that have not been asked
   /// for since the matrix was factored take work; the numbers do not depend on what was asked for before.
   virtual void compliance(Indices const& used, Dense& C) = 0;

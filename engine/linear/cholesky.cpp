@@ -36,7 +36,8 @@ void refuse_lack_of_memory(cholmod_common const& common, Pattern const& pattern,
 struct Cholesky::Solver {
   cholmod_common common{};
   cholmod_dense *solution = nullptr, *scratch1 = nullptr, *scratch2 = nullptr;
-  Vector under; ///< rows below a supernode
+  Vector under;                    ///< rows below a supernode
+  std::vector<Pack> four, beneath; ///< right sides side by side, and rows below a supernode of theirs
 
   explicit Solver(cholmod_factor const& factor) {
     cholmod_start(&common);
@@ -173,6 +174,43 @@ void Cholesky::backward(Vector& z) {
   if (z.size() > 0)
     solve_upper(*work_->factor, z, Borrowed(*work_)->under);
 }
+
+/// order: of elimination; null: that of the vectors.
+template<class Halves>
+void Cholesky::by_fours(std::span<Vector* const> all, int const* order, Halves const& halves) {
+  constexpr std::size_t lanes = Pack::lanes;
+  Borrowed const solver(*work_);
+  for (std::size_t first = 0; first < all.size(); first += lanes) {
+    auto const some = all.subspan(first, std::min(lanes, all.size() - first));
+    auto const n = static_cast<std::size_t>(some.front()->size());
+    auto& four = solver->four;
+    four.assign(n, 0.0);
+    auto const from = [&](std::size_t k) {
+      return order != nullptr ? Index{order[k]} : static_cast<Index>(k);
+    };
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t lane = 0; lane < some.size(); ++lane)
+        four[k].set(static_cast<int>(lane), (*some[lane])[from(k)]);
+    halves(four, solver->beneath);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t lane = 0; lane < some.size(); ++lane)
+        (*some[lane])[from(k)] = four[k][static_cast<int>(lane)];
+  }
+}
+
+void Cholesky::solve(std::span<Vector* const> all) {
+  by_fours(all, static_cast<int const*>(work_->factor->Perm), [this](auto& four, auto& work) {
+    solve_lower(*work_->factor, four, work);
+    solve_upper(*work_->factor, four, work);
+  });
+}
+void Cholesky::forward(std::span<Vector* const> all) {
+  by_fours(all, nullptr, [this](auto& four, auto& work) { solve_lower(*work_->factor, four, work); });
+}
+void Cholesky::backward(std::span<Vector* const> all) {
+  by_fours(all, nullptr, [this](auto& four, auto& work) { solve_upper(*work_->factor, four, work); });
+}
+
 void Cholesky::forward(Dense& B) {
   solve_system(CHOLMOD_L, B);
 }

@@ -30,6 +30,11 @@ public:
   /// on the trailing unknowns only may be added to z as (trailing factor)^-1 of it.
   void forward(Vector& b);
   void backward(Vector& z);
+  /// Those of several right sides at once, each in place: the factor is read once for four. What comes of
+  /// one does not depend on the others.
+  void solve(std::span<Vector* const> all);
+  void forward(std::span<Vector* const> all);
+  void backward(std::span<Vector* const> all);
   /// L^-1 B in place. [n, any]
   void forward(Dense& B);
   /// Lower triangular factor of the Schur complement onto the trailing unknowns. [trailing, trailing]
@@ -43,6 +48,7 @@ private:
   struct Solver;
   class Borrowed;
   void solve_system(int system, Eigen::Ref<Dense> B);
+  template<class Halves> void by_fours(std::span<Vector* const> all, int const* order, Halves const& halves);
 
   Pattern pattern_;
   Index trailing_;

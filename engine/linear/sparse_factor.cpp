@@ -11,7 +11,10 @@
 #include "linear/surface_columns.hpp"
 
 extern "C" {
-void dpotri_(char const* uplo, int const* n, double* a, int const* lda, int* info);
+void dtrtri_(char const* uplo, char const* diag, int const* n, double* a, int const* lda, int* info);
+void dlauum_(char const* uplo, int const* n, double* a, int const* lda, int* info);
+void dtrmm_(char const* side, char const* uplo, char const* trans, char const* diag, int const* m,
+            int const* n, double const* alpha, double const* a, int const* lda, double* b, int const* ldb);
 }
 
 namespace stiction::linear {
@@ -23,6 +26,25 @@ Index width(Order order, Index surface) {
   if (order == Order::free)
     return 12;
   return surface <= at_once ? std::max(surface, 1) : 24;
+}
+
+/// L becomes its inverse, half by half: OpenBLAS's dtrtri takes two to three times as long, as it goes column
+/// by column. [n, n] of a lower triangle, column by column
+void invert_triangle(double* L, int n, int stride) {
+  constexpr int by_columns = 24;
+  if (n <= by_columns) {
+    int info = 0;
+    dtrtri_("L", "N", &n, L, &stride, &info);
+    core::expect(info == 0, "the trailing factor to be regular");
+    return;
+  }
+  int const half = n / 2, rest = n - half;
+  double *const under = L + half, *const last = under + std::ptrdiff_t{half} * stride;
+  double const one = 1, minus = -1;
+  invert_triangle(L, half, stride);
+  invert_triangle(last, rest, stride);
+  dtrmm_("R", "L", "N", "N", &rest, &half, &one, L, &stride, under, &stride);
+  dtrmm_("L", "L", "N", "N", &rest, &half, &minus, last, &stride, under, &stride);
 }
 
 /// The factor and what is common to both orders.
@@ -75,20 +97,22 @@ public:
 
   [[nodiscard]] Vector condense(Vector& b) override {
     factor().forward(b);
-    if (skew_)
-      return skew_->condense(factor(), b);
-    Vector y = b.tail(surface());
-    factor().trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
-    return y;
+    return motion(b);
   }
-
   void expand(Vector const& surface_load, Vector& z) override {
-    if (skew_) {
-      skew_->expand(factor(), surface_load, z);
-    } else if (!surface_load.isZero(0)) {
-      Vector const own = factor().trailing_factor().triangularView<Eigen::Lower>().solve(surface_load);
-      z.tail(surface()) += own;
-    }
+    load(surface_load, z);
+    factor().backward(z);
+  }
+  [[nodiscard]] std::vector<Vector> condense_all(std::span<Vector* const> b) override {
+    factor().forward(b);
+    std::vector<Vector> motions;
+    for (auto* const one : b)
+      motions.push_back(motion(*one));
+    return motions;
+  }
+  void expand_all(std::span<Vector const* const> surface_loads, std::span<Vector* const> z) override {
+    for (std::size_t k = 0; k < z.size(); ++k)
+      load(*surface_loads[k], *z[k]);
     factor().backward(z);
   }
 
@@ -135,13 +159,30 @@ protected:
   }
 
 private:
+  /// Of the surface, from the forward half of a solution.
+  [[nodiscard]] Vector motion(Vector& z) {
+    if (skew_)
+      return skew_->condense(factor(), z);
+    Vector y = z.tail(surface());
+    factor().trailing_factor().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
+    return y;
+  }
+  /// Adds a load on the surface to that.
+  void load(Vector const& surface_load, Vector& z) {
+    if (skew_) {
+      skew_->expand(factor(), surface_load, z);
+    } else if (!surface_load.isZero(0)) {
+      Vector const own = factor().trailing_factor().triangularView<Eigen::Lower>().solve(surface_load);
+      z.tail(surface()) += own;
+    }
+  }
   /// The lower triangle alone.
   void invert(Dense& X) {
     X = factor().trailing_factor(); // L_cc L_cc^T = Schur complement
     int const n = surface();
     int info = 0;
-    dpotri_("L", &n, X.data(), &n, &info);
-    core::expect(info == 0, "the trailing factor to be regular");
+    invert_triangle(X.data(), n, n);
+    dlauum_("L", &n, X.data(), &n, &info);
   }
 
   std::optional<SkewColumns> skew_;
@@ -165,6 +206,25 @@ public:
     more.tail(surface()) = surface_load;
     factor().solve(more);
     b += more;
+  }
+  [[nodiscard]] std::vector<Vector> condense_all(std::span<Vector* const> b) override {
+    factor().solve(b);
+    std::vector<Vector> motions;
+    for (auto* const one : b)
+      motions.emplace_back(one->tail(surface()));
+    return motions;
+  }
+  void expand_all(std::span<Vector const* const> surface_loads, std::span<Vector* const> b) override {
+    std::vector<Vector> more(b.size());
+    std::vector<Vector*> all;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      more[k] = Vector::Zero(b[k]->size());
+      more[k].tail(surface()) = *surface_loads[k];
+      all.push_back(&more[k]);
+    }
+    factor().solve(all);
+    for (std::size_t k = 0; k < b.size(); ++k)
+      *b[k] += more[k];
   }
 
 protected:

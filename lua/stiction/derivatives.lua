@@ -25,14 +25,23 @@ function derivatives.shifted(p, name)
   return setmetatable(other, getmetatable(p)), units.si(other[name]) - si
 end
 
+local made = setmetatable({}, { __mode = "k" }) -- by the scene of a case, as long as that is kept
+
 --- The scenes to run beside that of a case: list of {name =, scene =}; empty where the study names no parameters.
 function derivatives.of(study, case)
-  local list = {}
-  for _, name in ipairs(study.derivatives) do
-    local p = derivatives.shifted(case.p, name)
-    list[#list + 1] = p and { name = name, scene = study:scene_of { id = case.id, p = p } }
+  if #study.derivatives == 0 then
+    return {}
   end
-  return list
+  local scene = study:scene_of(case)
+  if not made[scene] then
+    local list = {}
+    for _, name in ipairs(study.derivatives) do
+      local p = derivatives.shifted(case.p, name)
+      list[#list + 1] = p and { name = name, scene = study:scene_of { id = case.id, p = p } }
+    end
+    made[scene] = list
+  end
+  return made[scene]
 end
 
 --- Text that changes when one of those scenes does.

@@ -41,6 +41,41 @@ void check_against(BulkFactor& factor, Dense const& A) {
   CHECK((solution - both).norm() <= 1e-12 * both.norm());
 }
 
+/// Several right sides at once: each as alone, and to the last bit the same whichever come with it.
+void check_several(BulkFactor& factor) {
+  constexpr std::size_t count = 6;
+  Index const n = factor.pattern().size(), m = factor.surface();
+  auto const all = [&](std::size_t first, std::size_t last, std::vector<Vector>& sides) {
+    std::vector<Vector*> b;
+    std::vector<Vector const*> loads;
+    std::vector<Vector> on_surface;
+    for (std::size_t k = first; k < last; ++k) {
+      sides.emplace_back(Vector::LinSpaced(n, -1, static_cast<double>(k)));
+      on_surface.emplace_back(Vector::LinSpaced(m, 3, static_cast<double>(k)));
+    }
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      b.push_back(&sides[k]);
+      loads.push_back(&on_surface[k]);
+    }
+    auto const motions = factor.condense_all(b);
+    factor.expand_all(loads, b);
+    return motions;
+  };
+  std::vector<Vector> together, fewer;
+  auto const motions = all(0, count, together), some = all(3, count, fewer);
+  for (std::size_t k = 0; k < count; ++k) {
+    Vector b = Vector::LinSpaced(n, -1, static_cast<double>(k));
+    Vector const y = factor.condense(b);
+    factor.expand(Vector::LinSpaced(m, 3, static_cast<double>(k)), b);
+    CHECK((motions[k] - y).norm() <= 1e-13 * b.norm());
+    CHECK((together[k] - b).norm() <= 1e-13 * b.norm());
+    if (k >= 3) {
+      CHECK(some[k - 3] == motions[k]);
+      CHECK(fewer[k - 3] == together[k]);
+    }
+  }
+}
+
 /// The same by products with the matrix, for the unknowns `used` of its surface.
 void check_by_products(BulkFactor& factor, std::vector<double> const& values, Indices const& used) {
   Index const n = factor.pattern().size(), m = factor.surface();
@@ -85,6 +120,7 @@ TEST_SUITE("linear") {
         CHECK(factor->hold() == 0);
         CHECK(factor->symmetric());
         check_against(*factor, dense(pattern, values));
+        check_several(*factor);
       }
     }
   }
@@ -97,6 +133,7 @@ TEST_SUITE("linear") {
     CHECK(factor->effort().entries < 1296.0 * 1296 / 2); // no dense block
     CHECK(factor->surface_numbers() == 0);
     check_by_products(*factor, values, some(1296));
+    check_several(*factor);
   }
 
   TEST_CASE("a surface eliminated last, some of its columns solved for") {

@@ -76,6 +76,22 @@ void add_body(Model const& model, std::size_t body, std::vector<bool> const& on_
     mass.values[ix(entry)] += kept > 0 ? value * (whole / kept) : 0.0;
 }
 
+/// y += M x in D components; the first entry of a column is that of its diagonal.
+template<int D> void add_product(Mass const& mass, Vector const& x, Vector& y) {
+  auto const& pattern = mass.pattern;
+  for (Index j = 0; j < pattern.size(); ++j) {
+    Index const first = pattern.columns[ix(j)];
+    Eigen::Matrix<double, D, 1> const of_j = x.segment<D>(D * j);
+    Eigen::Matrix<double, D, 1> sum = mass.values[ix(first)] * of_j;
+    for (Index k = first + 1; k < pattern.columns[ix(j) + 1]; ++k) {
+      Index const i = pattern.rows[ix(k)];
+      y.segment<D>(D * i) += mass.values[ix(k)] * of_j;
+      sum += mass.values[ix(k)] * x.segment<D>(D * i);
+    }
+    y.segment<D>(D * j) += sum;
+  }
+}
+
 } // namespace
 
 Vector lumped(Dense const& consistent) {
@@ -111,16 +127,10 @@ Mass assemble_mass(Model const& model, std::vector<bool> const& on_surface, Cont
 
 void Mass::times(Vector const& x, Vector& y) const {
   y.setZero(x.size());
-  for (Index j = 0; j < pattern.size(); ++j)
-    for (Index k = pattern.columns[ix(j)]; k < pattern.columns[ix(j) + 1]; ++k) {
-      Index const i = pattern.rows[ix(k)];
-      double const m = values[ix(k)];
-      for (int c = 0; c < dim; ++c) {
-        y[dim * i + c] += m * x[dim * j + c];
-        if (i != j)
-          y[dim * j + c] += m * x[dim * i + c];
-      }
-    }
+  if (dim == 2)
+    add_product<2>(*this, x, y);
+  else
+    add_product<3>(*this, x, y);
 }
 
 Vector Mass::diagonal() const {

@@ -55,6 +55,16 @@ void Stepper::learn_of_model() {
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(model.dim() * node + motion.component)] = &motion;
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      if (Index const dof = model.dim() * node + motion.component; driver_[ix(dof)] == &motion)
+        driven_.push_back(dof);
+  apart_.resize(driver_.size());
+  for (Index dof = 0; dof < model.dofs(); ++dof)
+    if (weights_.surface_apart() && bulk_.surface_dof(dof) && driver_[ix(dof)] == nullptr) {
+      own_.push_back(dof);
+      apart_[ix(dof)] = 1;
+    }
   for (auto const coordinate : model.reference.reshaped())
     extent_ = std::max(extent_, std::abs(coordinate));
   if (weights_.explicit_forces)
@@ -138,9 +148,8 @@ void Stepper::predict(State const& old, double dt, Start start) {
   double const t1 = old.t + dt;
   d_ = (start == Start::onward ? dt : 0.0) * old.v;
   lead_.setZero(d_.size());
-  for (Index dof = 0; dof < d_.size(); ++dof)
-    if (auto const* motion = driver_[ix(dof)])
-      lead_[dof] = motion->value(t1) - old.u[dof] - d_[dof];
+  each_driven([&](Motion const& motion) { return motion.value(t1); },
+              [&](Index dof, double value) { lead_[dof] = value - old.u[dof] - d_[dof]; });
   bulk_.links().follow(d_);
   bulk_.links().follow(lead_);
   leads_ = !bulk_.linear_bodies() && !weights_.explicit_forces &&
@@ -164,33 +173,30 @@ void Stepper::predict(State const& old, double dt, Start start) {
 
 /// Puts driven unknowns where they are driven.
 void Stepper::arrive(State const& old, double t1) {
-  for (Index dof = 0; dof < d_.size(); ++dof)
-    if (auto const* motion = driver_[ix(dof)])
-      d_[dof] = motion->value(t1) - old.u[dof];
+  each_driven([&](Motion const& motion) { return motion.value(t1); },
+              [&](Index dof, double value) { d_[dof] = value - old.u[dof]; });
   bulk_.links().follow(d_);
   leads_ = false;
 }
 
 /// rate_change_ = v1 - v0, and inertia_ = M times the acceleration that the balance asks for (StepWeights).
 void Stepper::accelerate(State const& old, double dt) {
-  bool const second = weights_.accelerations(), kicked = old.kick.size() > 0;
-  double const t1 = old.t + dt, rate = weights_.rate * dt, mass = weights_.mass * dt;
-  rate_change_.resize(d_.size());
-  gained_.resize(d_.size());
-  for (Index dof = 0; dof < d_.size(); ++dof) {
-    if (driver_[ix(dof)] != nullptr) {
-      rate_change_[dof] = gained_[dof] = driver_[ix(dof)]->rate_before(t1) - old.v[dof];
-      continue;
-    }
-    double const ahead = d_[dof] - dt * (kicked ? old.v[dof] - old.kick[dof] : old.v[dof]);
-    bool const own = apart(dof);
-    rate_change_[dof] = ahead / (own ? dt : rate);
-    gained_[dof] = ahead / (own ? dt : mass);
-    if (second && !own) {
-      rate_change_[dof] += weights_.rate_a * dt * old.a[dof];
-      gained_[dof] += weights_.mass_a * dt * old.a[dof];
-    }
-  }
+  double const t1 = old.t + dt;
+  gained_ = d_ - dt * old.v;
+  if (old.kick.size() > 0)
+    gained_ += dt * old.kick;
+  rate_change_ = gained_ / (weights_.rate * dt);
+  if (weights_.accelerations())
+    rate_change_ += weights_.rate_a * dt * old.a;
+  for (Index const dof : own_)
+    rate_change_[dof] = gained_[dof] / dt;
+  gained_ /= weights_.mass * dt;
+  if (weights_.accelerations())
+    gained_ += weights_.mass_a * dt * old.a;
+  for (Index const dof : own_)
+    gained_[dof] = rate_change_[dof];
+  each_driven([&](Motion const& motion) { return motion.rate_before(t1); },
+              [&](Index dof, double rate) { rate_change_[dof] = gained_[dof] = rate - old.v[dof]; });
   bulk_.links().follow(rate_change_);
   bulk_.links().follow(gained_);
   bulk_.mass().times(gained_, inertia_);
@@ -226,11 +232,9 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
   if (weights_.stabilisation > 0)
     unbalanced_ += (weights_.stabilisation / dt) * bulk_.grip().cwiseProduct(d_);
   double const end = weights_.apart_end(), factor = weights_.apart_factor();
-  if (weights_.surface_apart())
-    for (Index dof = 0; dof < d_.size(); ++dof)
-      if (apart(dof))
-        unbalanced_[dof] = factor * (inertia_[dof] - (1 - end) * (external_old_[dof] - old.internal[dof]) -
-                                     end * (external_[dof] - internal_[dof]));
+  for (Index const dof : own_)
+    unbalanced_[dof] = factor * (inertia_[dof] - (1 - end) * (external_old_[dof] - old.internal[dof]) -
+                                 end * (external_[dof] - internal_[dof]));
   if (weights_.skin) {
     Timer const timer(cost_.assembly);
     bulk_.skin_force(u_, excess_);
@@ -248,11 +252,6 @@ bool Stepper::balance(State const& old, double dt, Outcome& outcome) {
     bulk_.links().gather(gathered_);
   }
   return true;
-}
-
-/// Contact nodes that balance by themselves.
-bool Stepper::apart(Index dof) const {
-  return weights_.surface_apart() && bulk_.surface_dof(dof) && driver_[ix(dof)] == nullptr;
 }
 
 /// One correction with the kept factor if that still contracts, else, or if it leads nowhere, with a fresh
@@ -284,23 +283,36 @@ bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
 
 /// Solves for the correction and adds it to the displacement; false if the contact problem was not solved.
 bool Stepper::apply_factor() {
-  correction_.resize(bulk_.unknowns());
+  load_correction();
   {
     Timer const timer(cost_.solve);
-    for (Index k = 0; k < bulk_.unknowns(); ++k)
-      correction_[k] = -unbalanced_[bulk_.dof_of(k)];
     surface_ = bulk_.factor().condense(correction_);
   }
-  if (!surface_.allFinite())
-    return false;
-  if (!contact_->solve(bulk_.factor(), surface_, weights_.contact, surface_load_, cost_))
+  if (!answer_contact())
     return false;
   {
     Timer const timer(cost_.solve);
     bulk_.factor().expand(surface_load_, correction_);
-    cost_.add(bulk_.factor().spent());
-    ++cost_.solves;
   }
+  return take_correction();
+}
+
+/// correction_ becomes what is unbalanced, turned about.
+void Stepper::load_correction() {
+  correction_.resize(bulk_.unknowns());
+  for (Index k = 0; k < bulk_.unknowns(); ++k)
+    correction_[k] = -unbalanced_[bulk_.dof_of(k)];
+}
+
+/// The load of contact on the surface, from the surface's motion without it.
+bool Stepper::answer_contact() {
+  return surface_.allFinite() &&
+         contact_->solve(bulk_.factor(), surface_, weights_.contact, surface_load_, cost_);
+}
+
+bool Stepper::take_correction() {
+  cost_.add(bulk_.factor().spent());
+  ++cost_.solves;
   for (Index k = 0; k < bulk_.unknowns(); ++k)
     d_[bulk_.dof_of(k)] += correction_[k];
   bulk_.links().follow(d_);

@@ -2,7 +2,9 @@
 // iteration.
 #pragma once
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "dynamics/bulk/bulk_system.hpp"
 #include "dynamics/contact/contact_system.hpp"
@@ -35,9 +37,12 @@ struct Outcome {
   [[nodiscard]] bool converged() const { return verdict == StepVerdict::converged; }
 };
 
-/// How a stepper follows another one.
-struct Following {
-  double share = 1e-4;   ///< of what is wrong at first that a step may leave
+class Stepper;
+
+/// One that follows another stepper, from a state near that one's.
+struct Follower {
+  Stepper* stepper;
+  State const* old;
   bool trusting = false; ///< where it can be, one correction is taken for enough, and not looked at
 };
 
@@ -47,7 +52,7 @@ public:
   /// Of one made for the beginning alone only `initial` and `contact` may be asked.
   explicit Stepper(Model const& model, Purpose purpose = Purpose::steps);
   /// Makes its steps beside those of `lead`, whose model differs from this one in its numbers alone; only
-  /// `initial`, `follow` and what is asked may be called.
+  /// `initial`, `take_along` and what is asked may be called.
   Stepper(Model const& model, Stepper const& lead);
 
   /// The state at t = 0: reference positions, initial velocities, bonds as their laws say.
@@ -57,9 +62,9 @@ public:
   [[nodiscard]] Outcome step(State const& old, double dt);
   /// Steps end with iterations with a factor of where they end, for those that follow.
   void lead() { leads_others_ = true; }
-  /// The step that `lead` has just made, from a state near its own: corrected with its factor, from its
-  /// forces and with the bonds that it closed.
-  [[nodiscard]] Outcome follow(Stepper& lead, State const& old, double dt, Following const& how);
+  /// The step that this one has just made, of all that follow: corrected with its factor, the first time all
+  /// at once, from its forces and with the bonds that it closed. What comes of one does not depend on others.
+  [[nodiscard]] std::vector<Outcome> take_along(std::span<Follower const> followers, double dt);
   /// Takes up where another stepper of the same model left off with these factors, having taken so much:
   /// steps go on to the last bit as its would have, and cost what they would have.
   void go_on(std::vector<FactorSource> const& made, Cost const& cost) {
@@ -74,6 +79,16 @@ public:
 
 private:
   void learn_of_model();
+  /// Calls set(degree of freedom, value_of(its motion)) for all that are driven.
+  template<class Value, class Set> void each_driven(Value const& value_of, Set const& set) const {
+    double value = 0;
+    Motion const* last = nullptr;
+    for (Index const dof : driven_) {
+      if (auto const* motion = driver_[ix(dof)]; motion != last)
+        value = value_of(*(last = motion));
+      set(dof, value);
+    }
+  }
   [[nodiscard]] std::string makes_energy(State const& old, State const& next) const;
   /// Where iterations start: from the old rates, from rest, or from rest with problems that do not know the
   /// turn of normals.
@@ -106,7 +121,8 @@ private:
   void start_rates(State& state);
   void set_explicit_rates(State const& old, double dt, State& next) const;
   [[nodiscard]] std::optional<Outcome> too_long(State const& old, double dt);
-  [[nodiscard]] bool apart(Index dof) const;
+  /// Contact nodes that balance by themselves.
+  [[nodiscard]] bool apart(Index dof) const { return apart_[ix(dof)] != 0; }
   [[nodiscard]] double largest_way(Vector const& way) const;
   [[nodiscard]] double largest_force(Vector const& force) const;
   [[nodiscard]] double imbalance() const;
@@ -114,6 +130,18 @@ private:
   [[nodiscard]] bool converged(Outcome& outcome);
   [[nodiscard]] bool correct(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool apply_factor();
+  void load_correction();
+  [[nodiscard]] bool answer_contact();
+  [[nodiscard]] bool take_correction();
+  /// Of one that follows: what was wrong with the step at first and before the last correction, N.
+  struct Wrong {
+    double first = 0, before = 0;
+  };
+  enum class Next { correct, finish, leave_off };
+  [[nodiscard]] bool start_after(Stepper& lead, State const& old, double dt, Outcome& outcome);
+  [[nodiscard]] Next weigh(State const& old, Wrong& wrong, Outcome& outcome);
+  [[nodiscard]] std::vector<bool> correct_together(std::vector<Stepper*> const& all);
+  void go_after(Follower const& how, double dt, Wrong wrong, Outcome& outcome);
   [[nodiscard]] bool near(Outcome const& outcome) const;
   [[nodiscard]] bool balance_on(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] bool polish(State const& old, double dt, Outcome& outcome);
@@ -149,6 +177,9 @@ private:
   Tunnelling tunnelling_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
+  Indices driven_;                    ///< degrees of freedom, motion by motion
+  Indices own_;                       ///< degrees of freedom that balance by themselves
+  std::vector<char> apart_;           ///< [degrees of freedom], of those 1
   Vector arms_;                       ///< of the model
   // workspace of one step
   Vector d_, u_, rate_change_, gained_, internal_, inertia_, unbalanced_, reaction_, gathered_, correction_,

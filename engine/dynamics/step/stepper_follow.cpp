@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 #include "dynamics/bulk/timer.hpp"
 #include "dynamics/step/stepper.hpp"
@@ -13,6 +14,11 @@ namespace {
 
 constexpr double rounding_of_forces = 1e-12, stalled = 1e-10; // of forces; the latter where no more falls
 constexpr double small = 1e-4; // correction, over a cell's size, along which forces are linear
+
+void fail_contact(Outcome& outcome) {
+  outcome.verdict = StepVerdict::contact_failed;
+  outcome.reason = "its contact problem was not solved";
+}
 
 std::vector<bool> nodes_of(std::vector<Motion> const& motions, Index count) {
   std::vector<bool> driven(ix(count), false);
@@ -31,8 +37,7 @@ Stepper::Stepper(Model const& model, Stepper const& lead)
   learn_of_model();
   bool const rigid = std::ranges::any_of(model.rigids, [](auto const& one) { return one.free(); });
   bool const plain = !rigid && !bulk_.relaxing() && !bulk_.damped() && bulk_.springs().empty() &&
-                     bulk_.surface_loads().empty() && bulk_.links().empty() && !weights_.skin &&
-                     !weights_.surface_apart();
+                     bulk_.surface_loads().empty() && bulk_.links().empty() && !weights_.skin;
   if (plain)
     rim_.emplace(model, nodes_of(model.motions, model.node_count()));
 }
@@ -88,50 +93,112 @@ bool Stepper::balance_on(State const& old, double dt, Outcome& outcome) {
   return true;
 }
 
-Outcome Stepper::follow(Stepper& lead, State const& old, double dt, Following const& how) {
-  constexpr int most = 12, settled = 3; // iterations; after the latter what no longer falls is rounding
-  Outcome outcome;
+/// What is wrong with the step as `lead` has made it; false if nothing can be said of it.
+bool Stepper::start_after(Stepper& lead, State const& old, double dt, Outcome& outcome) {
   bulk_.borrow_factor(lead.bulk_);
   predict(old, dt, lead.start_ == Start::unturned ? Start::unturned : Start::rest);
   d_ = lead.d_;
   arrive(old, old.t + dt);
   contact_->follow(*lead.contact_);
-  for (double first = 0, before = 0;; ++outcome.iterations, ++cost_.newton_iterations) {
-    if (!balance(old, dt, outcome))
-      return outcome;
-    force_scale_ = std::max({largest_force(internal_), largest_force(old.internal), largest_force(inertia_),
-                             contact_->force_scale(), largest_force(external_)});
-    double const forces = imbalance();
-    double const worst = outcome.iterations > 0 ? std::max(forces, contact_->residual()) : forces;
-    first = std::max(first, forces);
-    bool const stalls =
-        outcome.iterations >= settled && worst > 0.5 * before && worst <= stalled * force_scale_;
-    double const enough = std::max(how.share * first, rounding_of_forces * force_scale_ + rounded());
-    if (stalls || (outcome.iterations > 0 && worst <= enough))
-      break;
-    before = worst;
-    outcome.out_of_balance = worst / force_scale_;
-    if (outcome.iterations == most || !std::isfinite(worst)) {
-      outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
-                                   outcome.out_of_balance, outcome.iterations);
-      return outcome;
-    }
-    if (!apply_factor()) {
-      outcome.verdict = StepVerdict::contact_failed;
-      outcome.reason = "its contact problem was not solved";
-      return outcome;
-    }
-    bool const linear = how.trusting && rim_ && contact_->turning() && outcome.iterations == 0 &&
-                        correction_.lpNorm<Eigen::Infinity>() <= small * bulk_.cell_size();
-    if (linear) {
-      if (!balance_on(old, dt, outcome))
-        return outcome;
-      ++cost_.newton_iterations;
-      break;
-    }
+  return balance(old, dt, outcome);
+}
+
+/// What to do about what is wrong now.
+Stepper::Next Stepper::weigh(State const& old, Wrong& wrong, Outcome& outcome) {
+  constexpr int most = 12, settled = 3; // iterations; after the latter what no longer falls is rounding
+  constexpr double share = 1e-4;        // of what is wrong at first that a step may leave
+  force_scale_ = std::max({largest_force(internal_), largest_force(old.internal), largest_force(inertia_),
+                           contact_->force_scale(), largest_force(external_)});
+  double const forces = imbalance();
+  double const worst = outcome.iterations > 0 ? std::max(forces, contact_->residual()) : forces;
+  wrong.first = std::max(wrong.first, forces);
+  bool const stalls =
+      outcome.iterations >= settled && worst > 0.5 * wrong.before && worst <= stalled * force_scale_;
+  double const enough = std::max(share * wrong.first, rounding_of_forces * force_scale_ + rounded());
+  if (stalls || (outcome.iterations > 0 && worst <= enough))
+    return Next::finish;
+  wrong.before = worst;
+  outcome.out_of_balance = worst / force_scale_;
+  if (outcome.iterations < most && std::isfinite(worst))
+    return Next::correct;
+  outcome.reason = fmt::format("out of balance by {:.1e} of the largest force after {} iterations",
+                               outcome.out_of_balance, outcome.iterations);
+  return Next::leave_off;
+}
+
+/// First corrections, for which the factor is read once; of which the contact problem was solved?
+std::vector<bool> Stepper::correct_together(std::vector<Stepper*> const& all) {
+  std::vector<bool> corrected;
+  if (bulk_.factor().coupled() != nullptr) { // what is condensed is kept until it is expanded
+    for (auto* const one : all)
+      corrected.push_back(one->apply_factor());
+    return corrected;
   }
-  finish(old, dt, outcome);
-  return outcome;
+  std::vector<Vector*> corrections;
+  for (auto* const one : all) {
+    one->load_correction();
+    corrections.push_back(&one->correction_);
+  }
+  auto motions = bulk_.factor().condense_all(corrections);
+  std::vector<Vector const*> loads;
+  corrections.clear();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k]->surface_ = std::move(motions[k]);
+    corrected.push_back(all[k]->answer_contact());
+    if (!corrected.back())
+      continue;
+    loads.push_back(&all[k]->surface_load_);
+    corrections.push_back(&all[k]->correction_);
+  }
+  bulk_.factor().expand_all(loads, corrections);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    corrected[k] = corrected[k] && all[k]->take_correction();
+  return corrected;
+}
+
+/// The rest of a step whose first correction has been made.
+void Stepper::go_after(Follower const& how, double dt, Wrong wrong, Outcome& outcome) {
+  auto const& old = *how.old;
+  ++cost_.newton_iterations;
+  if (how.trusting && rim_ && contact_->turning() &&
+      correction_.lpNorm<Eigen::Infinity>() <= small * bulk_.cell_size()) {
+    if (balance_on(old, dt, outcome))
+      finish(old, dt, outcome);
+    return;
+  }
+  for (++outcome.iterations; balance(old, dt, outcome); ++outcome.iterations, ++cost_.newton_iterations) {
+    auto const next = weigh(old, wrong, outcome);
+    if (next == Next::finish)
+      finish(old, dt, outcome);
+    if (next != Next::correct)
+      return;
+    if (!apply_factor())
+      return fail_contact(outcome);
+  }
+}
+
+std::vector<Outcome> Stepper::take_along(std::span<Follower const> followers, double dt) {
+  std::vector<Outcome> outcomes(followers.size());
+  std::vector<Wrong> wrong(followers.size());
+  std::vector<Stepper*> going;
+  std::vector<std::size_t> which;
+  for (std::size_t k = 0; k < followers.size(); ++k) {
+    auto* const stepper = followers[k].stepper;
+    if (!stepper->start_after(*this, *followers[k].old, dt, outcomes[k]) ||
+        stepper->weigh(*followers[k].old, wrong[k], outcomes[k]) != Next::correct)
+      continue;
+    going.push_back(stepper);
+    which.push_back(k);
+  }
+  auto const corrected = correct_together(going);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    auto const k = which[i];
+    if (corrected[i])
+      going[i]->go_after(followers[k], dt, wrong[k], outcomes[k]);
+    else
+      fail_contact(outcomes[k]);
+  }
+  return outcomes;
 }
 
 } // namespace stiction::dynamics

@@ -134,23 +134,37 @@ void Beside::begin_files(std::filesystem::path const& folder, bool anew) {
     recorder_->step(state_, 0, 0);
 }
 
-void Beside::follow(dynamics::Stepper& lead, dynamics::Outcome const& made, double dt) {
-  auto const& next = made.state;
-  if (!result_.ended.empty())
-    return;
-  bool const looks = result_.steps % trusted == 0;
-  auto outcome = stepper_.follow(lead, state_, dt, {.trusting = !looks && !careful_});
-  careful_ = looks ? outcome.iterations > 1 : careful_;
+/// Is what one correction leaves looked at in the next step?
+bool Beside::looks() const {
+  return result_.steps % trusted == 0;
+}
+
+void Beside::follow(std::span<std::unique_ptr<Beside> const> all, dynamics::Stepper& lead,
+                    dynamics::Outcome const& made, double dt) {
+  std::vector<Beside*> going;
+  std::vector<dynamics::Follower> followers;
+  for (auto const& one : all)
+    if (one->result_.ended.empty()) {
+      going.push_back(one.get());
+      followers.push_back({&one->stepper_, &one->state_, !one->looks() && !one->careful_});
+    }
+  auto outcomes = lead.take_along(followers, dt);
+  for (std::size_t k = 0; k < going.size(); ++k)
+    going[k]->take(std::move(outcomes[k]), made, dt);
+}
+
+void Beside::take(dynamics::Outcome outcome, dynamics::Outcome const& made, double dt) {
+  careful_ = looks() ? outcome.iterations > 1 : careful_;
   result_.iterations += outcome.iterations;
   if (!outcome.converged()) {
-    result_.ended = fmt::format("at t = {:g} s its step did not follow: {}", next.t, outcome.reason);
+    result_.ended = fmt::format("at t = {:g} s its step did not follow: {}", made.state.t, outcome.reason);
     return;
   }
   state_ = std::move(outcome.state);
-  state_.t = next.t;
+  state_.t = made.state.t;
   ++result_.steps;
   result_.rough += made.out_of_balance > rough ? 1 : 0;
-  result_.turned += turned(state_, next) > 0 ? 1 : 0;
+  result_.turned += turned(state_, made.state) > 0 ? 1 : 0;
   recorder_->step(state_, dt, outcome.iterations);
 }
 

@@ -1,7 +1,9 @@
 // Runs beside a case's own in which one parameter each is a little different: what derivatives are
 // differences of.
 #pragma once
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "dynamics/step/visit.hpp"
@@ -29,8 +31,9 @@ public:
   Beside(Shifted const& shifted, Scene const& scene, dynamics::Stepper const& lead);
   /// anew: or from the mark that `visit` has read.
   void begin_files(std::filesystem::path const& folder, bool anew);
-  /// The step of size dt that `lead` has just made.
-  void follow(dynamics::Stepper& lead, dynamics::Outcome const& made, double dt);
+  /// The step of size dt that `lead` has just made, of all that have not ended.
+  static void follow(std::span<std::unique_ptr<Beside> const> all, dynamics::Stepper& lead,
+                     dynamics::Outcome const& made, double dt);
   void close();
   /// What it came to, for the case's result.
   [[nodiscard]] BesideResult const& result() const { return result_; }
@@ -43,6 +46,9 @@ public:
   }
 
 private:
+  [[nodiscard]] bool looks() const;
+  void take(dynamics::Outcome outcome, dynamics::Outcome const& made, double dt);
+
   Scene scene_;
   dynamics::Stepper stepper_;
   dynamics::State state_;

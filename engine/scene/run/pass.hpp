@@ -309,8 +309,7 @@ private:
   void accept(dynamics::Outcome outcome, double dt, dynamics::StepError const& error) {
     if (auto const contact = contact::words(answered()); !contact.empty())
       recorder_->change({state_.t, dt, course_.wanted(dt), "step", "", "", contact});
-    for (auto const& one : beside_)
-      one->follow(stepper_, outcome, dt);
+    Beside::follow(beside_, stepper_, outcome, dt);
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;

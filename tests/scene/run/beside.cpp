@@ -79,10 +79,15 @@ double largest(std::vector<double> const& all) {
 
 TEST_CASE("derivatives from runs beside are what differences of runs tend to, at their rates") {
   std::string const column = "whole/force_x";
-  for (std::string const path :
-       {"bodies.foot.material.young", "pairs.sole.friction.mu", "pairs.sole.adhesion.w"}) {
+  for (auto const& [path, scheme] : {std::pair{"bodies.foot.material.young", "quasi_static"},
+                                     {"pairs.sole.friction.mu", "quasi_static"},
+                                     {"pairs.sole.adhesion.w", "quasi_static"},
+                                     {"bodies.foot.material.young", "theta_xi"},
+                                     {"pairs.sole.friction.mu", "theta_xi"}}) {
     CAPTURE(path);
-    auto const table = dragged();
+    CAPTURE(scheme);
+    auto table = dragged();
+    test::at(table, "scheme") = test::make(std::string("scheme.") + scheme);
     Case one;
     one.options.beside = {{"it", shifted(table, path, relative)}};
     auto const result = one.run(table);
