@@ -17,8 +17,10 @@ constexpr double sharp = 1e-12; ///< tolerance of contact's solver: shifts are 1
 
 /// Why a scene can have no run beside it, in words; "" if it can.
 std::string unfit(Scene const& scene) {
-  if (scene.formula || scene.half_space)
-    return "they are for bodies of cells; half spaces and formulas have differences";
+  if (scene.formula)
+    return "";
+  if (scene.half_space)
+    return "they are for bodies of cells and for formulas; half spaces have differences";
   if (dynamics::weights(scene.model->scheme).explicit_forces)
     return "an explicit scheme has no factor to correct with";
   if (scene.part.schedule.accuracy)
@@ -42,11 +44,20 @@ bool same_schedule(SchedulePart const& one, SchedulePart const& other) {
   });
 }
 
+std::string difference_of_formulas(Scene const& one, Scene const& other) {
+  if (!one.formula || !other.formula || one.formula->normal->name() != other.formula->normal->name() ||
+      one.formula->drive != other.formula->drive)
+    return "it changes the formula";
+  return same_schedule(one.part.schedule, other.part.schedule) ? "" : "it changes the schedule's times";
+}
+
 /// In what but numbers two scenes differ, in words; "" if in nothing.
 std::string difference(Scene const& one, Scene const& other) {
   auto const why = unfit(other);
   if (!why.empty())
     return why;
+  if (one.formula || other.formula)
+    return difference_of_formulas(one, other);
   auto const &a = *one.model, &b = *other.model;
   auto const points = [](auto const& p, auto const& q) { return p.size() == q.size(); };
   if (a.dofs() != b.dofs() || a.kinematics != b.kinematics || a.cells.size() != b.cells.size() ||
@@ -69,6 +80,8 @@ std::string difference(Scene const& one, Scene const& other) {
 }
 
 void sharpen(Scene& scene) {
+  if (!scene.model)
+    return;
   std::visit([](auto& settings) { settings.tolerance = std::min(settings.tolerance, sharp); },
              scene.model->solver);
 }
@@ -79,15 +92,6 @@ Scene built(Shifted const& shifted) {
   } catch (core::InputError const& error) {
     refuse(shifted, fmt::format("with it a little smaller there is no scene: {}", error.what()));
   }
-}
-
-/// The scene that runs beside another one.
-Scene fit(Shifted const& shifted, Scene const& scene) {
-  auto other = built(shifted);
-  if (auto const why = difference(scene, other); !why.empty())
-    refuse(shifted, why);
-  sharpen(other);
-  return other;
 }
 
 /// Points that stick, slip or are open in the one state and not in the other.
@@ -101,6 +105,14 @@ long turned(dynamics::State const& one, dynamics::State const& other) {
 
 } // namespace
 
+Scene scene_beside(Shifted const& shifted, Scene const& scene) {
+  auto other = built(shifted);
+  if (auto const why = difference(scene, other); !why.empty())
+    refuse(shifted, why);
+  sharpen(other);
+  return other;
+}
+
 void ready_for(std::vector<Shifted> const& asked, Scene& scene) {
   if (asked.empty())
     return;
@@ -113,7 +125,7 @@ void check_beside(core::Input const& input, std::vector<Shifted> const& asked) {
   auto scene = build(input);
   ready_for(asked, scene);
   for (auto const& shifted : asked)
-    static_cast<void>(fit(shifted, scene));
+    static_cast<void>(scene_beside(shifted, scene));
 }
 
 void remove_runs_beside(std::filesystem::path const& folder) {
@@ -122,7 +134,7 @@ void remove_runs_beside(std::filesystem::path const& folder) {
 }
 
 Beside::Beside(Shifted const& shifted, Scene const& scene, dynamics::Stepper const& lead)
-    : scene_(fit(shifted, scene)), stepper_(*scene_.model, lead), state_(stepper_.initial()) {
+    : scene_(scene_beside(shifted, scene)), stepper_(*scene_.model, lead), state_(stepper_.initial()) {
   result_.name = shifted.name;
 }
 

@@ -16,6 +16,9 @@ namespace stiction::scene {
 /// where none are asked for. Throws InputError where it can have none.
 void ready_for(std::vector<Shifted> const& asked, Scene& scene);
 
+/// The scene that runs beside another one. Throws InputError where the two differ in more than numbers.
+[[nodiscard]] Scene scene_beside(Shifted const& shifted, Scene const& scene);
+
 /// Throws InputError where a scene can have no such runs beside its own.
 void check_beside(core::Input const& input, std::vector<Shifted> const& asked);
 

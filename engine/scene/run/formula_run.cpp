@@ -13,6 +13,7 @@
 #include "record/step_log.hpp"
 #include "scene/probes/formula_probes.hpp"
 #include "scene/probes/probes.hpp"
+#include "scene/run/beside.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/resources.hpp"
 
@@ -133,16 +134,36 @@ private:
   Clock::time_point began_ = Clock::now();
 };
 
+/// The same with a parameter that is a little different each, from the start.
+std::vector<BesideResult> run_beside(Scene const& scene, RunOptions const& options) {
+  std::vector<BesideResult> results;
+  for (auto const& shifted : options.beside) {
+    auto const other = scene_beside(shifted, scene);
+    RunOptions own;
+    own.out = options.out / "derivatives" / shifted.name;
+    own.stop = options.stop;
+    record::prepare_output(own.out);
+    auto const run = FormulaRun(other, own).go();
+    auto& result = results.emplace_back();
+    result.name = shifted.name;
+    result.steps = run.steps;
+    result.ended = run.reason;
+  }
+  return results;
+}
+
 } // namespace
 
 RunResult run_formula(core::Input const& input, Scene const& scene, RunOptions const& options, Story& story) {
   record::prepare_output(options.out);
+  remove_runs_beside(options.out);
   auto manifest = manifest_of(input, scene, options, story, {});
   record::write_manifest(options.out / "manifest.json", manifest);
   FormulaRun running(scene, options);
   RunResult result;
   try {
     result = running.go();
+    result.beside = run_beside(scene, options);
   } catch (core::RunError const& error) {
     result = running.finish();
     result.verdict = "output failed";

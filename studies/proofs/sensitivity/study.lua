@@ -4,6 +4,7 @@
 --   ball    rigid, pressed into a half space: F = 4/3 E* sqrt(R) d^(3/2) (Hertz)
 --   joint   that ball drawn off with viscous bonds: F is homogeneous in E, w, C_n and b together, so that
 --           the sum of its powers of these is 1
+--   jkr     the formula of short bonds, drawn off: the largest pull is 3/2 pi w R, whatever the modulus (Johnson, Kendall and Roberts)
 --   block   pressed by N, resting and dragged: beta = w t / b as it rests, F = mu N as it slides
 --
 --     ./stiction run studies/proofs/sensitivity
@@ -82,12 +83,29 @@ function scenes.block(p)
   })
 end
 
+function scenes.jkr(p)
+  return stiction.scene {
+    model = "formula", kinematics = "three_dimensional", output = stiction.output { frames = 0 },
+    bodies = { base = stiction.body.half_space { young = p.young, poisson = p.poisson, size = { p.reach, p.reach }, points = { 16, 16 },
+      boundary = "free" } },
+    obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = p.radius },
+      times = { 0*s, 1*s, 2*s }, z = { 0*mm, -p.depth, p.above } } },
+    pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball",
+      adhesion = stiction.adhesion.dugdale { sigma0 = p.strength, h0 = p.w / p.strength } } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 4 }, stiction.stage { to = 2*s, steps = 50 * p.cells } } },
+    probes = { force = stiction.probe.contact { pair = "touch" } },
+  }
+end
+
 local function force(run)
   local kind = run.p.kind
   if kind == "bar" then
     return run:last("force", "force_y")
   elseif kind == "block" then
     return -run:last("force", "force_x")
+  elseif kind == "jkr" then
+    return run:max("force", "force_z")
   end
   return kind == "joint" and run:max("force", "force_y") or math.abs(run:last("force", "force_y"))
 end
@@ -115,11 +133,11 @@ local function proof(cases, check, t)
   local of = cases:where { kind = t.kind }
   local values = numeric.map(of, function(c) return { 1 / c.p.cells, t.value(c) } end)
   check.proof { case = "Derivatives", quantity = t.quantity, unit = t.unit, kind = "exact", source = t.source,
-    reference = t.reference, values = values, resolution = "1 / cells", tolerance = t.tolerance, run = of[#of] }
+    reference = t.reference, scale = t.reference == 0 and 1 or nil, values = values, resolution = "1 / cells", tolerance = t.tolerance, run = of[#of] }
 end
 
 local sweep = {}
-for _, kind in ipairs { "bar", "ball", "joint", "block" } do
+for _, kind in ipairs { "bar", "ball", "joint", "block", "jkr" } do
   for _, cells in ipairs { 1, 2, 4 } do
     sweep[#sweep + 1] = { kind = kind, cells = cells }
   end
@@ -134,11 +152,12 @@ return stiction.study {
     b = { 4*N*s/m, "a quarter bonded after 1 s" }, pressed = { 1*um, "block, 5 N/m in all" },
   },
   chosen = { reach = { 6*mm, "twenty widths of the contact" }, above = { 40*um, "beyond the largest pull" },
+    strength = { 1e9*units.Pa, "bonds of 1 nm: Maugis' lambda 5500" },
     stiffness = { 5e9*N/m^3, "bonds of 14 um, cohesive length 1.3 mm" }, weak = { 1*N/m^3, "bonds that bear nothing" },
     ball_cell = { 50*um, "a sixth of the contact, over `cells`" },
     joint_cell = { 100*um, "a thirteenth of the cohesive length, over `cells`" } },
   sweep = sweep,
-  quick = { sweep = numeric.map({ 1, 2, 4, 5, 7, 8, 10, 11 }, function(i) return sweep[i] end) },
+  quick = { sweep = numeric.map({ 1, 2, 4, 5, 7, 8, 10, 11, 13, 14, 15 }, function(i) return sweep[i] end) },
   case_id = function(p) return ("%s_%d"):format(p.kind, p.cells) end,
   derivatives = { "young", "poisson", "height", "radius", "depth", "w", "stiffness", "mu", "b" },
   scene = function(p) return scenes[p.kind](p) end,
@@ -147,12 +166,13 @@ return stiction.study {
   },
   check = function(cases, check)
     local nu = cases[1].p.poisson
-    local bar, hertz = "homogeneous strain", "Hertz 1882"
+    local bar, hertz, johnson = "homogeneous strain", "Hertz 1882", "Johnson, Kendall and Roberts 1971"
     for _, t in ipairs {
       { "bar", "young", 1, 1e-5, bar }, { "bar", "height", -1, 1e-4, bar },
       { "bar", "poisson", 2 * nu ^ 2 / (1 - nu ^ 2), 1e-4, bar },
       { "ball", "young", 1, 1e-5, hertz }, { "ball", "radius", 0.5, 0.1, hertz }, { "ball", "depth", 1.5, 0.03, hertz },
       { "joint", "young w stiffness b", 1, 1e-4, "homogeneous in these" },
+      { "jkr", "w", 1, 0.02, johnson }, { "jkr", "radius", 1, 0.02, johnson }, { "jkr", "young", 0, 0.02, johnson },
       { "block", "mu", 1, 1e-5, "Coulomb" },
     } do
       proof(cases, check, { kind = t[1], quantity = ("d ln F / d ln %s of the %s"):format(t[2], t[1]), unit = "1", source = t[5],

@@ -52,6 +52,35 @@ TEST_CASE("a formula takes the stages' steps where an accuracy is asked for, and
   CHECK(one.column("step/error_beta") == std::vector<double>(8, 0.0));
 }
 
+TEST_CASE("derivatives of a formula are those of the formula, and of another one there are none") {
+  auto const table = test::formula_scene();
+  FormulaCase const one;
+  scene::RunOptions options;
+  options.out = one.folder / "case";
+  auto softer = table, other = table;
+  std::get<core::Quantity>(test::at(softer, "bodies.base.young").value).value *= 1 - 1e-5;
+  options.beside = {{"young", softer}};
+  auto const result = scene::run(table, options);
+  REQUIRE(result.beside.size() == 1);
+  CHECK(result.beside[0].steps == result.steps);
+  CHECK(result.beside[0].ended.empty());
+  auto const here = one.column("ball/force_z"),
+             there = record::read_series(one.folder / "case/derivatives/young/series.h5")
+                         .columns.at("ball/force_z")
+                         .values;
+  REQUIRE(there.size() == here.size());
+  for (std::size_t k = 1; k < here.size(); ++k)
+    CHECK((there[k] / here[k] - 1) / -1e-5 == doctest::Approx(1).epsilon(1e-6));
+  test::at(other, "pairs.joint.adhesion") = test::dugdale(1e9, 1e-9);
+  options.beside = {{"young", other}};
+  try {
+    static_cast<void>(scene::run(table, options));
+    FAIL("another formula ran beside");
+  } catch (core::InputError const& error) {
+    CHECK(std::string(error.what()).find("young: it changes the formula") != std::string::npos);
+  }
+}
+
 TEST_CASE("Hertz's sphere is recorded at every time of the schedule, by displacement and by force") {
   double const E = 1e4 / 0.91, depth = 5e-3, force = 4.0 / 3 * E * std::pow(depth, 1.5);
   FormulaCase const one;
