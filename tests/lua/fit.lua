@@ -327,3 +327,13 @@ test("what is claimed is never less than the simulation's own error", function()
   assert(math.abs(line.high - line.low - (sure.high - sure.low) - 2 * line.simulation) < 1e-12)
   fails("speed = { values }", advice.check, { further = { 3 } })
 end)
+
+test("what data determine is not claimed where the simulation is rougher than that", function()
+  local word = require("stiction.fit.verdict").word
+  local judged, own = { fates = { "determined", "determined", "not determined" } }, { known = true, relative = { 0.1, 0.3, 0.3 } }
+  equal(word(judged, own, 1), "determined")
+  equal(word(judged, own, 2), "not claimed")
+  equal(word(judged, own, 3), "not determined")
+  equal(word(judged, own, 4), "at its bound")
+  equal(word(judged, { known = false }, 2), "determined")
+end)

@@ -124,7 +124,8 @@ local function show(fit, result)
   for k, own in ipairs(fit.parameters) do
     local number, unit = verdict.shown(own, judged.values[k])
     rows[#rows + 1] = { own.name, ("%.5g"):format(number), unit, interval_words(own, result.intervals[k]), percent(judged.relative[k]),
-      result.own_error.known and percent(result.own_error.relative[k]) or "?", judged.fates[k] or "at its bound" }
+      result.own_error.known and percent(result.own_error.relative[k]) or "?",
+      verdict.word(judged, result.own_error, k) }
   end
   report.line()
   report.table(rows)

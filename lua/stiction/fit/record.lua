@@ -27,7 +27,7 @@ local function parameters_of(fit, result)
     local interval, profile = result.intervals[k], result.profiles and result.profiles[k]
     list[k] = { name = own.name, key = own.key, curve = own.curve, unit = unit_of(own), from = own.from, to = own.to, log = own.log,
       start = own.start, best = judged.values[k], shown = verdict.words(own, judged.values[k], 6), error = judged.errors[k],
-      relative_error = judged.relative[k], verdict = judged.fates[k] or "at its bound", interval = interval,
+      relative_error = judged.relative[k], verdict = verdict.word(judged, result.own_error, k), interval = interval,
       simulation_error = interval and interval.simulation, profile = profile and profile.points }
   end
   return list

@@ -60,10 +60,19 @@ local function list_words(words)
   return #words > 1 and table.concat(words, ", ", 1, #words - 1) .. " and " .. words[#words] or words[1]
 end
 
-local function names_with(fit, judged, fate)
+--- What is said of the k-th parameter, in a word or two: data may determine what the simulation is too rough to claim.
+function verdict.word(judged, own_error, k)
+  local fate = judged.fates[k]
+  if fate == "determined" and own_error.known and own_error.relative[k] > judge.settled then
+    return "not claimed"
+  end
+  return fate or "at its bound"
+end
+
+local function names_with(fit, judged, own_error, word)
   local names = {}
   for _, k in ipairs(judged.free) do
-    names[#names + 1] = judged.fates[k] == fate and fit.parameters[k].name or nil
+    names[#names + 1] = verdict.word(judged, own_error, k) == word and fit.parameters[k].name or nil
   end
   return names
 end
@@ -123,8 +132,10 @@ end
 function verdict.lines(fit, judged, own_error, found)
   local lines = {}
   on_model(fit, judged, lines)
-  local good, mixed = names_with(fit, judged, "determined"), names_with(fit, judged, "only in combination")
-  local lost = names_with(fit, judged, "not determined")
+  local function those(word)
+    return names_with(fit, judged, own_error, word)
+  end
+  local good, mixed, lost, open = those("determined"), those("only in combination"), those("not determined"), those("not claimed")
   if #good > 0 then
     lines[#lines + 1] = "determined: " .. list_words(good)
   end
@@ -144,11 +155,10 @@ function verdict.lines(fit, judged, own_error, found)
         tostring(spec.quantity(own.like, judged.values[k])))
     end
   end
-  local coarse, open = {}, {}
+  local coarse = {}
   for _, k in ipairs(judged.free) do
     local share, name = own_error.known and own_error.relative[k] or 0, fit.parameters[k].name
     coarse[#coarse + 1] = share > judged.t * judged.relative[k] and share <= judge.settled and name or nil
-    open[#open + 1] = share > judge.settled and judged.fates[k] == "determined" and name or nil
   end
   lines[#lines + 1] = #open > 0 and ("NOT CLAIMED, whatever the data say: %s, by which the simulation's own error is more than %d %%; "
     .. "make its settings finer"):format(list_words(open), 100 * judge.settled) or nil
