@@ -106,9 +106,20 @@ void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
                : "scheme.theta_xi{}"});
 }
 
+void no_bond(PairFacts const& pair, Warnings& warnings) {
+  auto const where = pair.gap > 0 ? fmt::format(", {} or more apart", human(pair.gap, "m")) : std::string();
+  warnings.push_back({fmt::format("pair {}: none of its points has a bond at the start{}, and this law makes "
+                                  "none: nothing will adhere",
+                                  pair.pair->name, where),
+                      "surfaces that touch at the start, beta0 > 0, or a law whose bonds form where surfaces "
+                      "touch: adhesion.rcc{bonding = \"contact\"}"});
+}
+
 void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   if (!pair.adheres())
     return;
+  if (pair.bondless())
+    return no_bond(pair, warnings);
   cohesive_length(pair, warnings);
   opening_steps(all, pair, warnings);
   bonding_steps(all, pair, warnings);

@@ -56,6 +56,7 @@ struct PairFacts {
   double column = 0;                   ///< 1 / sum thickness / E along the normal, Pa/m
   double size = 0, primary_size = 0;   ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
   double gap = -1;                     ///< smallest at the start, m; < 0: beyond the search
+  double bond = 0;                     ///< most whole bond at the start, 1
   double radius = 0;                   ///< 1 / sum of curvatures, m; 0: flat or not known
   Vec3 normal = Vec3::Zero();          ///< mean of the secondary, outward; 0: it closes around
   ShapeFit secondary_fit, primary_fit; ///< of deformable sides
@@ -68,6 +69,10 @@ struct PairFacts {
     auto const scales = interface::scales(*pair->law.adhesion);
     return std::max(modulus * scales.work / (scales.strength * scales.strength),
                     std::sqrt(tension * scales.opening / scales.strength));
+  }
+  /// Will there be no bond at all, as none is left at the start and the law makes none?
+  [[nodiscard]] bool bondless() const {
+    return pair->law.lasts() && !interface::grows(*pair->law.adhesion) && bond < interface::least_beta;
   }
   /// Does any adhesion act along the normal?
   [[nodiscard]] bool adheres() const {

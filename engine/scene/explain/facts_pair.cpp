@@ -347,6 +347,8 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   Vec3 const position = position_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
   std::optional<double> curved;
   add_primary(all, facts, position, curved);
+  for (auto const& point : start.contacts[p])
+    facts.bond = std::max(facts.bond, point.bond.beta);
   facts.secondary_fit = fit_of(*scene.model->bodies[side.body], *side.set);
   auto const own = curvature(facts.secondary_fit, facts.normal, position);
   if (own && curved && *own + *curved > 0)

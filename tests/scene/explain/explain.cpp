@@ -200,6 +200,29 @@ TEST_CASE("a cohesive length below three cells makes the pull-off depend on the 
   CHECK(contains(found[0].change, "cells of 83.3 mm or less at foot.bottom"));
 }
 
+TEST_CASE("bonds that are nowhere at the start, and that nothing makes, are told of") {
+  auto const law = [](double beta0) {
+    return make("adhesion.bilinear", {{"K", value(1e5, "N/m^3")},
+                                      {"sigma_n", value(40, "Pa")},
+                                      {"sigma_t", value(40, "Pa")},
+                                      {"G_I", value(4, "J/m^2")},
+                                      {"G_II", value(4, "J/m^2")},
+                                      {"beta0", value(beta0)}});
+  };
+  auto input = bonded(4, 1000, 40);
+  CHECK_FALSE(warns(input, "nothing will adhere")); // RCC's form in contact, or are there
+  at(input, "pairs.sole.adhesion") = law(1);
+  CHECK_FALSE(warns(input, "nothing will adhere"));
+  at(input, "pairs.sole.adhesion") = law(0);
+  CHECK(warns(input, "pair sole: none of its points has a bond at the start, and this law makes none"));
+  at(input, "pairs.sole.adhesion") = law(1);
+  at(input, "obstacles.floor.shape") = make("rigid.plane", {{"point", values({0, -0.3}, "m")}});
+  auto const found =
+      warnings(input, "pair sole: none of its points has a bond at the start, 300 mm or more apart");
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0].change, "adhesion.rcc{bonding"));
+}
+
 TEST_CASE("a stretched surface makes the cohesive length longer") {
   auto input = bonded(4, 2000, 40);
   at(input, "loads") =
