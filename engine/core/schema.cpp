@@ -2,7 +2,6 @@
 #include "core/schema.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
@@ -50,15 +49,14 @@ std::string to_string(Value const& value) {
   return std::visit(words, value);
 }
 
-/// Levenshtein's distance of two words, whose letters may be small or capital, by one row of its table.
+/// Levenshtein's distance of two words, by one row of its table.
 static std::size_t edit_distance(std::string_view word, std::string_view other) {
   std::vector<std::size_t> row(other.size() + 1);
-  auto const small = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < word.size(); ++i) {
     std::size_t corner = row[0]++;
     for (std::size_t j = 0; j < other.size(); ++j) {
-      std::size_t const substitute = corner + (small(word[i]) == small(other[j]) ? 0 : 1);
+      std::size_t const substitute = corner + (word[i] == other[j] ? 0 : 1);
       corner = row[j + 1];
       row[j + 1] = std::min({substitute, row[j] + 1, corner + 1});
     }
@@ -70,8 +68,7 @@ std::string nearest(std::string_view word, std::vector<std::string> const& known
   std::string best;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (auto const& candidate : known)
-    if (auto const d = edit_distance(word, candidate);
-        d < least && 2 * d <= std::max(word.size(), candidate.size())) {
+    if (auto const d = edit_distance(word, candidate); d < least) {
       least = d;
       best = candidate;
     }

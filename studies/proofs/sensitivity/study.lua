@@ -133,7 +133,8 @@ local function proof(cases, check, t)
   local of = cases:where { kind = t.kind }
   local values = numeric.map(of, function(c) return { 1 / c.p.cells, t.value(c) } end)
   check.proof { case = "Derivatives", quantity = t.quantity, unit = t.unit, kind = "exact", source = t.source,
-    reference = t.reference, scale = t.reference == 0 and 1 or nil, values = values, resolution = "1 / cells", tolerance = t.tolerance, run = of[#of] }
+    reference = t.reference, scale = t.reference == 0 and 1 or nil, values = values,
+    resolution = "1 / cells", tolerance = t.tolerance, run = of[#of] }
 end
 
 local sweep = {}
