@@ -209,7 +209,7 @@ with explicit schemes, steps chosen by their error, meshes made anew and half sp
 schedule's times, what is driven, which pairs or which formula there are: that is refused. A parameter that is 0 has none, which is told.
 Where bonds snap one after another (b = 0, and stiff beside what a point gives way: `run` warns) derivatives are those between two snaps,
 with the edge of contact where it is, not of the curve that the snaps follow: take differences there, over several snaps.
-Six of them beside the paper's sliding plate take 15 to 19 % of the case each, one alone some 38 %, as factors of where steps end are made
+Six of them beside the paper's sliding plate take 15 to 19 % of the case each, one alone 36 to 60 %, as factors of where steps end are made
 for all of them together; those may take more than the case itself of a block in space whose factor would have served for several steps.]]
 
 pages.solve = [[
