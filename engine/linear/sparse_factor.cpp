@@ -28,8 +28,8 @@ Index width(Order order, Index surface) {
   return surface <= at_once ? std::max(surface, 1) : 24;
 }
 
-/// L becomes its inverse, half by half: OpenBLAS's dtrtri takes two to three times as long, as it goes column
-/// by column. [n, n] of a lower triangle, column by column
+/// L becomes its inverse, half by half: OpenBLAS's dtrtri takes longer, as it goes column by column. [n, n]
+/// of a lower triangle, column by column
 void invert_triangle(double* L, int n, int stride) {
   constexpr int by_columns = 24;
   if (n <= by_columns) {
@@ -215,6 +215,8 @@ public:
     return motions;
   }
   void expand_all(std::span<Vector const* const> surface_loads, std::span<Vector* const> b) override {
+    if (std::ranges::all_of(surface_loads, [](auto const* load) { return load->isZero(0); }))
+      return;
     std::vector<Vector> more(b.size());
     std::vector<Vector*> all;
     for (std::size_t k = 0; k < b.size(); ++k) {

@@ -316,7 +316,7 @@ local function with_steps(t, part)
 end
 
 local function bonds(t)
-  return stiction.adhesion.rcc { w = 1*J/m^2, C_n = t.C * (1*N/m^3), C_t = (t.C_t or 0) * (1*N/m^3), b = (t.b or 0) * (1*N*s/m),
+  return stiction.adhesion.rcc { w = (t.w or 1)*J/m^2, C_n = t.C * (1*N/m^3), C_t = (t.C_t or 0) * (1*N/m^3), b = (t.b or 0) * (1*N*s/m),
     beta0 = t.beta0 or 1, bonding = t.bonding or "never" }
 end
 
@@ -475,3 +475,22 @@ test("what is fast has the waves that it is advised to have", function()
 end)
 
 engine.remove("advice_runs")
+
+test("derivatives over several snaps, as help advises, hardly depend on the mesh; those between two do", function()
+  local function pull_off(w, size)
+    return finished(on_plane { kinematics = "axisymmetric", young = 1*MPa, poisson = 0.3, mesh = stiction.mesh.graded_block {
+        origin = { 0*mm, -6*mm }, size = { 6*mm, 6*mm }, fine = { 1.1*mm, 0.24*mm }, fine_size = size, coarse_size = 1*mm },
+      shape = stiction.rigid.sphere { centre = { 0*mm, 8*mm }, radius = 8*mm }, times = { 0*s, 1*s, 2*s },
+      y = { 0*mm, -0.1*mm, 0.15*mm }, steps = 200, adhesion = bonds { C = 7e9, w = w, beta0 = 0, bonding = "contact" },
+      motions = { fix { set = "soft.bottom" }, fix { set = "soft.left", y = false } } }):max("joint", "force_y")
+  end
+  local function power(low, high, size)
+    return math.log(pull_off(high, size) / pull_off(low, size)) / math.log(high / low)
+  end
+  local coarse, fine = power(0.75, 1.3, 0.04*mm), power(0.75, 1.3, 0.02*mm)
+  within(coarse, fine, 0.05, "d ln F / d ln w")
+  within(fine, 1, 0.1, "d ln F / d ln w, of JKR at the limit")
+  for _, size in ipairs { 0.04*mm, 0.02*mm } do
+    assert(power(1 - 1e-5, 1, size) < 0.7 * fine)
+  end
+end)

@@ -134,9 +134,9 @@ private:
   Clock::time_point began_ = Clock::now();
 };
 
-/// The same with a parameter that is a little different each, from the start.
-std::vector<BesideResult> run_beside(Scene const& scene, RunOptions const& options) {
-  std::vector<BesideResult> results;
+/// The same with a parameter that is a little different each, from the start; stopped on the way, the case
+/// is.
+void run_beside(Scene const& scene, RunOptions const& options, RunResult& result) {
   for (auto const& shifted : options.beside) {
     auto const other = scene_beside(shifted, scene);
     RunOptions own;
@@ -144,12 +144,16 @@ std::vector<BesideResult> run_beside(Scene const& scene, RunOptions const& optio
     own.stop = options.stop;
     record::prepare_output(own.out);
     auto const run = FormulaRun(other, own).go();
-    auto& result = results.emplace_back();
-    result.name = shifted.name;
-    result.steps = run.steps;
-    result.ended = run.reason;
+    if (run.verdict == "stopped") {
+      result.verdict = run.verdict;
+      result.reason = run.reason;
+      return;
+    }
+    auto& beside = result.beside.emplace_back();
+    beside.name = shifted.name;
+    beside.steps = run.steps;
+    beside.ended = run.reason;
   }
-  return results;
 }
 
 } // namespace
@@ -163,7 +167,8 @@ RunResult run_formula(core::Input const& input, Scene const& scene, RunOptions c
   RunResult result;
   try {
     result = running.go();
-    result.beside = run_beside(scene, options);
+    if (result.verdict != "stopped")
+      run_beside(scene, options, result);
   } catch (core::RunError const& error) {
     result = running.finish();
     result.verdict = "output failed";
