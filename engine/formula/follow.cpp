@@ -121,7 +121,7 @@ std::optional<State> Follower::follow(double drive) {
   if (near && bears(from) < drive)
     grow(from, drive);
   else if (!near || !shrink(from, drive))
-    return drive_ == Drive::depth ? std::optional(State{drive, 0, 0, 0}) : std::nullopt;
+    return drive_ == Drive::depth ? std::optional(State{drive, 0, 0, 0, 0, 0}) : std::nullopt;
   return formula_->at(size_);
 }
 

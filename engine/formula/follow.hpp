@@ -16,6 +16,8 @@ public:
   /// The state under this depth, m, or force, N, from the state before; nothing where a pull is more than the
   /// contact bears.
   [[nodiscard]] std::optional<State> follow(double drive);
+  /// Of the last state.
+  [[nodiscard]] double size() const { return size_; }
   /// States of the formula that were asked for.
   [[nodiscard]] long evaluations() const { return evaluations_; }
   /// Sizes where what the states bear turns round.

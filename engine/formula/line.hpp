@@ -1,7 +1,6 @@
 // A parabolic cylinder on a half space, per length: Hertz, and JKR. Its depth is that of no place: it grows
 // with the logarithm of the distance.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,14 +15,23 @@ public:
   Line(double modulus, double radius, double work)
       : modulus_(modulus), radius_(radius), work_(work) {} ///< Pa, m, J/m^2
   [[nodiscard]] State at(double s) const override {
-    using std::numbers::pi;
-    double const E = modulus_;
-    double const a = s * (work_ > 0 ? std::cbrt(2 * work_ * radius_ * radius_ / (pi * E)) : radius_);
-    double const pull = a > 0 ? std::sqrt(2 * E * work_ / (pi * a)) : 0; // of the middle, Pa
-    return {unknown, pi * E * a * a / (4 * radius_) - pi * a * pull, 2 * a,
-            std::max(0.0, E * a / (2 * radius_) - pull)};
+    double const a = half_width(s), pull = middle_pull(a);
+    return {unknown, pi * modulus_ * a * a / (4 * radius_) - pi * a * pull, 2 * a,
+            modulus_ * a / (2 * radius_) - pull};
   }
-  [[nodiscard]] Gives gives() const override { return {false, true}; }
+  [[nodiscard]] Profile profile(double s) const override {
+    double const a = half_width(s), pull = middle_pull(a), E = modulus_, R = radius_;
+    return [a, pull, E, R](double x) -> Local {
+      double const parabola = -x * x / (2 * R), root = std::sqrt(std::abs(a * a - x * x));
+      if (x < a)
+        return {true, E / (2 * R) * root - pull * a / root, 0, parabola};
+      double const log = a > 0 ? std::acosh(x / a) : 0;
+      return {false, 0, 0, parabola + (x * root - a * a * log) / (2 * R) + 2 * pull * a / E * log};
+    };
+  }
+  [[nodiscard]] Gives gives() const override {
+    return {false, true, "what lines store grows without end with the bodies' size, as their depth does"};
+  }
   [[nodiscard]] std::string_view name() const override {
     return work_ > 0 ? "JKR of a line" : "Hertz of a line";
   }
@@ -33,6 +41,14 @@ public:
   }
 
 private:
+  static constexpr double pi = std::numbers::pi;
+  [[nodiscard]] double half_width(double s) const {
+    return s * (work_ > 0 ? std::cbrt(2 * work_ * radius_ * radius_ / (pi * modulus_)) : radius_);
+  }
+  /// By which adhesion lessens the pressure of the middle, Pa.
+  [[nodiscard]] double middle_pull(double a) const {
+    return a > 0 ? std::sqrt(2 * modulus_ * work_ / (pi * a)) : 0;
+  }
   double modulus_, radius_, work_;
 };
 

@@ -9,11 +9,19 @@ struct Sphere {
   double radius = 0;  ///< m
 };
 
+/// Contact up to a, and a uniform pull from there to c.
+struct Rim {
+  double a = 0, c = 0; ///< m
+  double depth = 0;    ///< m
+  double traction = 0; ///< between a and c, Pa
+};
+
 /// s: contact radius over that of the sphere. a^2 = R d, P = 4/3 E* a^3 / R.
 class Hertz : public Formula {
 public:
   explicit Hertz(Sphere const& sphere) : sphere_(sphere) {}
   [[nodiscard]] State at(double s) const override;
+  [[nodiscard]] Profile profile(double s) const override;
   [[nodiscard]] std::string_view name() const override { return "Hertz"; }
   [[nodiscard]] std::string_view source() const override { return "Hertz 1882; Johnson 1985, 4.2"; }
 
@@ -26,6 +34,7 @@ class Jkr : public Formula {
 public:
   Jkr(Sphere const& sphere, double work) : sphere_(sphere), work_(work) {} ///< J/m^2
   [[nodiscard]] State at(double s) const override;
+  [[nodiscard]] Profile profile(double s) const override;
   [[nodiscard]] std::string_view name() const override { return "JKR"; }
   [[nodiscard]] std::string_view source() const override { return "Johnson, Kendall and Roberts 1971"; }
 
@@ -39,6 +48,10 @@ class Dmt : public Formula {
 public:
   Dmt(Sphere const& sphere, double work) : sphere_(sphere), work_(work) {} ///< J/m^2
   [[nodiscard]] State at(double s) const override;
+  [[nodiscard]] Profile profile(double s) const override;
+  [[nodiscard]] Gives gives() const override {
+    return {true, true, "what DMT's adhesion holds is that of a range, which it leaves out"};
+  }
   [[nodiscard]] std::string_view name() const override { return "DMT"; }
   [[nodiscard]] std::string_view source() const override {
     return "Derjaguin, Muller and Toporov 1975; Maugis 1992";
@@ -55,13 +68,18 @@ class Maugis : public Formula {
 public:
   Maugis(Sphere const& sphere, double work, double traction); ///< J/m^2, Pa
   [[nodiscard]] State at(double s) const override;
+  [[nodiscard]] Profile profile(double s) const override;
   [[nodiscard]] std::string_view name() const override { return "Maugis"; }
   [[nodiscard]] std::string_view source() const override { return "Maugis 1992; Johnson and Greenwood 1997"; }
   /// sigma0 (9 R / (2 pi w E*^2))^(1/3): 0 DMT, endless JKR.
   [[nodiscard]] double lambda() const { return lambda_; }
 
 private:
-  [[nodiscard]] State before(double c) const;
+  struct Drawn {
+    Rim rim;
+    double angle; ///< cos of it: a / c
+  };
+  [[nodiscard]] Drawn drawn(double s) const;
   [[nodiscard]] double angle(double a) const;
   Sphere sphere_;
   double work_, traction_, lambda_;

@@ -21,6 +21,7 @@ class Wave : public Formula {
 public:
   Wave(Waves const& waves, double work) : waves_(waves), work_(work) {} ///< J/m^2
   [[nodiscard]] State at(double s) const override;
+  [[nodiscard]] Profile profile(double s) const override;
   [[nodiscard]] std::string_view name() const override {
     return work_ > 0 ? "Johnson's adhesive wave" : "Westergaard";
   }
@@ -29,8 +30,10 @@ public:
   }
 
 private:
+  [[nodiscard]] bool is_part(double s) const;
   [[nodiscard]] State part(double s) const;
   [[nodiscard]] State whole(double s) const;
+  [[nodiscard]] double mean_pull(double s) const;
   [[nodiscard]] State with(double depth, double pressure, double peak, double share) const;
   Waves waves_;
   double work_;

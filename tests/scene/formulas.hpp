@@ -4,17 +4,15 @@
 
 namespace stiction::test {
 
-/// The sphere of half_space_scene or the cylinder of half_line_scene, this under 20 N/m, without what no
-/// formula gives.
+/// The sphere of half_space_scene or the cylinder of half_line_scene, this under 20 N/m, without what their
+/// formulas do not give.
 inline Input formula_scene(bool line = false) {
   Input table = line ? half_line_scene() : half_space_scene();
   at(table, "model") = text("formula");
   remove(table, "obstacles.ball.x");
-  for (char const* probe : {"probes.energy", "probes.middle"})
-    remove(table, probe);
   if (!line)
     return table;
-  remove(table, "probes.line");
+  remove(table, "probes.energy");
   remove(table, "obstacles.ball.y");
   at(table, "obstacles.ball.force") = values({0, 20, 20}, "N");
   return table;
@@ -27,6 +25,7 @@ inline Input wave_scene() {
   at(table, "bodies.base.size") = values({0.4}, "m");
   at(table, "obstacles.ball.surface") =
       make("surface.wave", {{"amplitude", value(1e-3, "m")}, {"wavelengths", values({0.2}, "m")}});
+  at(table, "probes.energy") = make("probe.energy");
   return table;
 }
 

@@ -40,10 +40,15 @@ void Builder::take_formula() {
 }
 
 void Builder::check_formula_probe(std::string const& name, ProbePart const& part) {
-  refuse({"probes", name},
-         !std::holds_alternative<ContactProbe>(part) && !std::holds_alternative<RigidProbe>(part),
-         "is not what a formula gives; it gives probes of contact and rigid: leave this out, or give model = "
-         "\"half_space\"");
+  constexpr char const* remedy = "leave this out, or give model = \"half_space\"";
+  auto const& formula = *scene_.formula;
+  bool const energy = std::holds_alternative<EnergyProbe>(part);
+  bool const forces = std::holds_alternative<ContactProbe>(part) || std::holds_alternative<RigidProbe>(part);
+  refuse({"probes", name}, formula.moved && !forces,
+         fmt::format("is not what Mindlin's formula gives of a motion along; {}", remedy));
+  auto const reason = formula.normal->gives().no_energy;
+  refuse({"probes", name}, energy && !reason.empty(),
+         fmt::format("is not what {} gives: {}; {}", formula.normal->name(), reason, remedy));
 }
 
 } // namespace stiction::scene

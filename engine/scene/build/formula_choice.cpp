@@ -28,7 +28,41 @@ constexpr double long_ranged = 0.1;  ///< that up to which it is DMT's, same pla
 constexpr double all_but_jkr = 1000; ///< from which Maugis' states are JKR's to a thousandth
 
 FormulaChoice choice(std::unique_ptr<formula::Formula> formula, std::string fits, std::string neglects = "") {
-  return {std::move(formula), {}, formula::Drive::depth, std::move(fits), std::move(neglects)};
+  FormulaChoice made;
+  made.normal = std::move(formula);
+  made.fits = std::move(fits);
+  made.neglects = std::move(neglects);
+  return made;
+}
+
+using halfspace::coordinate;
+
+std::function<double(double, double)> distance_of(halfspace::Sphere const& part) {
+  return [apex = part.apex](double x, double y) {
+    return std::hypot(x - coordinate(apex, 0), y - coordinate(apex, 1));
+  };
+}
+std::function<double(double, double)> distance_of(halfspace::Cylinder const& part) {
+  return [apex = part.apex](double x, double) { return std::abs(x - apex); };
+}
+std::function<double(double, double)> distance_of(halfspace::Punch const& part) {
+  return [centre = part.centre](double x, double y) {
+    return std::hypot(x - coordinate(centre, 0), y - coordinate(centre, 1));
+  };
+}
+std::function<double(double, double)> distance_of(halfspace::Wave const& part) {
+  return [along_y = !(coordinate(part.wavelengths, 0) > 0)](double x, double y) { return along_y ? y : x; };
+}
+template<class Other> std::function<double(double, double)> distance_of(Other const&) {
+  return {}; // it has no formula
+}
+
+/// Pull of bonds that never opened, where surfaces touch, Pa.
+double grip_of(interface::Law const& law) {
+  if (!law.adhesion)
+    return 0;
+  interface::BondStep const still{interface::initial_bond(*law.adhesion, 0), 0, true};
+  return -interface::adhere<1>(*law.adhesion, still, interface::Local<1>::Zero()).traction[0];
 }
 
 /// The law as formulas know it.
@@ -234,8 +268,12 @@ Choice choose_formula(halfspace::Model const& model, halfspace::Shape const& sur
     if (!unfit.empty())
       return unfit;
   auto made = std::visit([&](auto const& part) { return chooser.of(part); }, surface);
-  if (auto* fitting = std::get_if<FormulaChoice>(&made))
+  if (auto* fitting = std::get_if<FormulaChoice>(&made)) {
     fitting->drive = model.force ? formula::Drive::force : formula::Drive::depth;
+    fitting->distance = std::visit([](auto const& part) { return distance_of(part); }, surface);
+    fitting->grip = grip_of(model.law);
+    fitting->moved = fitting->along && (changes(model.shift[0]) || changes(model.shift[1]));
+  }
   return made;
 }
 

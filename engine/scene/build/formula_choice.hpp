@@ -1,5 +1,6 @@
 // Which closed formula answers a half space under a height map, or why none does.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +18,11 @@ struct FormulaChoice {
   std::unique_ptr<formula::Formula> normal;
   std::optional<formula::Mindlin> along; ///< none: nothing acts along the surface
   formula::Drive drive = formula::Drive::depth;
-  std::string fits;     ///< why it does
-  std::string neglects; ///< what of the scene it leaves out; empty: nothing
+  std::function<double(double, double)> distance; ///< of x, y from the axis or the middle, along waves, m
+  double grip = 0;                                ///< of the law's adhesion where surfaces touch, Pa
+  bool moved = false;                             ///< along the surface under friction
+  std::string fits;                               ///< why it does
+  std::string neglects;                           ///< what of the scene it leaves out; empty: nothing
 };
 
 /// The formula, or in words what keeps the scene from having one.

@@ -10,6 +10,9 @@ struct FormulaState {
   formula::State normal;         ///< depth, force that presses, area, peak
   std::array<double, 2> way{};   ///< of the counterpart along x and y, m
   std::array<double, 2> along{}; ///< force on the half space along x and y, N
+  double size = 0;               ///< of the state, as the formula counts it
+  double work = 0;               ///< of what presses since the start, J (a line: J/m)
+  double start = 0;              ///< energy at the start, J (a line: J/m)
 };
 
 /// Appends the probe's values of one state to a row.

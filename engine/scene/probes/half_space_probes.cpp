@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "halfspace/points.hpp"
 #include "scene/probes/formula_probes.hpp"
-#include "scene/probes/point_quantities.hpp"
+#include "scene/probes/grid_columns.hpp"
 
 namespace stiction::scene {
 
@@ -32,74 +31,27 @@ double dry_sum(GridModel const& model, GridState const& state) {
   return sum;
 }
 
-struct GridContext {
-  GridModel const& model;
-  Columns const& series;
-  std::string const& name;
-  [[nodiscard]] int dim() const { return model.grid.line ? 2 : 3; }
-  [[nodiscard]] char const* force_unit() const { return model.grid.line ? "N/m" : "N"; }
-  [[nodiscard]] char const* area_unit() const { return model.grid.line ? "m" : "m^2"; }
-  [[nodiscard]] char const* energy_unit() const { return model.grid.line ? "J/m" : "J"; }
-  void column(std::string const& column, char const* unit, char const* meaning, int width = 1) const {
-    series.add(name, column, unit, meaning, width);
-  }
-  /// Components x, y [, z] of a vector.
-  void vector(char const* what, char const* unit, char const* meaning) const {
-    for (int c = 0; c < dim(); ++c)
-      column(std::string(what) + '_' + "xyz"[c], unit, meaning);
-  }
-};
-
 /// (n, x, y) with n into the half space, as x, y, z, or x, y in plane strain.
-void push_vector(GridContext const& context, contact::Vec3 const& local, std::vector<double>& row) {
+void push_vector(halfspace::Grid const& grid, contact::Vec3 const& local, std::vector<double>& row) {
   row.push_back(local[1]);
-  if (context.dim() == 3)
+  if (!grid.line)
     row.push_back(local[2]);
   row.push_back(-local[0]);
 }
 
-void add_quantities(GridContext const& context, int width) {
-  for (auto const& quantity : quantities(context.dim()))
-    context.column(quantity.name, quantity.unit != nullptr ? quantity.unit : context.area_unit(),
-                   quantity.meaning, width);
-}
-
 HalfSpaceSampler add_of(PointProbe const& probe, GridContext const& context) {
-  auto const& grid = context.model.grid;
-  auto const near = [count = static_cast<int>(probe.near.size()), &probe](int c) {
-    return c < count ? probe.near[static_cast<std::size_t>(c)] : 0.0;
-  };
-  auto const cell = [](double at, double step, Index count) {
-    return std::clamp<Index>(static_cast<Index>(std::floor(at / step + 0.5 * count)), 0, count - 1);
-  };
-  Index const point =
-      cell(near(0), grid.dx(), grid.nx) + (grid.line ? 0 : grid.nx * cell(near(1), grid.dy(), grid.ny));
-  context.series.set_attribute(context.name, "X", grid.x(point));
-  context.series.set_attribute(context.name, "Y", grid.y(point));
-  add_quantities(context, 1);
-  return [point, &model = context.model, chosen = quantities(context.dim())](GridState const& state,
-                                                                             std::vector<double>& row) {
-    auto const at = halfspace::contact_state(model, state, point);
-    for (auto const& quantity : chosen)
-      row.push_back(quantity.value(at));
+  Index const point = add_point(probe, context);
+  return [&model = context.model, point](GridState const& state, std::vector<double>& row) {
+    push_point(
+        model.grid, [&](Index i) { return halfspace::contact_state(model, state, i); }, point, row);
   };
 }
 
 HalfSpaceSampler add_of(LineProbe const&, GridContext const& context) {
-  context.column("X", "m", "reference coordinate of the points", context.model.grid.size());
-  context.column("Y", "m", "reference coordinate of the points", context.model.grid.size());
-  context.column("count", "1", "contact points of the pair");
-  add_quantities(context, context.model.grid.size());
-  return [&model = context.model, chosen = quantities(context.dim())](GridState const& state,
-                                                                      std::vector<double>& row) {
-    Index const n = model.grid.size();
-    for (Index i = 0; i < n; ++i)
-      row.push_back(model.grid.x(i));
-    row.insert(row.end(), ix(n), 0.0);
-    row.push_back(n);
-    for (auto const& quantity : chosen)
-      for (Index i = 0; i < n; ++i)
-        row.push_back(quantity.value(halfspace::contact_state(model, state, i)));
+  add_line(context);
+  return [&model = context.model](GridState const& state, std::vector<double>& row) {
+    push_line(
+        model.grid, [&](Index i) { return halfspace::contact_state(model, state, i); }, row);
   };
 }
 
@@ -117,12 +69,12 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
                  "root mean square of the dry pressure about its mean over the surface");
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
+  context.column("adhesion_n", context.force_unit(), "normal adhesion of all points (negative: pulling)");
   context.column("gap_min", "m", "smallest gap");
   context.column("gap_mean", "m", "mean gap over the surface");
-  return [context_dim = context.dim(), &model = context.model, &series = context.series,
-          name = context.name](GridState const& state, std::vector<double>& row) {
+  return [&model = context.model](GridState const& state, std::vector<double>& row) {
     double counts[3] = {}, beta_max = 0, beta_sum = 0, bonds = 0, pressure = 0, along = 0, pull = 0,
-           square = 0;
+           pulls = 0, square = 0;
     Index const n = model.grid.size();
     double const mean = dry_sum(model, state) / (n * model.grid.area());
     for (Index i = 0; i < n; ++i) {
@@ -135,10 +87,11 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
       square += std::pow(at.dry[0] - mean, 2);
       along = std::max(along, at.adhesion.tail<2>().norm());
       pull = std::min(pull, at.adhesion[0]);
+      pulls += at.adhesion[0] * model.grid.area();
     }
-    push_vector({model, series, name}, total_force(model, state), row);
+    push_vector(model.grid, total_force(model, state), row);
     row.insert(row.end(), {counts[0], counts[1], counts[2], (counts[1] + counts[2]) * model.grid.area(),
-                           beta_max, beta_sum / n, bonds, pressure, std::sqrt(square / n), along, pull,
+                           beta_max, beta_sum / n, bonds, pressure, std::sqrt(square / n), along, pull, pulls,
                            state.gap.minCoeff(), state.gap.mean()});
   };
 }
@@ -146,11 +99,9 @@ HalfSpaceSampler add_of(ContactProbe const&, GridContext const& context) {
 HalfSpaceSampler add_of(RigidProbe const&, GridContext const& context) {
   context.vector("u", "m", "displacement");
   context.vector("force", context.force_unit(), "force of the contact on it");
-  return [&model = context.model, &series = context.series, name = context.name](GridState const& state,
-                                                                                 std::vector<double>& row) {
-    GridContext const at{model, series, name};
-    push_vector(at, {-state.lift, state.along[0], state.along[1]}, row);
-    push_vector(at, -total_force(model, state), row);
+  return [&model = context.model](GridState const& state, std::vector<double>& row) {
+    push_vector(model.grid, {-state.lift, state.along[0], state.along[1]}, row);
+    push_vector(model.grid, -total_force(model, state), row);
   };
 }
 

@@ -81,7 +81,8 @@ Sampler add(LineProbe const& probe, Context const& context) {
 struct PairSummary {
   contact::Vec3 force = contact::Vec3::Zero();
   double open = 0, stick = 0, slip = 0, closed_area = 0;
-  double beta_max = 0, beta_mean = 0, pressure_max = 0, adhesion_t_max = 0, adhesion_n_min = 0, gap_min = 0;
+  double beta_max = 0, beta_mean = 0, pressure_max = 0, adhesion_t_max = 0, adhesion_n_min = 0,
+         adhesion_n = 0, gap_min = 0;
 };
 
 void add_force(Index node, Vector const& reaction, int dim, contact::Vec3& sum) {
@@ -123,6 +124,7 @@ PairSummary summarise(dynamics::Pair const& pair, Patch const& patch, std::vecto
     sum.pressure_max = std::max(sum.pressure_max, point.dry[0]);
     sum.adhesion_t_max = std::max(sum.adhesion_t_max, point.adhesion.tail<2>().norm());
     sum.adhesion_n_min = std::min(sum.adhesion_n_min, point.adhesion[0]);
+    sum.adhesion_n += point.area * point.adhesion[0];
     if (!point.in_reach)
       continue;
     bool const touching = point.status != interface::Status::open;
@@ -157,13 +159,14 @@ Sampler add(ContactProbe const& probe, Context const& context) {
   context.column("pressure_max", "Pa", "largest dry pressure");
   context.column("adhesion_t_max", "Pa", "largest tangential adhesion");
   context.column("adhesion_n_min", "Pa", "strongest normal adhesion (negative: pulling)");
+  context.column("adhesion_n", force, "normal adhesion of all points (negative: pulling)");
   context.column("gap_min", "m", "smallest gap; the radius of the search where nothing is near");
   return [p, dim, &pair, patch = patch_of(context.scene, pair, probe.set)](State const& state,
                                                                            std::vector<double>& row) {
     auto const s = summarise(pair, patch, state.contacts[p], state.reaction_of(p), dim);
     row.insert(row.end(), s.force.data(), s.force.data() + dim);
     row.insert(row.end(), {s.open, s.stick, s.slip, s.closed_area, s.beta_max, s.beta_mean, s.pressure_max,
-                           s.adhesion_t_max, s.adhesion_n_min, s.gap_min});
+                           s.adhesion_t_max, s.adhesion_n_min, s.adhesion_n, s.gap_min});
   };
 }
 

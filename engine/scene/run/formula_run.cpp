@@ -11,9 +11,10 @@
 #include "record/file.hpp"
 #include "record/manifest.hpp"
 #include "record/step_log.hpp"
-#include "scene/probes/formula_probes.hpp"
+#include "scene/probes/formula_points.hpp"
 #include "scene/probes/probes.hpp"
 #include "scene/run/beside.hpp"
+#include "scene/run/frame.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/resources.hpp"
 
@@ -24,9 +25,9 @@ namespace {
 class FormulaRun {
 public:
   FormulaRun(Scene const& scene, RunOptions const& options)
-      : scene_(scene), options_(options), series_(options.out / "series.h5"),
-        follower_(*scene.formula->normal, scene.formula->drive), along_(scene.formula->along) {
-    record::FieldSeries const none(options.out); // of an earlier run are removed
+      : scene_(scene), options_(options), series_(options.out / "series.h5"), fields_(options.out),
+        follower_(*scene.formula->normal, scene.formula->drive), along_(scene.formula->along),
+        frames_(scene.formula->moved ? 0 : scene.part.output.frames) {
     record::StepLog const no_log(options.out);
     add_step_columns(scene, series_);
     samplers_ = add_formula_probes(scene, columns_of(series_));
@@ -34,8 +35,11 @@ public:
 
   RunResult go() {
     result_.verdict = "finished";
-    if (reach(0, 0))
+    if (reach(0, 0)) {
+      if (frames_ > 0)
+        frame();
       run_stages();
+    }
     series_.flush();
     return finish();
   }
@@ -72,6 +76,10 @@ private:
         if (stopped() || !reach(step == stage.steps ? stage.until : start + step * dt, dt))
           return;
         ++result_.steps;
+        // frame j of the stage comes after step ceil(j * steps / frames)
+        if (static_cast<long>(step) * frames_ / stage.steps >
+            static_cast<long>(step - 1) * frames_ / stage.steps)
+          frame();
       }
       start = stage.until;
     }
@@ -90,8 +98,14 @@ private:
           -drive, model.grid.line ? "N/m" : "N", -formula::largest_pull(*scene_.formula->normal).force);
       return false;
     }
-    FormulaState now{t, *state, {model.shift[0].value(t), model.shift[1].value(t)}, {}};
+    bool const first = t == 0;
+    FormulaState now{t, *state, {model.shift[0].value(t), model.shift[1].value(t)}, {}, follower_.size()};
     move_along(now);
+    now.start = first ? now.normal.strain + now.normal.bond : now_.start;
+    now.work = first ? 0
+                     : now_.work + 0.5 * (now_.normal.force + now.normal.force) *
+                                       (now.normal.depth - now_.normal.depth);
+    now_ = now;
     dynamics::Timer const timer(output_);
     row_.assign({dt, 0});
     if (scene_.part.schedule.accuracy)
@@ -100,6 +114,13 @@ private:
       sampler(now, row_);
     series_.append(t, row_);
     return true;
+  }
+
+  void frame() {
+    dynamics::Timer const timer(output_);
+    FormulaPoints const points(scene_, now_);
+    fields_.write(frame_of(*scene_.half_space, {now_.t, [&](Index i) { return points.displacement(i); },
+                                                [&](Index i) { return points.at(i); }}));
   }
 
   /// Of the two ways along one is nothing, or nothing acts.
@@ -124,8 +145,11 @@ private:
   Scene const& scene_;
   RunOptions const& options_;
   record::Series series_;
+  record::FieldSeries fields_; ///< of an earlier run are removed
   formula::Follower follower_;
   std::optional<formula::Mindlin> along_;
+  int frames_; ///< of fields, in each stage: formulas of what is moved along give none
+  FormulaState now_;
   std::vector<FormulaSampler> samplers_;
   std::vector<double> row_;
   RunResult result_;
@@ -138,7 +162,8 @@ private:
 /// is.
 void run_beside(Scene const& scene, RunOptions const& options, RunResult& result) {
   for (auto const& shifted : options.beside) {
-    auto const other = scene_beside(shifted, scene);
+    auto other = scene_beside(shifted, scene);
+    other.part.output.frames = 0;
     RunOptions own;
     own.out = options.out / "derivatives" / shifted.name;
     own.stop = options.stop;

@@ -3,6 +3,8 @@
 
 namespace stiction::scene {
 
+using dynamics::ContactState;
+
 namespace {
 
 /// Of the bodies' nodes; what belongs to rigid bodies comes after them and is left out.
@@ -69,6 +71,42 @@ record::FieldFrame frame_of(Scene const& scene, dynamics::State const& state) {
   frame.point_arrays.push_back(vector_array("velocity", "m/s", scene, state.v));
   add_stress(scene, state, frame);
   add_contact(scene, state, frame);
+  return frame;
+}
+
+record::GridFrame frame_of(halfspace::Model const& model, GridFields const& fields) {
+  auto const& grid = model.grid;
+  auto const n = ix(grid.size());
+  struct Shown {
+    char const *name, *unit;
+    double (*value)(ContactState const&);
+  };
+  std::vector<Shown> shown{
+      {"gap", "m", [](ContactState const& at) { return at.gap; }},
+      {"contact_pressure", "Pa", [](ContactState const& at) { return at.dry[0]; }},
+      {"status", "1", [](ContactState const& at) { return static_cast<double>(at.status); }}};
+  if (model.components() > 1)
+    shown.push_back({"friction", "Pa", [](ContactState const& at) { return at.dry.tail<2>().norm(); }});
+  if (model.law.adhesion) {
+    shown.push_back({"beta", "1", [](ContactState const& at) { return at.bond.beta; }});
+    shown.push_back({"normal_adhesion", "Pa", [](ContactState const& at) { return at.adhesion[0]; }});
+    shown.push_back(
+        {"tangential_adhesion", "Pa", [](ContactState const& at) { return at.adhesion.tail<2>().norm(); }});
+  }
+  record::GridFrame frame{
+      fields.time, grid.nx, grid.ny, grid.x(0), grid.y(0), grid.dx(), grid.line ? 1 : grid.dy(), {}};
+  auto& arrays = frame.point_arrays;
+  arrays.push_back({"displacement", "m", 3, std::vector<double>(3 * n), false});
+  for (auto const& one : shown)
+    arrays.push_back({one.name, one.unit, 1, std::vector<double>(n), false});
+  for (std::size_t i = 0; i < n; ++i) {
+    auto const point = static_cast<Index>(i);
+    contact::Vec3 const u = fields.displacement(point);
+    Eigen::Vector3d::Map(&arrays[0].values[3 * i]) << u[1], grid.line ? -u[0] : u[2], grid.line ? 0 : -u[0];
+    auto const at = fields.at(point);
+    for (std::size_t q = 0; q < shown.size(); ++q)
+      arrays[q + 1].values[i] = shown[q].value(at);
+  }
   return frame;
 }
 

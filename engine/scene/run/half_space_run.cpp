@@ -16,6 +16,7 @@
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
 #include "scene/run/course.hpp"
+#include "scene/run/frame.hpp"
 #include "scene/run/manifest.hpp"
 #include "scene/run/patience.hpp"
 #include "scene/run/recorder.hpp"
@@ -24,42 +25,6 @@
 namespace stiction::scene {
 
 namespace {
-
-/// Fields over the grid, as those of bodies are called.
-record::GridFrame frame_of(halfspace::Model const& model, halfspace::State const& state) {
-  auto const& grid = model.grid;
-  Index const n = grid.size();
-  record::GridFrame frame{
-      state.t, grid.nx, grid.ny, grid.x(0), grid.y(0), grid.dx(), grid.line ? 1 : grid.dy(), {}};
-  auto const add = [&](char const* name, char const* unit, int components, auto const& value) {
-    record::FieldArray array{name, unit, components, {}, false};
-    array.values.reserve(ix(n) * static_cast<std::size_t>(components));
-    for (Index i = 0; i < n; ++i)
-      value(i, array.values);
-    frame.point_arrays.push_back(std::move(array));
-  };
-  int const D = model.components();
-  add("displacement", "m", 3, [&](Index i, std::vector<double>& to) {
-    double const x = D > 1 ? state.u[D * i + 1] : 0, down = state.u[D * i];
-    to.insert(to.end(), {x, grid.line ? -down : D > 2 ? state.u[D * i + 2] : 0, grid.line ? 0 : -down});
-  });
-  auto const of_point = [&](char const* name, char const* unit, auto const& value) {
-    add(name, unit, 1,
-        [&](Index i, std::vector<double>& to) { to.push_back(value(contact_state(model, state, i))); });
-  };
-  using At = dynamics::ContactState;
-  of_point("gap", "m", [](At const& at) { return at.gap; });
-  of_point("contact_pressure", "Pa", [](At const& at) { return at.dry[0]; });
-  of_point("status", "1", [](At const& at) { return static_cast<double>(at.status); });
-  if (D > 1)
-    of_point("friction", "Pa", [](At const& at) { return at.dry.tail<2>().norm(); });
-  if (!model.law.adhesion)
-    return frame;
-  of_point("beta", "1", [](At const& at) { return at.bond.beta; });
-  of_point("normal_adhesion", "Pa", [](At const& at) { return at.adhesion[0]; });
-  of_point("tangential_adhesion", "Pa", [](At const& at) { return at.adhesion.tail<2>().norm(); });
-  return frame;
-}
 
 struct HalfSpaceMark {
   record::SeriesMark series;
@@ -158,7 +123,14 @@ private:
 
   void frame() {
     dynamics::Timer const timer(output_);
-    fields_->write(frame_of(model_, state_));
+    int const D = model_.components();
+    fields_->write(frame_of(model_, {state_.t,
+                                     [&](Index i) {
+                                       contact::Vec3 u = contact::Vec3::Zero();
+                                       u.head(D) = state_.u.segment(D * i, D);
+                                       return u;
+                                     },
+                                     [&](Index i) { return contact_state(model_, state_, i); }}));
   }
   static void stage_ended() {}
 

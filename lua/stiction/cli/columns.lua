@@ -49,9 +49,29 @@ local function scene_of(kinds, kinematics)
   }
 end
 
+local of_half_spaces = { contact = true, rigid = true, energy = true, point = true, line = true }
+
+--- A half space with one of each that it may have.
+local function half_space_scene(kinds)
+  local probes, filler = {}, fillers.three_dimensional
+  for _, kind in ipairs(kinds) do
+    probes[kind.name] = of_half_spaces[kind.name] and probe_of(kind, filler, nil) or nil
+  end
+  return stiction.scene {
+    kinematics = "three_dimensional",
+    bodies = { body = stiction.body.half_space { young = 1*Pa, poisson = 0, size = { 1*m, 1*m }, points = { 2, 2 } } },
+    obstacles = { obstacle = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = 1*m },
+      times = { 0*s, 1*s }, z = { 1*m, 1*m } } },
+    scheme = stiction.scheme.quasi_static {},
+    pairs = { pair = stiction.pair { secondary = "body.surface", primary = "obstacle" } },
+    probes = probes,
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
+  }
+end
+
 --- By kind of probe a list of {name, unit, meaning}, of the kinds of the catalog's category "probe".
 function columns.by_kind(kinds)
-  local found, plane = {}, {}
+  local found, plane, known = {}, {}, {}
   for _, column in ipairs(engine.probe_columns(scene_of(kinds, "plane_strain"))) do
     plane[column.probe .. "/" .. column.name] = column.unit
   end
@@ -60,6 +80,12 @@ function columns.by_kind(kinds)
     local note = not unit and " (in space)" or unit ~= column.unit and (" (%s in plane strain)"):format(unit) or ""
     list[#list + 1] = { column.name, column.unit .. note, column.meaning }
     found[column.probe] = list
+    known[column.probe .. "/" .. column.name] = true
+  end
+  for _, column in ipairs(engine.probe_columns(half_space_scene(kinds))) do
+    if not known[column.probe .. "/" .. column.name] then
+      table.insert(found[column.probe], { column.name, column.unit .. " (of half spaces)", column.meaning })
+    end
   end
   return found
 end

@@ -42,6 +42,8 @@ TEST_CASE("each shape and law has its formula") {
   CHECK(name_of(sphere) == "Maugis");
   test::remove(sphere, "obstacles.ball.z");
   test::at(sphere, "obstacles.ball.force") = values({0, 1, 1}, "N");
+  check_refused("probes.energy", make("probe.energy"), "that of a range, which it leaves out", sphere);
+  test::remove(sphere, "probes.energy");
   CHECK(name_of(sphere) == "DMT");
   for (bool const wave : {false, true}) {
     auto line = wave ? test::wave_scene() : test::formula_scene(true);
@@ -74,10 +76,7 @@ TEST_CASE("half spaces that no formula answers say why and what does") {
   check_refused("bodies.base.size", values({0.3}, "m"), "span 1.5 waves", wave);
   check_refused("pairs.joint.adhesion", test::dugdale(10, 5e-2), "no short range", wave);
   check_refused("pairs.joint.adhesion", test::dugdale(10, 5e-2), "no short range", line);
-  check_refused("probes.energy", make("probe.energy"), "is not what a formula gives", sphere);
-  check_refused("probes.middle",
-                make("probe.contact_point", {{"pair", text("joint")}, {"near", values({0, 0, 0}, "m")}}),
-                "give model = \"half_space\"", sphere);
+  check_refused("probes.energy", make("probe.energy"), "with the bodies' size, as their depth does", line);
   auto deep = line;
   test::remove(deep, "obstacles.ball.force");
   check_refused("obstacles.ball.y", values({0, -1e-3, -1e-3}, "m"), "is not defined in a half plane", deep);
@@ -88,9 +87,14 @@ TEST_CASE("a sphere with friction is moved along under constant pressure, or has
   test::at(table, "bodies.base.poisson") = value(0.5);
   test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
   test::at(table, "obstacles.ball.x") = values({0, 0, 1e-3}, "m");
-  auto const built = scene::build(table);
-  CHECK(built.formula->along.has_value());
+  for (char const* probe : {"probes.energy", "probes.middle"}) {
+    auto one = table;
+    test::remove(one, std::string(probe) == "probes.energy" ? "probes.middle" : "probes.energy");
+    check_refused(probe, test::at(one, probe), "is not what Mindlin's formula gives of a motion along", one);
+    test::remove(table, probe);
+  }
   check_refused("obstacles.ball.z", values({0, -5e-3, -6e-3}, "m"), "while what presses changes", table);
+  CHECK(scene::build(table).formula->along.has_value());
   check_refused("obstacles.ball.y", values({0, 0, 1e-3}, "m"), "moved along x and y", table);
   check_refused("pairs.joint.adhesion", test::dugdale(100, 5e-3), "both adhesion and friction", table);
 }
