@@ -55,7 +55,7 @@ State Wave::at(double s) const {
 }
 
 /// With y = sin(pi x / L): p = (2 p* (b^2 - y^2) - pull) cos / sqrt(b^2 - y^2) up to y = b; beyond, the gap's
-/// slope is the same with y^2 - b^2, over E*/2 (Johnson 1985, 13.2; Koiter 1959).
+/// slope is the same with y^2 - b^2, over E*/2 (Johnson 1985, 13.2; Johnson 1995).
 Profile Wave::profile(double s) const {
   auto const state = at(s);
   double const most = waves_.full(), L = waves_.length, E = waves_.modulus, D = waves_.amplitude;

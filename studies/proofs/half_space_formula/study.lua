@@ -75,7 +75,8 @@ local function scene(p)
     pairs = { touch = stiction.pair(pair) },
     scheme = stiction.scheme.quasi_static {},
     schedule = stiction.schedule { stages = stages },
-    probes = { touch = stiction.probe.contact { pair = "touch" }, sphere = stiction.probe.rigid { obstacle = "sphere" } },
+    probes = { touch = stiction.probe.contact { pair = "touch" }, sphere = stiction.probe.rigid { obstacle = "sphere" },
+      energy = p.kind ~= "mindlin" and stiction.probe.energy {} or nil },
   }
 end
 
@@ -100,22 +101,34 @@ end
 --- The ramps of the traction reach beyond the range: a quarter of them.
 local function of_ramp(p) return p.kind == "maugis_half" and 1.6 / p.points or 3.2 / p.points end
 
+--- The work that they add: half of them.
+local function of_work(p) return 2 * of_ramp(p) end
+
 --- What is compared, with how far the finest of the quick form may be off, relative: errors fall with the spacing, but for
 --- what Mindlin's formula leaves out.
 local compared = {
   { kind = "hertz", title = "Hertz", source = "Johnson 1985, 4.2", row("force", "N", "sphere", "force_z", 2e-4),
-    row("area", "mm^2", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 2e-3) },
+    row("area", "mm^2", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 2e-3),
+    row("stored", "J", "energy", "strain", 2e-3) },
   { kind = "mindlin", title = "Mindlin", source = "Mindlin and Deresiewicz 1953",
     row("force along", "N", "touch", "force_x", 3e-3, { time = 2 }), row("force along, back", "N", "touch", "force_x", 2e-2) },
-  { kind = "punch", title = "flat punch", source = "Sneddon 1946", row("force", "N", "sphere", "force_z", 2e-3) },
+  { kind = "punch", title = "flat punch", source = "Sneddon 1946", row("force", "N", "sphere", "force_z", 2e-3),
+    row("stored", "J", "energy", "strain", 2e-3) },
   { kind = "wave", title = "wave", source = "Westergaard 1939", row("lift", "um", "sphere", "u_y", 2e-3),
-    row("width that touches", "mm", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 5e-3) },
+    row("width that touches", "mm", "touch", "closed_area", 2e-2), row("largest pressure", "MPa", "touch", "pressure_max", 5e-3),
+    row("stored", "J/m", "energy", "strain", 2e-3) },
   { kind = "maugis_half", title = "Maugis, lambda = 0.5", source = "Maugis 1992",
     row("pull-off", "N", "touch", "force_z", of_ramp, { largest = true }),
-    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }) },
+    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }),
+    row("largest pressure", "Pa", "touch", "pressure_max", 1e-2, { largest = true }),
+    row("stored where pressed", "J", "energy", "strain", of_ramp, { time = 1 }),
+    row("bond energy where pressed", "J", "energy", "bond", of_work, { time = 1 }) },
   { kind = "maugis_one", title = "Maugis, lambda = 1", source = "Maugis 1992",
     row("pull-off", "N", "touch", "force_z", of_ramp, { largest = true }),
-    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }) },
+    row("force where pressed", "N", "sphere", "force_z", 1e-2, { time = 1 }),
+    row("largest pressure", "Pa", "touch", "pressure_max", 1e-2, { largest = true }),
+    row("stored where pressed", "J", "energy", "strain", of_ramp, { time = 1 }),
+    row("bond energy where pressed", "J", "energy", "bond", of_work, { time = 1 }) },
 }
 
 local function spacing(case)

@@ -71,7 +71,7 @@ local function sweep(most, ranges)
 end
 
 local function full()
-  local list = sweep(5, { { 100, 60 }, { 100, 60, 42 }, { 100, 60, 42, 30 }, { 100, 60, 42, 30 }, { 100, 60, 42 } })
+  local list = sweep(5, { { 100, 60 }, { 100, 60, 42 }, { 100, 60, 42, 30 }, { 100, 60, 42, 30 }, { 60 } })
   for _, t in ipairs { { points = 512, shortest = 3.2 }, { points = 512, shortest = 3.2, range = 60 },
     { points = 256, shortest = 3.2, range = 60, steps = 20 }, { points = 256, shortest = 3.2, seed = 2 },
     { points = 256, shortest = 3.2, range = 60, seed = 2 }, { points = 256, shortest = 3.2, seed = 3 },
@@ -168,8 +168,8 @@ local function gains(cases)
     for i, case in ipairs(over_range(cases, grid)) do
       x[i], y[i] = case.p.range.si, gain(cases, case)
     end
-    if #x > 0 then
-      curves[#curves + 1] = { label = ("waves down to %g um"):format(grid.shortest), x = x, y = y }
+    if #x > 1 then
+      curves[#curves + 1] = { label = ("waves down to %g µm"):format(grid.shortest), x = x, y = y }
     end
   end
   return stiction.figure.lines { name = "gain", title = "What adhesion brings",
