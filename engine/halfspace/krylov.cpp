@@ -11,7 +11,8 @@ namespace stiction::halfspace {
 
 namespace {
 constexpr Index least_basis = 40, most_basis = 200; // of GMRES, before it is restarted
-constexpr Index basis_arrays = 30;                  // of all points, that a basis may take as room
+constexpr Index basis_arrays = 30;                  // of all points, that a basis may take as numbers
+constexpr double digits = 1e-5;                     // that vectors of single precision bring at a time
 } // namespace
 
 template<int D>
@@ -196,7 +197,8 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
   double const start = residual.norm();
   for (double before = start; before > part * start && made.iterations < most;) {
     auto const end = linear::gmres(apply_all, undo_all, residual, step,
-                                   linear::KrylovLimits<>{part * start / before, basis(), {}, true});
+                                   linear::KrylovLimits<linear::ShortVectors>{
+                                       std::max(part * start / before, digits), basis(), {}, true});
     made.iterations += end.iterations;
     apply_all(step, answer);
     made.force += step.head(n);

@@ -432,7 +432,7 @@ private:
   }
 
   void finish() {
-    answer_.verdict = contact::judge(shifted(), answer_.force, answer_.x);
+    answer_.verdict = contact::judge(problem_, answer_.force, answer_.x, answer_.lift);
     if (unfelt_)
       answer_.verdict.scale = std::min(answer_.verdict.scale, verdict_.scale);
     answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
@@ -450,16 +450,6 @@ private:
                                  surface_.grid().line ? "N/m" : "N")
                    : fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
   }
-  /// With the lift in its free gaps, which set the yardstick.
-  [[nodiscard]] contact::Problem const& shifted() {
-    if (answer_.lift == 0)
-      return problem_;
-    lifted_ = problem_;
-    for (Index i = 0; i < n_; ++i)
-      lifted_.free[D * i] += answer_.lift;
-    return lifted_;
-  }
-
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
   static constexpr double tolerance_held = 1e-6;
   static constexpr double far = 8; ///< over the opening of the strength: what adheres there hardly falls
@@ -486,7 +476,6 @@ private:
   bool torn_ = false;                     ///< does the step tear bonds before any force changes?
   contact::Verdict verdict_;
   Linearised<D> system_;
-  contact::Problem lifted_;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fftw3.h>
 
@@ -35,6 +36,8 @@ Plan held(fftw_plan plan) {
   return {plan, fftw_destroy_plan};
 }
 
+constexpr Index least_rows = 4; ///< that a thread takes at a time
+
 /// Pieces of columns that threads share: as many whatever the number of threads.
 Index pieces(Index columns) {
   return std::min<Index>(core::most_pieces, (columns + together - 1) / together);
@@ -60,9 +63,9 @@ Surface::Surface(Grid const& grid, Compliance const& compliance, int components)
     : grid_(grid), components_(components), symbols_(symbols(grid, compliance, components)),
       stride_(symbols_.rows) {
   waves_.reset(allocate(Eigen::Index{components} * grid.ny * stride_));
-  buffers_.reset(allocate(Eigen::Index{pieces(symbols_.rows)} * components * together * symbols_.py));
+  buffers_.reset(allocate(buffered()));
   auto* const wave = raw(waves_.get());
-  auto* const number = reinterpret_cast<double*>(wave);
+  auto* const number = row_buffer(0);
   auto* const buffer = raw(buffers_.get());
   plans_ = std::make_unique<Plans>(
       Plans{held(fftw_plan_dft_r2c_1d(symbols_.px, number, wave, FFTW_ESTIMATE)),
@@ -79,30 +82,42 @@ double Surface::longest() const {
 
 std::size_t Surface::memory() const {
   auto const& s = symbols_;
-  Eigen::Index count = 2 * Eigen::Index{components_} * grid_.ny * stride_ +
-                       2 * Eigen::Index{pieces(s.rows)} * components_ * together * s.py + padded_.size();
+  Eigen::Index count = 2 * Eigen::Index{components_} * grid_.ny * stride_ + 2 * buffered() + padded_.size();
   for (auto const* table : {&s.nn, &s.xx, &s.yy, &s.xy, &s.nx, &s.ny})
     count += table->size();
   return static_cast<std::size_t>(count);
 }
 
+/// Rows and columns take turns.
+Eigen::Index Surface::buffered() const {
+  Eigen::Index const columns = Eigen::Index{pieces(symbols_.rows)} * components_ * together * symbols_.py,
+                     rows =
+                         Eigen::Index{core::piece_of(grid_.ny, least_rows, grid_.ny - 1) + 1} * symbols_.rows;
+  return std::max(columns, rows);
+}
+
+double* Surface::row_buffer(Index first) const {
+  return reinterpret_cast<double*>(buffers_.get()) +
+         2 * symbols_.rows * core::piece_of(grid_.ny, least_rows, first);
+}
+
 template<int D> void Surface::forward_rows(double const* in, Index first, Index last) const {
+  double* const numbers = row_buffer(first);
+  std::fill(numbers + grid_.nx, numbers + symbols_.px, 0.0);
   for (int c = 0; c < D; ++c)
     for (Index j = first; j < last; ++j) {
-      auto* const numbers = reinterpret_cast<double*>(row(c, j));
       double const* const from = in + Eigen::Index{j} * grid_.nx * D + c;
       for (Index i = 0; i < grid_.nx; ++i)
         numbers[i] = from[Eigen::Index{i} * D];
-      std::fill(numbers + grid_.nx, numbers + symbols_.px, 0.0);
       fftw_execute_dft_r2c(plans_->row.get(), numbers, raw(row(c, j)));
     }
 }
 
 template<int D> void Surface::backward_rows(double* out, Index first, Index last) const {
   double const scale = 1 / (double{1} * symbols_.px * symbols_.py);
+  double* const numbers = row_buffer(first);
   for (int c = 0; c < D; ++c)
     for (Index j = first; j < last; ++j) {
-      auto* const numbers = reinterpret_cast<double*>(row(c, j));
       fftw_execute_dft_c2r(plans_->row_back.get(), raw(row(c, j)), numbers);
       double* const to = out + Eigen::Index{j} * grid_.nx * D + c;
       for (Index i = 0; i < grid_.nx; ++i)
@@ -136,33 +151,49 @@ template<int D> void Surface::backward_columns(Columns const& few) const {
   }
 }
 
-/// The piece's columns forward, act(wave, values) for each of their waves, and back.
-template<int D, class Act> void Surface::columns(Index piece, Act const& act) const {
+/// The waves that are real in the tables: the normal component turned by a quarter.
+template<int D>
+void Surface::weigh(Eigen::Matrix<double, D, D> const& by, Columns const& few, Index k, Index j) {
+  if constexpr (D == 1) {
+    few.column(0, k)[j] *= by(0, 0);
+  } else {
+    std::array<Complex, D> old;
+    for (int c = 0; c < D; ++c)
+      old[ix(c)] = few.column(c, k)[j];
+    old[0] = Complex(old[0].imag(), -old[0].real());
+    for (int c = 0; c < D; ++c) {
+      Complex sum = by(c, 0) * old[0];
+      for (int d = 1; d < D; ++d)
+        sum += by(c, d) * old[ix(d)];
+      few.column(c, k)[j] = c > 0 ? sum : Complex(-sum.imag(), sum.real());
+    }
+  }
+}
+
+/// The piece's columns forward, each of their waves weighed by weights(wave), and back.
+template<int D, class Weights> void Surface::columns(Index piece, Weights const& weights) const {
   Index const count = pieces(symbols_.rows), width = (symbols_.rows + count - 1) / count, py = symbols_.py;
   Index const end = std::min(symbols_.rows, (piece + 1) * width);
   for (Index a = piece * width; a < end; a += together) {
     Columns const few{buffers_.get() + Eigen::Index{piece} * D * together * py, a,
                       std::min(together, end - a), py};
     forward_columns<D>(few);
-    for (Index at = 0; at < few.some * py; ++at) {
-      Index const k = at / py, j = at % py;
-      Eigen::Matrix<Complex, D, 1> value;
-      for (int c = 0; c < D; ++c)
-        value[c] = few.column(c, k)[j];
-      bool const back = 2 * j > py;
-      act(Wave{a + k, back ? py - j : j, back ? -1.0 : 1.0}, value);
-      for (int c = 0; c < D; ++c)
-        few.column(c, k)[j] = value[c];
+    for (Index k = 0; k < few.some; ++k) {
+      for (Index j = 0; j <= py / 2; ++j)
+        weigh<D>(weights(Wave{a + k, j, 1}), few, k, j);
+      for (Index j = py / 2 + 1; j < py; ++j)
+        weigh<D>(weights(Wave{a + k, py - j, -1}), few, k, j);
     }
     backward_columns<D>(few);
   }
 }
 
-template<int D, class Act> void Surface::transform(double const* in, double* out, Act const& act) const {
-  constexpr Index least = 4;
-  core::each_piece(grid_.ny, least, [&](Index first, Index last) { forward_rows<D>(in, first, last); });
-  core::each(pieces(symbols_.rows), [&](Index piece) { columns<D>(piece, act); });
-  core::each_piece(grid_.ny, least, [&](Index first, Index last) { backward_rows<D>(out, first, last); });
+template<int D, class Weights>
+void Surface::transform(double const* in, double* out, Weights const& weights) const {
+  core::each_piece(grid_.ny, least_rows, [&](Index first, Index last) { forward_rows<D>(in, first, last); });
+  core::each(pieces(symbols_.rows), [&](Index piece) { columns<D>(piece, weights); });
+  core::each_piece(grid_.ny, least_rows,
+                   [&](Index first, Index last) { backward_rows<D>(out, first, last); });
 }
 
 template<int D> Eigen::Matrix<double, D, D> Surface::symbol(Wave const& wave) const {
@@ -183,59 +214,54 @@ template<int D> Eigen::Matrix<double, D, D> Surface::symbol(Wave const& wave) co
 
 namespace {
 
-/// The waves that are real in the tables: the normal component turned by a quarter.
-template<int D, class Value> void weigh(Eigen::Matrix<double, D, D> const& by, Value& value) {
-  using Complex = std::complex<double>;
-  if constexpr (D == 1) {
-    value[0] *= by(0, 0);
-  } else {
-    value[0] = Complex(value[0].imag(), -value[0].real());
-    Value const old = value;
-    for (int i = 0; i < D; ++i) {
-      value[i] = by(i, 0) * old[0];
-      for (int j = 1; j < D; ++j)
-        value[i] += by(i, j) * old[j];
-    }
-    value[0] = Complex(-value[0].imag(), value[0].real());
-  }
-}
-
-} // namespace
-
-/// Of the mean, where it meets no compliance, that of the longest wave; what a free surface's padding has
-/// left indefinite without what couples, by sizes.
-template<int D> Eigen::Matrix<double, D, D> Surface::inverse(Wave const& wave, double shift) const {
-  bool const mean = wave.a + wave.b == 0 && symbols_.nn[0] <= 0;
-  Wave const longest{symbols_.rows > 1 ? 1 : 0, symbols_.rows > 1 ? 0 : 1, 1};
-  Eigen::Matrix<double, D, D> W = symbol<D>(mean ? longest : wave);
-  double const least = 1e-3 * symbols_.block(0, 0) / std::max(symbols_.px, symbols_.py);
+/// (shift + W)^-1; what a free surface's padding has left indefinite without what couples, by sizes.
+template<int D>
+Eigen::Matrix<double, D, D> inverse(Eigen::Matrix<double, D, D> W, double shift, double least) {
   if constexpr (D == 1) {
     W(0, 0) = 1 / (shift + std::max(std::abs(W(0, 0)), least));
     return W;
   } else {
     W.diagonal().array() += shift;
     Eigen::LLT<Eigen::Matrix<double, D, D>> const factor(W);
-    if (factor.info() == Eigen::Success && !mean)
+    if (factor.info() == Eigen::Success)
       return W.inverse();
     Eigen::Matrix<double, D, 1> const sizes = W.diagonal().cwiseAbs().array().max(least);
     return sizes.cwiseInverse().asDiagonal();
   }
 }
 
+} // namespace
+
+/// Of the mean, where it meets no compliance, that of the longest wave by sizes.
+template<int D> Eigen::Matrix<double, D, D> Surface::inverse_of_mean(double shift, double least) const {
+  if (symbols_.nn[0] > 0)
+    return inverse<D>(symbol<D>({0, 0, 1}), shift, least);
+  bool const along = symbols_.rows > 1;
+  Eigen::Matrix<double, D, 1> const sizes =
+      (symbol<D>({along ? 1 : 0, along ? 0 : 1, 1}).diagonal().array() + (D > 1 ? shift : 0))
+          .abs()
+          .max(least);
+  return (sizes.array() + (D == 1 ? shift : 0)).inverse().matrix().asDiagonal();
+}
+
 void Surface::add_product(Eigen::Ref<Vector const> const& force, Eigen::Ref<Vector> x) const {
   ++products_;
   contact::by_dimension(components_, [&]<int D>() {
-    transform<D>(force.data(), x.data(),
-                 [this](Wave const& wave, auto& value) { weigh<D>(symbol<D>(wave), value); });
+    transform<D>(force.data(), x.data(), [this](Wave const& wave) { return symbol<D>(wave); });
   });
 }
 
 void Surface::solve(double shift, Vector const& x, Vector& force) const {
   ++solutions_;
   force.setZero();
+  double const least = 1e-3 * symbols_.block(0, 0) / std::max(symbols_.px, symbols_.py);
   contact::by_dimension(components_, [&]<int D>() {
-    transform<D>(x.data(), force.data(),
-                 [this, shift](Wave const& wave, auto& value) { weigh<D>(inverse<D>(wave, shift), value); });
+    auto const of_mean = inverse_of_mean<D>(shift, least);
+    transform<D>(x.data(), force.data(), [&, this](Wave const& wave) -> Eigen::Matrix<double, D, D> {
+      if (wave.a + wave.b == 0)
+        return of_mean;
+      return inverse<D>(symbol<D>(wave), shift, least);
+    });
   });
 }
 

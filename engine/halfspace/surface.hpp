@@ -53,10 +53,10 @@ private:
     Index a, b;      ///< in the tables
     double sign = 1; ///< of what is odd along y
   };
-  template<int D, class Act> void transform(double const* in, double* out, Act const& act) const;
+  template<int D, class Weights> void transform(double const* in, double* out, Weights const& weights) const;
   template<int D> void forward_rows(double const* in, Index first, Index last) const;
   template<int D> void backward_rows(double* out, Index first, Index last) const;
-  template<int D, class Act> void columns(Index piece, Act const& act) const;
+  template<int D, class Weights> void columns(Index piece, Weights const& weights) const;
   struct Columns {
     Complex* first;
     Index a, some, py; ///< waves along x from a on, points along y
@@ -64,8 +64,13 @@ private:
   };
   template<int D> void forward_columns(Columns const& few) const;
   template<int D> void backward_columns(Columns const& few) const;
+  template<int D>
+  static void weigh(Eigen::Matrix<double, D, D> const& by, Columns const& few, Index k, Index j);
   template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> symbol(Wave const& wave) const;
-  template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> inverse(Wave const& wave, double shift) const;
+  template<int D> [[nodiscard]] Eigen::Matrix<double, D, D> inverse_of_mean(double shift, double least) const;
+  [[nodiscard]] Eigen::Index buffered() const;
+  /// For the piece of rows that begins with `first`: as many numbers as a padded row has.
+  [[nodiscard]] double* row_buffer(Index first) const;
   [[nodiscard]] Complex* row(int component, Index j) const {
     return waves_.get() + (Eigen::Index{component} * grid_.ny + j) * stride_;
   }
@@ -78,7 +83,7 @@ private:
   Symbols symbols_;
   Index stride_ = 0; ///< of rows of waves
   std::unique_ptr<Complex[], Free> waves_,
-      buffers_; ///< [components][ny][stride_]; [pieces][components][some][py]
+      buffers_; ///< [components][ny][stride_]; of rows, or [pieces][components][some][py]
   std::unique_ptr<Plans> plans_;
   mutable Vector padded_; ///< for columns of W
   mutable long products_ = 0, solutions_ = 0;

@@ -1,7 +1,9 @@
 // Conjugate gradients and GMRES with a preconditioner, for operators that are functions.
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/types.hpp"
@@ -14,11 +16,56 @@ struct KrylovEnd {
   bool converged = false;
 };
 
+/// How GMRES keeps its vectors: as they are.
+struct KeptWhole {
+  using Kept = Vector;
+  /// Of length one, from one of this length.
+  [[nodiscard]] static Kept kept(Vector&& a, double length) {
+    a /= length;
+    return std::move(a);
+  }
+  [[nodiscard]] static Vector const& whole(Kept const& a) { return a; }
+  static void add(double part, Kept const& a, Vector& to) { to += part * a; }
+};
+
 /// Of vectors that one process has whole.
-struct WholeVectors {
+struct WholeVectors : KeptWhole {
   [[nodiscard]] double inner(Vector const& a, Vector const& b) const { return a.dot(b); }
   [[nodiscard]] double length(Vector const& a) const { return a.norm(); }
   [[nodiscard]] bool zero(Vector const& a) const { return a.isZero(0); }
+};
+
+/// Those that GMRES keeps are kept in single precision: half of the room, for answers that need few digits.
+class ShortVectors {
+public:
+  using Kept = Eigen::VectorXf;
+  [[nodiscard]] static Kept kept(Vector&& a, double length) { return (a / length).cast<float>(); }
+  [[nodiscard]] Vector const& whole(Kept const& a) const {
+    whole_ = a.cast<double>();
+    return whole_;
+  }
+  static void add(double part, Kept const& a, Vector& to) {
+    for (Index i = 0; i < to.size(); ++i)
+      to[i] += part * static_cast<double>(a[i]);
+  }
+  [[nodiscard]] static double inner(Kept const& a, Vector const& b) {
+    constexpr Index lanes = 16;
+    std::array<double, lanes> sums{};
+    Index const n = static_cast<Index>(b.size()), end = n - n % lanes;
+    for (Index i = 0; i < end; i += lanes)
+      for (Index k = 0; k < lanes; ++k)
+        sums[ix(k)] += static_cast<double>(a[i + k]) * b[i + k];
+    double sum = 0;
+    for (Index i = end; i < n; ++i)
+      sum += static_cast<double>(a[i]) * b[i];
+    for (double const one : sums)
+      sum += one;
+    return sum;
+  }
+  [[nodiscard]] static double length(Vector const& a) { return a.norm(); }
+
+private:
+  mutable Vector whole_;
 };
 
 /// When an iteration ends: at this part of the right-hand side, or after so many; how it takes products.
@@ -71,7 +118,8 @@ template<class Apply, class Precondition, class Vectors = WholeVectors>
 KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector const& b, Vector& x,
                 KrylovLimits<Vectors> const& limits) {
   auto const& vectors = limits.vectors;
-  std::vector<Vector> v{b}, z;
+  std::vector<typename Vectors::Kept> v, kept_z;
+  Vector w = b, z;
   double const whole = vectors.length(b);
   KrylovEnd end;
   x.setZero(b.size());
@@ -79,27 +127,24 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
     end.converged = whole == 0;
     return end;
   }
-  v[0] /= whole;
+  v.push_back(vectors.kept(std::move(w), whole));
   Dense H = Dense::Zero(limits.most + 1, limits.most);
   Vector g = Vector::Zero(limits.most + 1), cosine(limits.most), sine(limits.most);
   g[0] = whole;
   Index k = 0;
   for (; k < limits.most && !end.converged; ++k) {
-    if (z.empty() || !limits.linear)
-      z.emplace_back();
-    precondition(v[ix(k)], z.back());
-    v.emplace_back();
-    apply(z.back(), v.back());
-    Vector& w = v.back();
+    precondition(vectors.whole(v[ix(k)]), z);
+    apply(z, w);
+    if (!limits.linear)
+      kept_z.push_back(vectors.kept(std::move(z), 1));
     for (Index i = 0; i <= k; ++i) {
       H(i, k) = vectors.inner(v[ix(i)], w);
-      w -= H(i, k) * v[ix(i)];
+      vectors.add(-H(i, k), v[ix(i)], w);
     }
     H(k + 1, k) = vectors.length(w);
     if (!std::isfinite(H(k + 1, k)))
       return end;
-    if (H(k + 1, k) > 0)
-      w /= H(k + 1, k);
+    v.push_back(vectors.kept(std::move(w), H(k + 1, k) > 0 ? H(k + 1, k) : 1));
     for (Index i = 0; i < k; ++i) {
       double const upper = cosine[i] * H(i, k) + sine[i] * H(i + 1, k);
       H(i + 1, k) = cosine[i] * H(i + 1, k) - sine[i] * H(i, k);
@@ -117,12 +162,12 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
     end.iterations = k + 1;
   }
   Vector const parts = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-  auto const& kept = limits.linear ? v : z;
+  auto const& kept = limits.linear ? v : kept_z;
   for (Index i = 0; i < k; ++i)
-    x += parts[i] * kept[ix(i)];
+    vectors.add(parts[i], kept[ix(i)], x);
   if (limits.linear && k > 0) {
-    precondition(x, z.back());
-    x.swap(z.back());
+    precondition(x, z);
+    x.swap(z);
   }
   return end;
 }

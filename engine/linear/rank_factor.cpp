@@ -18,7 +18,8 @@ namespace {
 constexpr double stored_by_ranks = 3; ///< numbers over those of the matrix: it and both hierarchies
 
 /// Vectors of which each rank has its own nodes' part.
-struct SharedVectors {
+struct SharedVectors : KeptWhole {
+  explicit(false) SharedVectors(Ranks const* its) : ranks(its) {}
   Ranks const* ranks;
   [[nodiscard]] double inner(Vector const& a, Vector const& b) const { return ranks->sum(a.dot(b)); }
   [[nodiscard]] double length(Vector const& a) const { return std::sqrt(ranks->sum(a.squaredNorm())); }

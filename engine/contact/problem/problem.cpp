@@ -81,7 +81,7 @@ double Verdict::relative() const {
 
 namespace {
 
-template<int D> Verdict judge_in(Problem const& problem, Vector const& force, Vector const& x) {
+template<int D> Verdict judge_in(Problem const& problem, Vector const& force, Vector const& x, double lift) {
   Verdict verdict;
   if (!x.allFinite() || !force.allFinite())
     return {std::numeric_limits<double>::infinity(), 0};
@@ -99,7 +99,8 @@ template<int D> Verdict judge_in(Problem const& problem, Vector const& force, Ve
     if (!(residual <= rounding))
       verdict.residual = std::max(verdict.residual, residual / area);
     // a separated point far away must not set the yardstick: only pushing free gaps count
-    double const pressed = std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i]) * rho / area;
+    double const pressed =
+        std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i] - lift) * rho / area;
     verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
   }
   return verdict;
@@ -111,8 +112,8 @@ Verdict judge(Problem const& problem, Vector const& force) {
   return judge(problem, force, displacement(problem, force));
 }
 
-Verdict judge(Problem const& problem, Vector const& force, Vector const& x) {
-  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, x); });
+Verdict judge(Problem const& problem, Vector const& force, Vector const& x, double lift) {
+  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, x, lift); });
 }
 
 } // namespace stiction::contact

@@ -99,7 +99,7 @@ struct Verdict {
   [[nodiscard]] double relative() const;
 };
 [[nodiscard]] Verdict judge(Problem const& problem, Vector const& force);
-/// Where x = free + W p is known.
-[[nodiscard]] Verdict judge(Problem const& problem, Vector const& force, Vector const& x);
+/// Where x = free + lift + W p is known: free gaps are larger by the lift, m.
+[[nodiscard]] Verdict judge(Problem const& problem, Vector const& force, Vector const& x, double lift = 0);
 
 } // namespace stiction::contact
