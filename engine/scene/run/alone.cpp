@@ -34,6 +34,15 @@ template<class Work> double timed(Work const& work) {
 
 } // namespace
 
+std::map<std::string, double> alone(halfspace::Surface const& surface) {
+  Vector const one = Vector::Ones(surface.rows());
+  Vector other = one;
+  std::map<std::string, double> found;
+  found["product"] = least_of([&] { return timed([&] { surface.add_product(one, other); }); });
+  found["preconditioning"] = least_of([&] { return timed([&] { surface.solve(0, one, other); }); });
+  return found;
+}
+
 std::map<std::string, double> alone(dynamics::Stepper& stepper, dynamics::Model const& model,
                                     dynamics::State const& state, double dt) {
   auto& bulk = stepper.bulk();

@@ -4,8 +4,13 @@
 #include <string>
 
 #include "dynamics/step/stepper.hpp"
+#include "halfspace/surface.hpp"
 
 namespace stiction::scene {
+
+/// Processor time of one product with the surface's compliance and of one solution that nearly undoes it, s.
+/// Keys: product, preconditioning.
+[[nodiscard]] std::map<std::string, double> alone(halfspace::Surface const& surface);
 
 /// Processor time of one pass for forces, one for the effective stiffness, one factorization and one solution
 /// in this state, s, each by itself: the least of several. Keys: force_pass, stiffness_pass, factorization,

@@ -15,6 +15,7 @@
 #include "record/step_log.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
+#include "scene/run/alone.hpp"
 #include "scene/run/course.hpp"
 #include "scene/run/frame.hpp"
 #include "scene/run/manifest.hpp"
@@ -96,6 +97,7 @@ public:
       result_.remarks.emplace_back(no_error_seen);
     return result_;
   }
+  [[nodiscard]] std::map<std::string, double> alone() const { return scene::alone(stepper_.surface()); }
   [[nodiscard]] double time() const { return state_.t; }
   [[nodiscard]] long steps() const { return result_.steps; }
   [[nodiscard]] bool kept() const { return checkpoint_.stands(); }
@@ -300,6 +302,9 @@ RunResult run_half_space(core::Input const& input, Scene const& scene, RunOption
   RunResult result;
   try {
     result = running->go();
+    if (options.alone && result.verdict == "finished")
+      for (auto const& [name, seconds] : running->alone())
+        result.counters["alone_" + name] = seconds;
   } catch (core::RunError const& error) {
     result = running->finish();
     result.verdict = "output failed";

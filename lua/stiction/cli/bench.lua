@@ -65,11 +65,14 @@ local function show_counters(result)
   report.table(rows)
 end
 
---- {needed, times: what was needed of each, s alone, s for all of them}, and the sum over all.
+--- {needed, times: what was needed of each, s alone, s for all of them}, and the sum over all. Of a formula there is nothing.
 local function limit(result)
   local counters, parts, sum = result.counters, {}, 0
   local function add(name, times)
     local each = counters["alone_" .. name]
+    if not each then
+      return
+    end
     parts[#parts + 1] = { name, times, each, times * each }
     sum = sum + times * each
   end
@@ -77,12 +80,17 @@ local function limit(result)
   add("stiffness_pass", counters.stiffness_passes)
   add("factorization", result.factorizations)
   add("solve", counters.solves)
+  add("product", counters.products)
+  add("preconditioning", counters.preconditionings)
   return parts, sum
 end
 
 --- What the case took beside passes, factorizations and solves that could not be done without.
 local function show_limit(result)
   local rows, parts, sum = { { "needed", "times", "ms alone", "s" } }, limit(result)
+  if #parts == 0 then
+    return
+  end
   for _, part in ipairs(parts) do
     rows[#rows + 1] = { part[1], ("%d"):format(part[2]), ("%.3g"):format(1e3 * part[3]), ("%.3f"):format(part[4]) }
   end

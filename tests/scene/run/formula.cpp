@@ -226,6 +226,8 @@ TEST_CASE("a sphere is moved along from where it starts, by Mindlin's law, and p
   auto table = test::formula_scene();
   test::at(table, "bodies.base.poisson") = value(0.5);
   test::at(table, "pairs.joint.friction") = test::coulomb(0.3);
+  for (char const* probe : {"probes.energy", "probes.middle"})
+    test::remove(table, probe);
   double const E = 1e4 / 0.75, G = 1e4 / 3, a = std::sqrt(5e-3), P = 4.0 / 3 * E * std::pow(5e-3, 1.5);
   double const range = 3 * 0.3 * P * 1.5 / G / (16 * a);
   for (double const start : {0.0, 0.02})
