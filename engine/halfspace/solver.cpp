@@ -74,6 +74,11 @@ private:
     state.adhesion_by_x.diagonal().array() -= hold;
     return state;
   }
+  /// Is it apart, without force or anything that could pull? Then nothing is missing there.
+  [[nodiscard]] bool idle(Index i) const {
+    auto const& point = problem_.points[ix(i)];
+    return D == 1 && point.adhesion < 0 && answer_.force[i] == 0 && answer_.x[i] > point.shift[0];
+  }
   /// Stiffness that holds a point near where it was, if adhesion may make it snap from there, N/m.
   [[nodiscard]] double held(Index i) const {
     auto const& point = problem_.points[ix(i)];
@@ -194,14 +199,14 @@ private:
       double sum = 0;
       auto& verdict = verdicts[ix(core::piece_of(n_, least_piece, first))];
       for (Index i = first; i < last; ++i) {
-        auto const at = state(i);
-        F_.segment<D>(D * i) = at.residual;
+        Local<D> const residual = idle(i) ? Local<D>(Local<D>::Zero()) : state(i).residual;
+        F_.segment<D>(D * i) = residual;
         double const area = problem_.points[ix(i)].area;
         double const pressed =
             std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * natural_;
-        verdict.residual = std::max(verdict.residual, at.residual.norm() * natural_ / rho_ / area);
+        verdict.residual = std::max(verdict.residual, residual.norm() * natural_ / rho_ / area);
         verdict.scale = std::max({verdict.scale, yardstick(i, unfelt) / area, pressed / area});
-        sum += at.residual.squaredNorm();
+        sum += residual.squaredNorm();
       }
       return sum;
     });
@@ -246,6 +251,8 @@ private:
     double softness = 0;
     Index yielding = 0;
     for (Index i = 0; i < n_; ++i) {
+      if (idle(i))
+        continue;
       auto const at = state(i);
       LocalMatrix<D> const a = at.residual_by_dry, b = at.residual_by_x - a * at.adhesion_by_x;
       if (b.cwiseAbs().maxCoeff() < least_hold_)
