@@ -8,7 +8,7 @@
 -- without snapping one by one, 10^5 along each side. So waves end at `shortest` here, the longer ones being the challenge's, and
 -- ranges are those that the points bear (`explain` tells which).
 --
---     ./stiction run studies/rough/challenge
+--     ./stiction run studies/rough/contact_challenge
 local stiction = require "stiction"
 local units = stiction.units
 local um, nm, s, J, m, MPa, N = units.um, units.nm, units.s, units.J, units.m, units.MPa, units.N
