@@ -119,7 +119,6 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
                 KrylovLimits<Vectors> const& limits) {
   auto const& vectors = limits.vectors;
   std::vector<typename Vectors::Kept> v, kept_z;
-  Vector w = b, z;
   double const whole = vectors.length(b);
   KrylovEnd end;
   x.setZero(b.size());
@@ -127,12 +126,13 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
     end.converged = whole == 0;
     return end;
   }
-  v.push_back(vectors.kept(std::move(w), whole));
+  v.push_back(vectors.kept(Vector(b), whole));
   Dense H = Dense::Zero(limits.most + 1, limits.most);
   Vector g = Vector::Zero(limits.most + 1), cosine(limits.most), sine(limits.most);
   g[0] = whole;
   Index k = 0;
   for (; k < limits.most && !end.converged; ++k) {
+    Vector w, z;
     precondition(vectors.whole(v[ix(k)]), z);
     apply(z, w);
     if (!limits.linear)
@@ -166,6 +166,7 @@ KrylovEnd gmres(Apply const& apply, Precondition const& precondition, Vector con
   for (Index i = 0; i < k; ++i)
     vectors.add(parts[i], kept[ix(i)], x);
   if (limits.linear && k > 0) {
+    Vector z;
     precondition(x, z);
     x.swap(z);
   }
