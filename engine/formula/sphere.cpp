@@ -1,7 +1,7 @@
 // With K = 4 E*/3 in Maugis' units: a* = a (K / (pi w R^2))^(1/3), P* = P / (pi w R),
 // d* = d (K^2 / (pi^2 w^2 R))^(1/3). Profiles and energies by Abel's transform q(x) = 2 int_x^inf p r dr /
-// sqrt(r^2 - x^2): q = E* (d - x^2 / R) where it touches, -2 sigma0 sqrt(c^2 - x^2) where it is drawn (Popov
-// 2019, 3).
+// sqrt(r^2 - x^2): q = E* (d - x^2 / R) where it touches, -2 sigma0 sqrt(c^2 - x^2) where it is drawn
+// (Sneddon 1946).
 #include "formula/sphere.hpp"
 
 #include <algorithm>
@@ -52,8 +52,8 @@ double gap_volume(Sphere const& sphere, Rim const& rim, double force) {
 
 /// int from a to min(r, c) of sqrt((c^2 - x^2) / (r^2 - x^2)) dx, m.
 double drawn(double a, double c, double r) {
-  if (r <= c) {
-    double const k = r / c;
+  if (!(c / r < 1)) { // at r = c to the last bit, too
+    double const k = std::min(1.0, r / c);
     return c * (std::comp_ellint_2(k) - std::ellint_2(k, std::asin(a / r)));
   }
   double const k = c / r, from = std::asin(a / c);

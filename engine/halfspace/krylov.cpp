@@ -27,52 +27,56 @@ template<int D> void Krylov<D>::move(Vector const& few) {
 }
 
 template<int D> double Krylov<D>::normal_sum(Vector const& few) const {
-  double sum = 0;
-  for (Index k = 0; k < system_->size(); ++k)
-    sum += few[D * k];
-  return sum;
+  return core::sum_of_pieces(system_->size(), least_points, [&](Index first, Index last) {
+    double part = 0;
+    for (Index k = first; k < last; ++k)
+      part += few[D * k];
+    return part;
+  });
 }
 
 template<int D> void Krylov<D>::apply(Vector const& few, double lift, Vector& result) {
   move(few);
-  for (Index k = 0; k < system_->size(); ++k) {
+  each_of(system_->points, [&](Index k) {
     Local<D> const own = few.segment<D>(D * k);
     Local<D> x = moved_.segment<D>(D * system_->points[ix(k)]) - system_->own * own;
     x[0] += lift;
     result.segment<D>(D * k) = own + system_->B[ix(k)] * x;
-  }
+  });
 }
 
 /// (softness + W)^-1 of values where W governs, there; 0 elsewhere.
 template<int D> void Krylov<D>::masked_solve(Vector const& few, Vector& result) {
   all_.setZero();
-  for (Index k = 0; k < system_->size(); ++k)
+  each_of(system_->points, [&](Index k) {
     if (system_->yields[ix(k)])
       all_.segment<D>(D * system_->points[ix(k)]) = few.segment<D>(D * k);
+  });
   surface_->solve(system_->softness, all_, moved_);
-  for (Index k = 0; k < system_->size(); ++k)
+  each_of(system_->points, [&](Index k) {
     if (system_->yields[ix(k)])
       result.segment<D>(D * k) = moved_.segment<D>(D * system_->points[ix(k)]);
     else
       result.segment<D>(D * k).setZero();
+  });
 }
 
 /// Within the range of B by the surface's inverse, outside it by nothing.
 template<int D> void Krylov<D>::undo(Vector const& few, Vector& result) {
   LocalMatrix<D> const scale = system_->own + system_->softness * LocalMatrix<D>::Identity();
-  for (Index k = 0; k < system_->size(); ++k)
+  each_of(system_->points, [&](Index k) {
     some_.segment<D>(D * k) = scale * (system_->B[ix(k)] * scale * few.segment<D>(D * k));
+  });
   Vector solved(some_.size());
   masked_solve(some_, solved);
-  for (Index k = 0; k < system_->size(); ++k) {
+  each_of(system_->points, [&](Index k) {
     Local<D> const from = few.segment<D>(D * k);
-    if (!system_->yields[ix(k)]) {
-      result.segment<D>(D * k) = from;
-      continue;
-    }
     LocalMatrix<D> const range = system_->B[ix(k)] * scale;
-    result.segment<D>(D * k) = from - range * from + range * solved.segment<D>(D * k);
-  }
+    if (system_->yields[ix(k)])
+      result.segment<D>(D * k) = from - range * from + range * solved.segment<D>(D * k);
+    else
+      result.segment<D>(D * k) = from;
+  });
 }
 
 /// In one component: of (S + W), S = 1 / B - W_own.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/problem/problem.hpp"
+#include "core/threads.hpp"
 #include "halfspace/surface.hpp"
 
 namespace stiction::halfspace {
@@ -22,17 +23,31 @@ template<int D> struct Linearised {
   std::vector<bool> yields;                    ///< [points] does W govern it, and not its own law?
   bool definite = true; ///< does no point soften? Then, in one component, it is symmetric
   [[nodiscard]] Index size() const { return static_cast<Index>(points.size()); }
+  /// Points that come after its own.
+  void append(Linearised const& other) {
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    B.insert(B.end(), other.B.begin(), other.B.end());
+    left.insert(left.end(), other.left.begin(), other.left.end());
+    yields.insert(yields.end(), other.yields.begin(), other.yields.end());
+    softness += other.softness;
+    definite = definite && other.definite;
+  }
 };
+
+constexpr Index least_points = 1024; ///< that a thread takes at a time
+
+/// act(k) for each of the points that count, shared by threads.
+template<class Act> void each_of(Indices const& points, Act const& act) {
+  core::each_piece(static_cast<Index>(points.size()), least_points, [&](Index first, Index last) {
+    for (Index k = first; k < last; ++k)
+      act(k);
+  });
+}
 
 /// Values at points that count, [points, D], among all.
 template<int D> void scatter(Indices const& points, Vector const& few, Vector& all) {
   all.setZero();
-  for (std::size_t k = 0; k < points.size(); ++k)
-    all.segment<D>(D * points[k]) = few.segment<D>(D * static_cast<Index>(k));
-}
-template<int D> void gather(Indices const& points, Vector const& all, Vector& few) {
-  for (std::size_t k = 0; k < points.size(); ++k)
-    few.segment<D>(D * static_cast<Index>(k)) = all.segment<D>(D * points[k]);
+  each_of(points, [&](Index k) { all.segment<D>(D * points[ix(k)]) = few.segment<D>(D * k); });
 }
 
 } // namespace stiction::halfspace

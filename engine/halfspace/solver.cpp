@@ -16,8 +16,6 @@ namespace stiction::halfspace {
 
 namespace {
 
-constexpr Index least_piece = 1024; ///< points that a thread takes at a time
-
 template<int D> class Newton {
 public:
   Newton(Surface const& surface, contact::Problem const& problem, Wanted const& wanted)
@@ -171,7 +169,7 @@ private:
   [[nodiscard]] double unfelt() const {
     if (!unfelt_)
       return 0;
-    return core::sum_of_pieces(n_, least_piece,
+    return core::sum_of_pieces(n_, least_points,
                                [&](Index first, Index last) {
                                  double part = 0;
                                  for (Index i = first; i < last; ++i)
@@ -195,9 +193,9 @@ private:
     F_.resize(D * n_);
     double const unfelt = this->unfelt();
     std::array<contact::Verdict, core::most_pieces> verdicts;
-    double const squares = core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+    double const squares = core::sum_of_pieces(n_, least_points, [&](Index first, Index last) {
       double sum = 0;
-      auto& verdict = verdicts[ix(core::piece_of(n_, least_piece, first))];
+      auto& verdict = verdicts[ix(core::piece_of(n_, least_points, first))];
       for (Index i = first; i < last; ++i) {
         Local<D> const residual = idle(i) ? Local<D>(Local<D>::Zero()) : state(i).residual;
         F_.segment<D>(D * i) = residual;
@@ -222,7 +220,7 @@ private:
   [[nodiscard]] double missing() const {
     if (!wanted_.force)
       return 0;
-    double const sum = core::sum_of_pieces(n_, least_piece, [&](Index first, Index last) {
+    double const sum = core::sum_of_pieces(n_, least_points, [&](Index first, Index last) {
       double part = 0;
       for (Index i = first; i < last; ++i)
         part += answer_.force[D * i];
@@ -242,38 +240,38 @@ private:
 
   /// The points at which W counts; forces of the others change at once.
   void linearise() {
-    system_.points.clear();
-    system_.B.clear();
-    system_.left.clear();
-    system_.yields.clear();
+    std::array<Linearised<D>, core::most_pieces> parts;
+    core::each_piece(n_, least_points, [&](Index first, Index last) {
+      auto& part = parts[ix(core::piece_of(n_, least_points, first))];
+      for (Index i = first; i < last; ++i)
+        if (!idle(i))
+          linearise(i, part);
+    });
+    system_ = {};
     system_.own = own_;
-    system_.definite = true;
-    double softness = 0;
-    Index yielding = 0;
-    for (Index i = 0; i < n_; ++i) {
-      if (idle(i))
-        continue;
-      auto const at = state(i);
-      LocalMatrix<D> const a = at.residual_by_dry, b = at.residual_by_x - a * at.adhesion_by_x;
-      if (b.cwiseAbs().maxCoeff() < least_hold_)
-        continue;
-      LocalMatrix<D> const left = (a + b * own_).inverse();
-      LocalMatrix<D> const B = left * b;
-      // how soft the stiffest direction is beside W: of one component S = 1 / B - W_own
-      double const stiffest = B.cwiseAbs().maxCoeff(), soft = std::max(0.0, 1 / stiffest - own_(0, 0));
-      bool const yields =
-          stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
-      system_.points.push_back(i);
-      system_.B.push_back(B);
-      system_.left.push_back(left);
-      system_.yields.push_back(yields);
-      system_.definite = system_.definite && B(0, 0) > 0 && B(0, 0) * own_(0, 0) <= 1 + 1e-9;
-      if (yields) {
-        softness += D == 1 ? soft : 0;
-        ++yielding;
-      }
-    }
-    system_.softness = yielding > 0 ? softness / yielding : 0;
+    for (auto const& part : parts)
+      system_.append(part);
+    auto const yielding = std::ranges::count(system_.yields, true);
+    system_.softness = yielding > 0 ? system_.softness / double(yielding) : 0;
+  }
+  /// Softness is summed up.
+  void linearise(Index i, Linearised<D>& system) const {
+    auto const at = state(i);
+    LocalMatrix<D> const a = at.residual_by_dry, b = at.residual_by_x - a * at.adhesion_by_x;
+    if (b.cwiseAbs().maxCoeff() < least_hold_)
+      return;
+    LocalMatrix<D> const left = (a + b * own_).inverse();
+    LocalMatrix<D> const B = left * b;
+    // how soft the stiffest direction is beside W: of one component S = 1 / B - W_own
+    double const stiffest = B.cwiseAbs().maxCoeff(), soft = std::max(0.0, 1 / stiffest - own_(0, 0));
+    bool const yields = stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
+    system.points.push_back(i);
+    system.B.push_back(B);
+    system.left.push_back(left);
+    system.yields.push_back(yields);
+    system.definite = system.definite && B(0, 0) > 0 && B(0, 0) * own_(0, 0) <= 1 + 1e-9;
+    if (yields && D == 1)
+      system.softness += soft;
   }
 
   /// There is one answer then, but it may lie behind a front that runs from point to point.
@@ -293,11 +291,11 @@ private:
       for (Index i = 0; i < n_; ++i)
         total -= others[D * i];
     Vector right(D * system_.size());
-    for (Index k = 0; k < system_.size(); ++k) {
+    each_of(system_.points, [&](Index k) {
       Index const i = system_.points[ix(k)];
       right.segment<D>(D * k) =
           -system_.left[ix(k)] * F_.segment<D>(D * i) - system_.B[ix(k)] * made.motion.segment<D>(D * i);
-    }
+    });
     Krylov<D> krylov(surface_, system_, wanted_.force.has_value(), held_lift());
     Correction const inner = krylov.solve(right, total, part, most_inner);
     for (Index k = 0; k < system_.size(); ++k)

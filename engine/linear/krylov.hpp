@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/types.hpp"
+#include "core/threads.hpp"
 
 namespace stiction::linear {
 
@@ -36,35 +36,55 @@ struct WholeVectors : KeptWhole {
 };
 
 /// Those that GMRES keeps are kept in single precision: half of the room, for answers that need few digits.
+/// Threads share them, with the same bits however many there are.
 class ShortVectors {
 public:
   using Kept = Eigen::VectorXf;
-  [[nodiscard]] static Kept kept(Vector&& a, double length) { return (a / length).cast<float>(); }
+  [[nodiscard]] static Kept kept(Vector const& a, double length) {
+    Kept to(a.size());
+    core::each_piece(static_cast<Index>(a.size()), least, [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i)
+        to[i] = static_cast<float>(a[i] / length);
+    });
+    return to;
+  }
   [[nodiscard]] Vector const& whole(Kept const& a) const {
-    whole_ = a.cast<double>();
+    whole_.resize(a.size());
+    add(1, a, whole_.setZero());
     return whole_;
   }
   static void add(double part, Kept const& a, Vector& to) {
-    for (Index i = 0; i < to.size(); ++i)
-      to[i] += part * static_cast<double>(a[i]);
+    core::each_piece(static_cast<Index>(to.size()), least, [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i)
+        to[i] += part * static_cast<double>(a[i]);
+    });
   }
   [[nodiscard]] static double inner(Kept const& a, Vector const& b) {
-    constexpr Index lanes = 16;
-    std::array<double, lanes> sums{};
-    Index const n = static_cast<Index>(b.size()), end = n - n % lanes;
-    for (Index i = 0; i < end; i += lanes)
-      for (Index k = 0; k < lanes; ++k)
-        sums[ix(k)] += static_cast<double>(a[i + k]) * b[i + k];
-    double sum = 0;
-    for (Index i = end; i < n; ++i)
-      sum += static_cast<double>(a[i]) * b[i];
-    for (double const one : sums)
-      sum += one;
-    return sum;
+    return sum(static_cast<Index>(b.size()), [&](Index i) { return static_cast<double>(a[i]) * b[i]; });
   }
-  [[nodiscard]] static double length(Vector const& a) { return a.norm(); }
+  [[nodiscard]] static double length(Vector const& a) {
+    return std::sqrt(sum(static_cast<Index>(a.size()), [&](Index i) { return a[i] * a[i]; }));
+  }
 
 private:
+  static constexpr Index least = 4096; ///< numbers that a thread takes at a time
+  /// In lanes, as the processor adds them.
+  template<class Term> [[nodiscard]] static double sum(Index n, Term const& term) {
+    return core::sum_of_pieces(n, least, [&](Index first, Index last) {
+      constexpr Index lanes = 16;
+      std::array<double, lanes> sums{};
+      Index const end = last - (last - first) % lanes;
+      for (Index i = first; i < end; i += lanes)
+        for (Index k = 0; k < lanes; ++k)
+          sums[ix(k)] += term(i + k);
+      for (Index i = end; i < last; ++i)
+        sums[0] += term(i);
+      double all = 0;
+      for (double const one : sums)
+        all += one;
+      return all;
+    });
+  }
   mutable Vector whole_;
 };
 

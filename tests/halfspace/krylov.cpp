@@ -34,11 +34,9 @@ double residual(Surface const& surface, halfspace::Linearised<1> const& system, 
   Vector all = Vector::Zero(surface.rows()), moved = all;
   halfspace::scatter<1>(system.points, force, all);
   surface.add_product(all, moved);
-  Vector few(force.size());
-  halfspace::gather<1>(system.points, moved, few);
   Vector left = right;
   for (Index k = 0; k < system.size(); ++k)
-    left[k] -= force[k] + system.B[ix(k)](0, 0) * (few[k] - system.own(0, 0) * force[k]);
+    left[k] -= force[k] + system.B[ix(k)](0, 0) * (moved[system.points[ix(k)]] - system.own(0, 0) * force[k]);
   return left.norm() / right.norm();
 }
 

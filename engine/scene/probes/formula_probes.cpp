@@ -1,4 +1,4 @@
-// Contact and rigid: columns called as those of half spaces are.
+// Columns called as those of half spaces are.
 #include "scene/probes/formula_probes.hpp"
 
 #include <algorithm>
