@@ -62,7 +62,7 @@ holds "checks.json names the failure" grep -q '"pass": false' out/wrong/checks.j
 expect 0 "A block on a plane|phase|iterations|needed|factorization|times what it cannot do without" "$stiction" bench "$tiny" --quick
 expect 0 '"phases"|"factorizations"|"limit"' "$stiction" bench "$tiny" --json
 expect 0 "product|preconditioning|times what it cannot do without" "$stiction" bench "$(dirname "$0")/../../studies/proofs/half_space_formula" --case hertz_64
-expect 0 "flat punch|evaluations" "$stiction" bench "$(dirname "$0")/../../studies/proofs/half_space_formula" --case punch
+expect 0 "case punch|evaluations" "$stiction" bench "$(dirname "$0")/../../studies/proofs/half_space_formula" --case punch
 expect 2 "no finished case in empty" "$stiction" figures "$tiny" --out empty
 expect 2 "no finished case in out/wrong with these parameters" "$stiction" figures wrong --set steps=7
 rm out/wrong/mu0/manifest.json
