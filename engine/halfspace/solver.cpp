@@ -460,6 +460,7 @@ private:
                                  surface_.grid().line ? "N/m" : "N")
                    : fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
   }
+
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
   static constexpr double tolerance_held = 1e-6;
   static constexpr double far = 8; ///< over the opening of the strength: what adheres there hardly falls

@@ -19,7 +19,7 @@ constexpr double stored_by_ranks = 3; ///< numbers over those of the matrix: it 
 
 /// Vectors of which each rank has its own nodes' part.
 struct SharedVectors : KeptWhole {
-  explicit(false) SharedVectors(Ranks const* its) : ranks(its) {}
+  explicit SharedVectors(Ranks const* its) : ranks(its) {}
   Ranks const* ranks;
   [[nodiscard]] double inner(Vector const& a, Vector const& b) const { return ranks->sum(a.dot(b)); }
   [[nodiscard]] double length(Vector const& a) const { return std::sqrt(ranks->sum(a.squaredNorm())); }
@@ -351,7 +351,7 @@ bool RankFactor::solve(PointLaws const& laws, Vector const& p, double tolerance,
   right.head(n) = -load;
   right.tail(m) = laws.right.cwiseProduct(mine);
   auto const end =
-      gmres(apply, precondition, right, both, KrylovLimits<SharedVectors>{tolerance, most_coupled, {ranks_}});
+      gmres(apply, precondition, right, both, KrylovLimits<SharedVectors>{tolerance, most_coupled, SharedVectors(ranks_)});
   spend(0, end.iterations * cycle_operations());
   change_ = both.head(n);
   dp = everywhere(both.tail(m));

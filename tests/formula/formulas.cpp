@@ -1,9 +1,9 @@
-// Formulas against published numbers, their limits, and the derivatives of their energies.
+// Formulas against published numbers and their limits.
 #include <cmath>
 #include <doctest/doctest.h>
-#include <functional>
 #include <numbers>
 
+#include "formula/ball.hpp"
 #include "formula/follow.hpp"
 #include "formula/line.hpp"
 #include "formula/mindlin.hpp"
@@ -16,30 +16,10 @@ namespace {
 using namespace stiction::formula;
 using std::numbers::pi;
 
-constexpr double E = 3e6, R = 2e-3, w = 0.05;
-constexpr Sphere ball{E, R};
+using stiction::test::ball, stiction::test::near, stiction::test::traction;
 
-/// Within a part of the number, however small that is.
-doctest::Approx near(double number, double part) {
-  return doctest::Approx(number).epsilon(part).scale(1e-30);
-}
-
-double traction(double lambda) {
-  return lambda / transition(ball, w, 1);
-}
-
-/// Error of central differences of the energy over the depth against the force, at two widths.
-void check_rate(std::function<State(double)> const& at,
-                std::function<double(State const&, double)> const& energy, double s) {
-  auto const error = [&](double h) {
-    auto const left = at(s - h), right = at(s + h);
-    double const slope = (energy(right, s + h) - energy(left, s - h)) / (right.depth - left.depth);
-    return std::abs(slope / at(s).force - 1);
-  };
-  double const coarse = error(1e-2 * s), fine = error(2.5e-3 * s);
-  CHECK(fine < 1e-3);
-  CHECK(std::log2(coarse / fine) / 2 == near(2, 0.05));
-}
+constexpr double E = stiction::test::ball_modulus, R = stiction::test::ball_radius,
+                 w = stiction::test::ball_work;
 
 } // namespace
 
@@ -85,34 +65,6 @@ TEST_CASE(
   CHECK(there->depth == near(jkr.depth, 2e-3));
   CHECK(there->area == near(jkr.area, 2e-3));
   CHECK(there->peak == near(jkr.peak, 2e-3));
-}
-
-TEST_CASE("the force is the derivative of the energy by the depth") {
-  auto const sphere_energy = [](State const& state, double work) {
-    double const a = std::sqrt(state.area / pi), flat = state.depth - a * a / R;
-    double const hertz = 4 * E * a * a * a / (3 * R);
-    return 8 * E * std::pow(a, 5) / (15 * R * R) + hertz * flat + E * a * flat * flat - work * state.area;
-  };
-  Hertz const hertz(ball);
-  Jkr const jkr(ball, w);
-  check_rate([&](double s) { return hertz.at(s); },
-             [&](State const& at, double) { return sphere_energy(at, 0); }, 0.1);
-  for (double const s : {0.6, 1.5, 2.5})
-    check_rate([&](double at) { return jkr.at(at); },
-               [&](State const& at, double) { return sphere_energy(at, w); }, s);
-  Waves const waves{E, 1e-5, 1e-3, 1e-3, 0};
-  for (double const work : {0.0, 0.002}) {
-    Wave const wave(waves, work);
-    auto const energy = [&](State const& at, double s) {
-      double const q = std::pow(std::sin(pi / 2 * s), 2), D = waves.amplitude,
-                   force = waves.full() * waves.length;
-      double const flat = at.depth - D * q * (1 - std::log(q)), stiffness = -pi * E / std::log(q);
-      return force * (D * q * q * (0.25 - 0.5 * std::log(q)) + q * flat) + 0.5 * stiffness * flat * flat -
-             work * at.area;
-    };
-    for (double const s : {0.2, 0.4})
-      check_rate([&](double at) { return wave.at(at); }, energy, s);
-  }
 }
 
 TEST_CASE("the energy of a punch and the pressure of a sphere are those of Boussinesq and Hertz") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+#include "formula/ball.hpp"
 #include "formula/line.hpp"
 #include "formula/punch.hpp"
 #include "formula/sphere.hpp"
@@ -13,17 +14,10 @@ namespace {
 using namespace stiction::formula;
 using std::numbers::pi;
 
-constexpr double E = 3e6, R = 2e-3, w = 0.05;
-constexpr Sphere ball{E, R};
+using stiction::test::ball, stiction::test::near, stiction::test::traction;
 
-/// Within a part of the number, however small that is.
-doctest::Approx near(double number, double part) {
-  return doctest::Approx(number).epsilon(part).scale(1e-30);
-}
-
-double traction(double lambda) {
-  return lambda / transition(ball, w, 1);
-}
+constexpr double E = stiction::test::ball_modulus, R = stiction::test::ball_radius,
+                 w = stiction::test::ball_work;
 
 /// Integral over a stretch whose ends may be those of a root, as a pressure's.
 template<class F> double integral(F const& f, double from, double to) {
@@ -73,7 +67,7 @@ void check_rate(Formula const& formula, double s) {
   };
   double const coarse = error(1e-2 * s), fine = error(2.5e-3 * s);
   CHECK(fine < 1e-3);
-  CHECK(std::log2(coarse / fine) / 2 == near(2, 0.1));
+  CHECK(std::log2(coarse / fine) / 2 == near(2, 0.05));
 }
 
 } // namespace

@@ -49,9 +49,9 @@ local function scene_of(kinds, kinematics)
   }
 end
 
-local of_half_spaces = { contact = true, rigid = true, energy = true, point = true, line = true }
+local of_half_spaces = { contact = true, rigid = true, energy = true }
 
---- A half space with one of each that it may have.
+--- A half space with one of each kind that records more or other things there.
 local function half_space_scene(kinds)
   local probes, filler = {}, fillers.three_dimensional
   for _, kind in ipairs(kinds) do
