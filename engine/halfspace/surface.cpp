@@ -54,7 +54,8 @@ void Surface::Free::operator()(Complex* data) const {
   fftw_free(data);
 }
 
-/// Of single rows, from a buffer and into it, and of columns in place. Estimated, not measured: the same on every run.
+/// Of single rows, from a buffer and into it, and of columns in place. Estimated, not measured: the same on
+/// every run.
 struct Surface::Plans {
   Plan row, row_back, column, column_back;
 };

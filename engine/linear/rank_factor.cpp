@@ -350,8 +350,8 @@ bool RankFactor::solve(PointLaws const& laws, Vector const& p, double tolerance,
   add_loads(p, -1, load);
   right.head(n) = -load;
   right.tail(m) = laws.right.cwiseProduct(mine);
-  auto const end =
-      gmres(apply, precondition, right, both, KrylovLimits<SharedVectors>{tolerance, most_coupled, SharedVectors(ranks_)});
+  auto const end = gmres(apply, precondition, right, both,
+                         KrylovLimits<SharedVectors>{tolerance, most_coupled, SharedVectors(ranks_)});
   spend(0, end.iterations * cycle_operations());
   change_ = both.head(n);
   dp = everywhere(both.tail(m));
