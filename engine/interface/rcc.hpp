@@ -44,6 +44,8 @@ struct Rcc {
             .build();
     return made;
   }
+  /// Openings sqrt(w / C_n) up to which bonds grow in a gap: farther, 1/800 of the work is left to do.
+  static constexpr double felt = 20;
   static constexpr bool evolves = true;
   static constexpr Wording wording{
       "sqrt(w C_n)",
@@ -61,7 +63,9 @@ struct Rcc {
   /// Does anything of the bond act along the surface?
   [[nodiscard]] bool tangential() const { return C_t > 0 || C_t2 > 0 || friction == BondFriction::damage; }
   /// How far an open point without bond feels the law, m.
-  [[nodiscard]] static double range() { return 0; }
+  [[nodiscard]] double range() const {
+    return bonding == Bonding::proximity && w > 0 && C_n > 0 ? felt * std::sqrt(w / C_n) : 0;
+  }
   /// Does a bond hold its point in the contact problem at any distance?
   [[nodiscard]] static bool lasts() { return true; }
   [[nodiscard]] Bond initial(double) const { return {beta0, {0, 0}}; }

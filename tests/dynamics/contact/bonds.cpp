@@ -113,6 +113,27 @@ TEST_CASE("lifting a bonded block: peak traction sqrt(w C), work of separation w
   CHECK(loss[1] < 0.6 * loss[0]);
 }
 
+TEST_CASE("bonds that grow in a gap are felt as far as the law says, whatever the cells") {
+  double const w = 1, C = 1e2, u0 = std::sqrt(w / C), stiff = 1e6;
+  for (double const cells : {1., 2., 8.}) {
+    auto table = test::foot_on_floor();
+    test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {cells, 1}}, test::linear_elastic(stiff, 0));
+    test::at(table, "pairs.sole.adhesion") = test::rcc(w, C, 0);
+    test::at(table, "pairs.sole.adhesion.bonding") = test::text("proximity");
+    test::at(table, "motions") = test::list({test::fix("foot.top")});
+    for (double const gap : {2 * u0, 8 * u0, 18 * u0}) {
+      CAPTURE(cells);
+      CAPTURE(gap / u0);
+      test::at(table, "obstacles.floor.shape.point") = test::values({0, -gap}, "m");
+      auto const scene = scene::build(table);
+      dynamics::Stepper stepper(*scene.model);
+      auto const state = test::march(stepper, stepper.initial(), 1, 1);
+      double const pull = w * w / (C * gap * gap * gap); // per area, on a foot that hardly stretches
+      CHECK(test::force_on(scene, state, "foot.top").y() == doctest::Approx(pull).epsilon(1e-3));
+    }
+  }
+}
+
 TEST_CASE("the slip of a point dragged across facets is the arc it covered, and so is its bond's stretch") {
   auto const coarse = drag_over_arc(0.5, 60), fine = drag_over_arc(0.25, 60);
   for (auto const& travel : {coarse, fine}) {

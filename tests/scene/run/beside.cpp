@@ -102,10 +102,10 @@ TEST_CASE("derivatives from runs beside are what differences of runs tend to, at
     for (std::size_t i = 0; i < here.size(); ++i)
       slope[i] = (there[i] - here[i]) / (relative * p);
     REQUIRE(largest(slope) > 0);
-    auto const one_sided = [&](double h) {
+    auto const one_sided = [&, &path = path](double h) {
       return error(values(shifted(table, path, h), column), here, h * p, slope);
     };
-    auto const central = [&](double h) {
+    auto const central = [&, &path = path](double h) {
       return error(values(shifted(table, path, h), column), values(shifted(table, path, -h), column),
                    2 * h * p, slope);
     };
