@@ -117,7 +117,8 @@ TEST_CASE("bonds that grow in a gap are felt as far as the law says, whatever th
   double const w = 1, C = 1e2, u0 = std::sqrt(w / C), stiff = 1e6;
   for (double const cells : {1., 2., 8.}) {
     auto table = test::foot_on_floor();
-    test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {cells, 1}}, test::linear_elastic(stiff, 0));
+    test::at(table, "bodies.foot") =
+        test::block({{0, 0}, {1, 1}, {cells, 1}}, test::linear_elastic(stiff, 0));
     test::at(table, "pairs.sole.adhesion") = test::rcc(w, C, 0);
     test::at(table, "pairs.sole.adhesion.bonding") = test::text("proximity");
     test::at(table, "motions") = test::list({test::fix("foot.top")});
