@@ -373,9 +373,10 @@ pages.notes = {
     beta = w / (C u^2) at once. Such bonds snap where the bodies are softer than they (explain tells): a quasi-static
     run may then need a small b.
     bonding says where beta may grow. contact: where the point is closed, so pressing time decides what has to be broken
-    later. proximity: at any distance at which the law says so, C u^2 beta < w: what is near pulls with w^2 / (C u^3), up
-    to 20 u0 before it has ever touched, and a bond that was torn heals. never: it only falls from beta0, as glue that
-    was there at the start; with beta0 = 0 nothing ever sticks.]],
+    later. proximity: at any distance at which the law says so, C u^2 beta < w: what is near pulls with w^2 / (C u^3),
+    up to 20 u0 before it ever touched, and a bond that was torn heals; what slides meanwhile stretches such bonds, so give
+    surfaces that meet aslant a small C_t. never: it only falls from beta0, as glue that was there at the start; with
+    beta0 = 0 nothing ever sticks.]],
   theta_xi = [[
     theta = 1/2 keeps the energy of what swings inside the bodies, theta > 1/2 takes some of it at each step, of short
     waves first: an impact of a bar on 100 cells loses 6 % with 0.55 and 18 % with 1 (backward Euler; xi = 1 goes with
