@@ -1,4 +1,5 @@
 // Each entry of a script's table changes the field of the model that it names, to that value, and no other.
+#include <cmath>
 #include <doctest/doctest.h>
 #include <map>
 #include <numbers>
@@ -202,7 +203,9 @@ TEST_CASE("entries of pairs and laws reach the model") {
            {"pairs.joint.adhesion.C_t", value(6, "N/m^3"), {{"joint.C_t", 6}}},
            {"pairs.joint.adhesion.b", value(7, "N s/m"), {{"joint.b", 7}}},
            {"pairs.joint.adhesion.beta0", value(0.5), {{"joint.beta0", 0.5}}},
-           {"pairs.joint.adhesion.bonding", text("proximity"), {{"joint.bonding", 1}}},
+           {"pairs.joint.adhesion.bonding",
+            text("proximity"),
+            {{"joint.bonding", 1}, {"joint.reach", 20 * std::sqrt(20 / 2e3)}}},
            {"pairs.joint.adhesion.friction", text("damage"), {{"joint.bond friction", 1}}},
            {"pairs.joint.adhesion.damage_power", value(2), {{"joint.power", 2}}},
            {"obstacles.floor.shape.point", values({0, -1.5}, "m"), {{"sole.point.y", -1.5}}},
