@@ -17,27 +17,23 @@ local mN = 1e-3 * N
 
 local function modulus(p) return jkr.modulus(p.young.si, p.poisson) end
 
--- Contact radius and depth without a load over R, {a =, d =}: of a parabola; and of a whole sphere [maugis1995], from
--- ((1 + a^2) L - 2 a) / 2 = sqrt(8 pi k a^3),  d = a L / 2 - sqrt(2 pi k a),  L = ln((1 + a) / (1 - a)),  k = w / (E* R).
-local function parabola(p)
-  local a = (9 * math.pi / 2 * p.w.si / (modulus(p) * p.R.si)) ^ (1 / 3)
-  return { a = a, d = a ^ 2 / 3 }
-end
+-- JKR's force over E* R^2 and depth over R at the contact radius a R: of a whole sphere [maugis1995],
+-- ((1 + a^2) L - 2 a) / 2 - sqrt(8 pi k a^3) and a L / 2 - sqrt(2 pi k a), L = ln((1 + a) / (1 - a)), k = w / (E* R).
+local function softness(p) return p.w.si / (modulus(p) * p.R.si) end -- k
 local function logarithm(a) return math.log((1 + a) / (1 - a)) end
-local function pressure(a) return ((1 + a ^ 2) * logarithm(a) - 2 * a) / 2 end -- force without bonds over E* R^2
+local function load(a, k) return ((1 + a ^ 2) * logarithm(a) - 2 * a) / 2 - math.sqrt(8 * math.pi * k * a ^ 3) end
 local function depth(a, k) return a * logarithm(a) / 2 - math.sqrt(2 * math.pi * k * a) end
-local function sphere(p)
-  local k = p.w.si / (modulus(p) * p.R.si)
+local function radius(k) -- without a load
   local low, high = 0, 1
   for _ = 1, 60 do
     local a = (low + high) / 2
-    if pressure(a) < math.sqrt(8 * math.pi * k * a ^ 3) then low = a else high = a end
+    if load(a, k) < 0 then low = a else high = a end
   end
-  return { a = low, d = depth(low, k) }
+  return low
 end
 
 local function pressed(p) -- how deep, m: where it touches farther than it will without bonds
-  local a = sphere(p).a
+  local a = radius(softness(p))
   return p.deep * a * logarithm(a) / 2 * p.R.si
 end
 
@@ -49,7 +45,7 @@ local function scene(p)
     kinematics = "axisymmetric",
     bodies = { gel = stiction.body { density = 1000*kg/m^3, interpolation = "mean_dilatation",
       mesh = stiction.mesh.graded_block { origin = { zero, -size*m }, size = { size*m, size*m }, growth = 1.2,
-        fine = { 1.4 * sphere(p).a * R*m, 6 * h*m }, fine_size = h*m, coarse_size = size / 12 * m },
+        fine = { 1.4 * radius(softness(p)) * R*m, 6 * h*m }, fine_size = h*m, coarse_size = size / 12 * m },
       material = stiction.material.neo_hookean { young = p.young, poisson = p.poisson } } },
     obstacles = { bead = stiction.obstacle { shape = stiction.rigid.sphere { centre = { zero, p.R }, radius = p.R },
       times = { 0*s, 1*s, 2*s }, y = { zero, -pressed(p)*m, zero } } },
@@ -97,16 +93,18 @@ return stiction.study {
     { name = "inwards", unit = "1", meaning = "depth over R where it bears nothing, going in",
       function(run, p) return rest(run, p, 0.02, 1) end },
     { name = "outwards", unit = "1", meaning = "the same, drawn back", function(run, p) return rest(run, p, 1, 2) end },
-    { name = "parabola", unit = "1", meaning = "JKR's", function(_, p) return parabola(p).d end },
-    { name = "sphere", unit = "1", meaning = "JKR's of a whole sphere", function(_, p) return sphere(p).d end },
+    { name = "parabola", unit = "1", meaning = "JKR's", function(_, p) return (9 * math.pi / 2 * softness(p)) ^ (2 / 3) / 3 end },
+    { name = "sphere", unit = "1", meaning = "JKR's of a whole sphere",
+      function(_, p) return depth(radius(softness(p)), softness(p)) end },
   },
   check = function(cases, check)
+    local longest = { [500e3] = 0.08, [85e3] = 0.26 }
     for _, c in ipairs(cases) do
       local r = c.results
       check.ledger(c)
       check.within(c.id .. ": as deep on the way in as on the way back", r.inwards / r.outwards, 0.95, 1.02)
       if c.p.gamma.si == 0 then
-        check.within(c.id .. ": as deep as JKR", r.outwards / r.parabola, 0.9, 1.1)
+        check.within(c.id .. ": as deep as JKR", r.outwards / r.parabola, 0.94, c.p.range == longest[c.p.young.si] and 1.1 or 1.06)
       else
         local without = cases:where { young = c.p.young, range = c.p.range, cell = c.p.cell, gamma = 0*N/m }[1].results
         check.within(c.id .. ": surface stress takes some of it", r.outwards / without.outwards, 0.9, 0.99)
@@ -123,12 +121,11 @@ return stiction.study {
         curves[i] = { label = ("gamma %g mN/m, range %g R, cell %g R"):format(1e3 * p.gamma.si, p.range, p.cell), x = x, y = P, colour = i }
       end
       if #of > 0 then
-        local p, d, P = of[1].p, {}, {}
-        local k = p.w.si / (modulus(p) * p.R.si)
+        local k, d, P = softness(of[1].p), {}, {}
+        local farthest = 1.15 * radius(k)
         for i = 1, 100 do
-          local a = 1.15 * sphere(p).a * i / 100
-          d[i] = depth(a, k)
-          P[i] = (pressure(a) - math.sqrt(8 * math.pi * k * a ^ 3)) / k
+          local a = farthest * i / 100
+          d[i], P[i] = depth(a, k), load(a, k) / k
         end
         curves[#curves + 1] = { label = "JKR, a whole sphere", x = d, y = P, colour = 0, style = "dash" }
         panels[#panels + 1] = stiction.figure.lines { name = ("%gkPa"):format(young.si / 1e3), legend = "below", curves = curves,
