@@ -55,6 +55,14 @@ PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot
   return point;
 }
 
+Rows<3> motion_rows(PosedObstacle<3> const& obstacle, PointKinematics<3> const& point, Foot start,
+                    std::span<double const> x) {
+  auto const& pose = obstacle.pose;
+  Vec3 const p1 = node_position<3>(x, point.nodes[0]);
+  Mat<3> const by_x = motion_by_x(*obstacle.shape, point.foot, pose.local(p1), start, obstacle.direction);
+  return (by_x * pose.rotation.transpose()).eval() * relative(pose, Vec3(p1 - pose.position));
+}
+
 template<int D>
 Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D> const& point,
                              std::span<double const> x, Local<D> const& force) {

@@ -23,11 +23,12 @@ template<int D> struct ObstacleView {
   Foot foot;      ///< the next step's start; in 3D (xi, eta, zeta) is the position of the point
   double gap = 0; ///< m
   Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit; (t1, n) or (t1, t2, n) right-handed
-  /// Since `start`, m; 0 if there was none. In the plane along the surface; in 3D the part along (t1, t2) of
-  /// the point's way.
+  /// Since `start`, m; 0 if there was none: the way along the surface. In 3D the point's, laid round the
+  /// circle that turns as the normal does: all of it round spheres and cylinders, else but for the third
+  /// order.
   Local<D - 1> slip = Local<D - 1>::Zero();
-  /// Rows: derivatives of gap and slip by the point's position. In 3D the rows of slip are t1 and t2; the
-  /// turn of the tangents, of the order of slip / radius of the surface, is left out.
+  /// Rows of the forces: derivatives of gap and slip by the point's position. In 3D the rows of slip are t1
+  /// and t2, which a short way's are; motion_by_x() has those of any.
   Mat<D> by_x = Mat<D>::Zero();
 };
 
@@ -47,6 +48,10 @@ template<int D>
 template<int D>
 [[nodiscard]] Mat<D> curvature_stiffness(Obstacle const& obstacle, Foot foot, Vec<D> const& point,
                                          Local<D> const& force, Vec3 const& direction);
+
+/// The derivatives of gap and slip by the point's position. `foot` is that of the view from there.
+[[nodiscard]] Mat<3> motion_by_x(Obstacle const& obstacle, Foot foot, Vec3 const& point, Foot start,
+                                 Vec3 const& direction);
 
 template<> ObstacleView<2> view(Obstacle const&, Vec2 const&, Foot, Foot, Vec3 const&);
 template<> ObstacleView<3> view(Obstacle const&, Vec3 const&, Foot, Foot, Vec3 const&);

@@ -9,10 +9,12 @@ namespace stiction::dynamics {
 using contact::Foot;
 using contact::Local;
 using contact::PointKinematics;
+using contact::Rows;
 
 namespace {
 constexpr double rounding_of_rows = 1e-12; ///< of rows, whose entries are about 1
-}
+constexpr double felt_by_newton = 1e-3;    ///< of those against obstacles, the rest of which are symmetric
+} // namespace
 
 template<int D>
 ContactGeometry<D>::ContactGeometry(Model const& model) : model_(&model), poses_(model.rigids.size()) {
@@ -145,11 +147,17 @@ void ContactGeometry<D>::stiffness(int pair, PointKinematics<D> const& point, Lo
 template<int D>
 void ContactGeometry<D>::change(PointId point, PointKinematics<D> const& now, Add const& add) const {
   if constexpr (D == 3) {
-    auto const* surface = std::get_if<Deformable>(&model_->pairs[ix(point.pair)].primary);
-    if (surface == nullptr || shared(point.pair))
+    if (shared(point.pair))
       return;
+    auto const& primary = model_->pairs[ix(point.pair)].primary;
     Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
-    auto rows = motion_rows(*surface, now, start, positions());
+    if (auto const* side = std::get_if<RigidSide>(&primary)) {
+      Rows<3> const beyond = motion_rows(posed(*side), now, start, positions()) - now.H;
+      if (beyond.cwiseAbs().maxCoeff() > felt_by_newton)
+        add(now.nodes, beyond);
+      return;
+    }
+    auto rows = motion_rows(std::get<Deformable>(primary), now, start, positions());
     rows.by_x.leftCols(now.unknowns()) -= now.H;
     if (rows.by_x.cwiseAbs().maxCoeff() > rounding_of_rows)
       add(rows.nodes, rows.by_x);

@@ -11,6 +11,7 @@
 -- the ball makes. Bodies are linear, so that Newton's method has nothing to do but contact: normals that turn, feet that go
 -- from facet to facet, friction that turns round the corner. With the whole derivative it needs few iterations whatever the
 -- step, and the forces at the end of the way depend on the steps by friction alone, which is of first order in them.
+-- A rigid ball does the same, with the contact points on the slab: their slip is the way round it.
 --
 --     ./stiction run studies/proofs/ironing_in_space
 local stiction = require "stiction"
@@ -25,43 +26,55 @@ end
 
 local function leg(p) return p.leg * p.cell end
 
-local function meshes(p)
-  local h, half = p.cell, p.side / 2
-  local function count(length) return math.floor(length / h + 0.5) end
-  return stiction.mesh.half_ball { centre = { -leg(p) / 2, -leg(p) / 2, p.radius }, radius = p.radius, part = "full",
-      fine = { p.fine, p.fine }, fine_size = p.ratio * h, coarse_size = 4 * h },
-    stiction.mesh.box { origin = { -half, -half, -p.height }, size = { p.side, p.side, p.height },
-      cells = { count(p.side), count(p.side), count(p.height / 1.5) }, grading = { 1, 1, 0.4 } }
+local function centre(p) return { -leg(p) / 2, -leg(p) / 2, p.radius } end
+
+local function ball_mesh(p)
+  return stiction.mesh.half_ball { centre = centre(p), radius = p.radius, part = "full", fine = { p.fine, p.fine },
+    fine_size = p.ratio * p.cell, coarse_size = 4 * p.cell }
+end
+
+local function slab_mesh(p)
+  local function count(length) return math.floor(length / p.cell + 0.5) end
+  return stiction.mesh.box { origin = { -p.side / 2, -p.side / 2, -p.height }, size = { p.side, p.side, p.height },
+    cells = { count(p.side), count(p.side), count(p.height / 1.5) }, grading = { 1, 1, 0.4 } }
 end
 
 local function scene(p)
   local zero, down = 0*mm, -p.depth
-  local ball, slab = meshes(p)
   local along, across = math.cos(p.angle) * leg(p), math.sin(p.angle) * leg(p)
   local steps = math.floor(p.leg / p.facets + 0.5)
+  local way = { times = { 0*s, 1*s, 2*s, 3*s }, x = { zero, zero, along, along - across },
+    y = { zero, zero, across, across + along }, z = { zero, down, down, down } }
+  local soft, motions = p.ball == "soft", { stiction.motion.fix { set = "slab.bottom" } }
+  if soft then
+    motions[2] = stiction.motion.drive { set = "ball.flat", times = way.times, x = way.x, y = way.y, z = way.z }
+  end
   return stiction.scene {
     kinematics = "three_dimensional",
-    bodies = { ball = body(p, ball, p.ball_young), slab = body(p, slab, p.slab_young) },
-    pairs = { iron = stiction.pair { secondary = "ball.cap", primary = "slab.top", friction = stiction.friction.coulomb { mu = p.mu } } },
-    motions = {
-      stiction.motion.fix { set = "slab.bottom" },
-      stiction.motion.drive { set = "ball.flat", times = { 0*s, 1*s, 2*s, 3*s },
-        x = { zero, zero, along, along - across }, y = { zero, zero, across, across + along }, z = { zero, down, down, down } },
-    },
+    bodies = { ball = soft and body(p, ball_mesh(p), p.ball_young) or nil, slab = body(p, slab_mesh(p), p.slab_young) },
+    obstacles = not soft and { ball = stiction.obstacle { shape = stiction.rigid.sphere { centre = centre(p), radius = p.radius },
+      times = way.times, x = way.x, y = way.y, z = way.z } } or nil,
+    pairs = { iron = stiction.pair { secondary = soft and "ball.cap" or "slab.top", primary = soft and "slab.top" or "ball",
+      friction = stiction.friction.coulomb { mu = p.mu } } },
+    motions = motions,
     scheme = stiction.scheme.quasi_static {},
     schedule = stiction.schedule { stages = {
       stiction.stage { to = 1*s, steps = p.steps_down }, stiction.stage { to = 2*s, steps = steps },
       stiction.stage { to = 3*s, steps = steps } } },
-    probes = { ball = stiction.probe.force { set = "ball.flat" }, energy = stiction.probe.energy { audit = true } },
+    probes = { ball = soft and stiction.probe.force { set = "ball.flat" } or stiction.probe.rigid { obstacle = "ball" },
+      energy = stiction.probe.energy { audit = true } },
   }
 end
 
+--- Of what draws a ball, over its probe's forces: those of contact are on a rigid one.
+local function sign(p) return p.ball == "soft" and 1 or -1 end
+
 --- At the end of the way: force along and across the second leg and downwards, N.
 local function ends(run, p)
-  local fx, fy, fz = run:series("ball", "force_x"), run:series("ball", "force_y"), run:series("ball", "force_z")
   local c, sine = math.cos(p.angle), math.sin(p.angle)
-  local x, y = fx[#fx], fy[#fy]
-  return { along = -sine * x + c * y, across = c * x + sine * y, normal = -fz[#fz] }
+  local function last(component) return sign(p) * run:last("ball", "force_" .. component) end
+  local x, y = last("x"), last("y")
+  return { along = -sine * x + c * y, across = c * x + sine * y, normal = -last("z") }
 end
 
 --- Newton iterations of the steps that slide.
@@ -85,24 +98,38 @@ local function row(check, cases, quantity, difference, bounds)
   for i = 1, #cases - 1 do
     others[i] = { cases[i].p.facets, difference(cases[i].results, finest.results) / finest.results.normal }
   end
-  check.proof { case = "Ironing in space by long steps", quantity = quantity .. ", difference over the normal one",
+  check.proof { case = ("Ironing in space by long steps, %s ball"):format(finest.p.ball),
+    quantity = quantity .. ", difference over the normal one",
     kind = "ours", source = ("steps of %g facets"):format(finest.p.facets), reference = 0, scale = 1, values = others,
     tolerance = bounds.allowed, order = bounds.order, resolution = "facets a step", run = cases[#cases - 1] }
 end
 
-local function force_figure(cases, component, sign, label)
-  local curves = {}
+local function force_figure(cases, component, direction, label)
+  local curves, colours, count = {}, {}, 0
   for i, case in ipairs(cases) do
+    if not colours[case.p.facets] then
+      count = count + 1
+      colours[case.p.facets] = count
+    end
     local force, x, y = case:series("ball", "force_" .. component), {}, {}
     for k, t in ipairs(case.time) do
       if t > 1 - 1e-9 then
-        x[#x + 1], y[#y + 1] = (t - 1) * leg(case.p).si, sign * force[k]
+        x[#x + 1], y[#y + 1] = (t - 1) * leg(case.p).si, direction * sign(case.p) * force[k]
       end
     end
-    curves[i] = { label = ("%g facets a step"):format(case.p.facets), x = x, y = y, colour = i }
+    curves[i] = { label = ("%s ball, %.3g facets a step"):format(case.p.ball, case.p.facets), x = x, y = y,
+      colour = colours[case.p.facets], style = case.p.ball == "rigid" and "dash" or nil }
   end
   return stiction.figure.lines { name = "force_" .. component, title = label, curves = curves, legend = "below",
     x = { label = "travel", unit = "mm" }, y = { label = label, unit = "N" } }
+end
+
+--- A rigid ball that steps farther goes through nodes of the slab at once, and the step is cut.
+local function sweep(soft, rigid)
+  local rows = {}
+  for _, facets in ipairs(soft) do rows[#rows + 1] = { ball = "soft", facets = facets } end
+  for _, facets in ipairs(rigid) do rows[#rows + 1] = { ball = "rigid", facets = facets } end
+  return rows
 end
 
 return stiction.study {
@@ -116,12 +143,13 @@ return stiction.study {
     cell = { 0.2*mm, "facet of the slab" }, ratio = { 0.9, "size of the ball's cells over the slab's; no simple fraction" },
     fine = { 0.4*mm, "part of the ball with fine cells" }, leg = { 5, "facets" }, angle = { 0.35, "of the first leg to the mesh" },
     steps_down = { 4, "to full depth" }, allowed = { 0.02, "of the shortest steps but one; ours" },
-    allowed_normal = { 0.002, "the same" },
+    allowed_normal = { 0.002, "the same, of the rigid ball's tangential force, too" },
     order = { 0.8, "at least, of the tangential force in the step" }, most = { 8, "iterations of a step; ours" },
+    most_rigid = { 4, "the same of a rigid ball; ours" },
   },
-  sweep = { { facets = 5 }, { facets = 2.5 }, { facets = 5 / 3 }, { facets = 1 }, { facets = 0.5 }, { facets = 0.25 } },
-  quick = { sweep = { { facets = 5 }, { facets = 2.5 }, { facets = 1 } }, set = { allowed = 0.04 } },
-  case_id = function(p) return ("%.3g"):format(p.facets) end,
+  sweep = sweep({ 5, 2.5, 5 / 3, 1, 0.5, 0.25 }, { 2.5, 5 / 3, 1, 0.5, 0.25 }),
+  quick = { sweep = sweep({ 5, 2.5, 1 }, { 2.5, 5 / 3, 1, 0.5 }), set = { allowed = 0.04 } },
+  case_id = function(p) return (p.ball == "soft" and "%.3g" or "rigid_%.3g"):format(p.facets) end,
   scene = scene,
   results = {
     result("normal", "N", "normal force at the end", function(run, p) return ends(run, p).normal end),
@@ -131,13 +159,20 @@ return stiction.study {
     result("mean_iterations", "1", "of the steps that slide", function(run) return numeric.mean(iterations(run)) end),
   },
   check = function(cases, check)
-    local p = cases[1].p
-    row(check, cases, "tangential force", function(a, b)
-      return math.sqrt((a.along - b.along) ^ 2 + (a.across - b.across) ^ 2)
-    end, { allowed = p.allowed, order = p.order })
-    row(check, cases, "normal force", function(a, b) return math.abs(a.normal - b.normal) end, { allowed = p.allowed_normal })
+    local p, of = cases[1].p, { soft = {}, rigid = {} }
     for _, case in ipairs(cases) do
-      check.within(("%s facets a step: Newton iterations"):format(case.id), case.results.most_iterations, 1, case.p.most)
+      table.insert(of[case.p.ball], case)
+    end
+    local tangential = { soft = { allowed = p.allowed, order = p.order }, rigid = { allowed = p.allowed_normal } }
+    for _, ball in ipairs { "soft", "rigid" } do
+      row(check, of[ball], "tangential force", function(a, b)
+        return math.sqrt((a.along - b.along) ^ 2 + (a.across - b.across) ^ 2)
+      end, tangential[ball])
+      row(check, of[ball], "normal force", function(a, b) return math.abs(a.normal - b.normal) end, { allowed = p.allowed_normal })
+    end
+    for _, case in ipairs(cases) do
+      check.within(("%s: Newton iterations"):format(case.id), case.results.most_iterations, 1,
+        case.p.ball == "soft" and case.p.most or case.p.most_rigid)
       check.ledger(case)
     end
   end,

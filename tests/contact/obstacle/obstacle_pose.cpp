@@ -58,6 +58,20 @@ template<int D> struct Meeting {
   }
 };
 
+/// In space, after a long way.
+void check_motion(Meeting<3> const& m) {
+  Vector const here = Vector::Zero(9);
+  Foot const start = m.kinematics_at(Vector::LinSpaced(9, 0.3, -0.2)).foot;
+  auto const x = with<3>(m.node);
+  auto const at = kinematics(m.posed(here), 2, start, m.start, x);
+  auto const moves = [&](Vector const& move) {
+    auto const seen = kinematics(m.posed(move), 2, start, m.start, with<3>(m.node + move.head<3>()));
+    return Vector(Vec3(seen.gap, seen.slip[0], seen.slip[1]));
+  };
+  check_rate(rate(moves, Dense(motion_rows(m.posed(here), at, start, x)), here, 1e-3, 4), "motion");
+}
+void check_motion(Meeting<2> const& /*m*/) {}
+
 /// The pair's force seen from (node, translation, turn): no resultant, no moment about the origin.
 void check_balance(Meeting<2> const& m, Vector const& f) {
   CHECK((f.head<2>() + f.segment<2>(2)).norm() < 1e-14);
@@ -91,6 +105,7 @@ template<int D> void check_free(Encounter<D> const& met) {
   Dense const K = geometric_stiffness<D>(m.posed(here), at, with<D>(m.node), force);
   check_rate(rate(nodal, K, here, 1e-3, 4), "stiffness");
   check_balance(m, nodal(here));
+  check_motion(m);
 }
 
 template<int D> void check_objectivity(Encounter<D> const& met) {
