@@ -13,7 +13,7 @@ using contact::Rows;
 
 namespace {
 constexpr double rounding_of_rows = 1e-12; ///< of rows, whose entries are about 1
-constexpr double felt_by_newton = 1e-3;    ///< of those against obstacles, the rest of which are symmetric
+constexpr double felt_by_newton = 1e-3;    ///< the same against obstacles: with less W stays symmetric
 } // namespace
 
 template<int D>
