@@ -88,12 +88,12 @@ template<int D> struct PosedObstacle {
 
 /// Against an obstacle; the force on a free body acts where the node is, so that moments balance.
 template<int D>
-[[nodiscard]] PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot start,
+[[nodiscard]] PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Start const& start,
                                             Foot guess, std::span<double const> x);
 /// The derivative of gap and slip by the positions of the point's nodes, [3, 3 count]; H are the rows of the
 /// forces.
 [[nodiscard]] Rows<3> motion_rows(PosedObstacle<3> const& obstacle, PointKinematics<3> const& point,
-                                  Foot start, std::span<double const> x);
+                                  Start const& start, std::span<double const> x);
 template<int D>
 [[nodiscard]] Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D> const& point,
                                            std::span<double const> x, Local<D> const& force);

@@ -36,7 +36,7 @@ template<int D> Rows<D> relative(Pose<D> const& pose, Vec<D> const& arm) {
 } // namespace
 
 template<int D>
-PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot start, Foot guess,
+PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Start const& start, Foot guess,
                               std::span<double const> x) {
   auto const& pose = obstacle.pose;
   Vec<D> const p1 = node_position<D>(x, node);
@@ -55,7 +55,7 @@ PointKinematics<D> kinematics(PosedObstacle<D> const& obstacle, Index node, Foot
   return point;
 }
 
-Rows<3> motion_rows(PosedObstacle<3> const& obstacle, PointKinematics<3> const& point, Foot start,
+Rows<3> motion_rows(PosedObstacle<3> const& obstacle, PointKinematics<3> const& point, Start const& start,
                     std::span<double const> x) {
   auto const& pose = obstacle.pose;
   Vec3 const p1 = node_position<3>(x, point.nodes[0]);
@@ -85,10 +85,12 @@ Block<D> geometric_stiffness(PosedObstacle<D> const& obstacle, PointKinematics<D
   return K;
 }
 
-template PointKinematics<2> kinematics(PosedObstacle<2> const&, Index, Foot, Foot, std::span<double const>);
+template PointKinematics<2> kinematics(PosedObstacle<2> const&, Index, Start const&, Foot,
+                                       std::span<double const>);
 template Block<2> geometric_stiffness(PosedObstacle<2> const&, PointKinematics<2> const&,
                                       std::span<double const>, Local<2> const&);
-template PointKinematics<3> kinematics(PosedObstacle<3> const&, Index, Foot, Foot, std::span<double const>);
+template PointKinematics<3> kinematics(PosedObstacle<3> const&, Index, Start const&, Foot,
+                                       std::span<double const>);
 template Block<3> geometric_stiffness(PosedObstacle<3> const&, PointKinematics<3> const&,
                                       std::span<double const>, Local<3> const&);
 

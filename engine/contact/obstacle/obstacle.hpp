@@ -1,5 +1,6 @@
 // Rigid obstacles, in the frame in which they are described: no mesh and no unknowns.
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "contact/obstacle/obstacle_heights.hpp"
@@ -15,6 +16,14 @@ using interface::Local;
 
 using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline,
                               RigidSurface, RigidHeights>;
+
+/// Where a step found a point.
+struct Start {
+  Foot foot;
+  std::optional<Vec3> normal; ///< in 3D, of the obstacle there; none: it is looked up
+  Start() = default;
+  Start(Foot at) : foot(at) {}
+};
 
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {
@@ -41,8 +50,8 @@ void prepare(Obstacle& obstacle);
 /// `direction`: t1 is its part along the surface (3D only); where that vanishes, of the next axis. `guess`:
 /// where to start looking. The obstacle must fit D dimensions.
 template<int D>
-[[nodiscard]] ObstacleView<D> view(Obstacle const& obstacle, Vec<D> const& point, Foot start, Foot guess,
-                                   Vec3 const& direction);
+[[nodiscard]] ObstacleView<D> view(Obstacle const& obstacle, Vec<D> const& point, Start const& start,
+                                   Foot guess, Vec3 const& direction);
 
 /// Derivative of by_x^T force by the point's position, N/m. `foot` is that of the view from there.
 template<int D>
@@ -50,11 +59,14 @@ template<int D>
                                          Local<D> const& force, Vec3 const& direction);
 
 /// The derivatives of gap and slip by the point's position. `foot` is that of the view from there.
-[[nodiscard]] Mat<3> motion_by_x(Obstacle const& obstacle, Foot foot, Vec3 const& point, Foot start,
+[[nodiscard]] Mat<3> motion_by_x(Obstacle const& obstacle, Foot foot, Vec3 const& point, Start const& start,
                                  Vec3 const& direction);
 
-template<> ObstacleView<2> view(Obstacle const&, Vec2 const&, Foot, Foot, Vec3 const&);
-template<> ObstacleView<3> view(Obstacle const&, Vec3 const&, Foot, Foot, Vec3 const&);
+/// Of an obstacle in space where a step found a point; none if it found none.
+[[nodiscard]] std::optional<Vec3> normal_at(Obstacle const& obstacle, Foot start);
+
+template<> ObstacleView<2> view(Obstacle const&, Vec2 const&, Start const&, Foot, Vec3 const&);
+template<> ObstacleView<3> view(Obstacle const&, Vec3 const&, Start const&, Foot, Vec3 const&);
 template<> Mat<2> curvature_stiffness(Obstacle const&, Foot, Vec2 const&, Local<2> const&, Vec3 const&);
 template<> Mat<3> curvature_stiffness(Obstacle const&, Foot, Vec3 const&, Local<3> const&, Vec3 const&);
 

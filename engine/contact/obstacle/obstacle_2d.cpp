@@ -114,9 +114,9 @@ Mat<2> stiffness_of(auto const& shape, Foot foot, Vec2 const& point, Local<2> co
 } // namespace
 
 template<>
-ObstacleView<2> view(Obstacle const& obstacle, Vec2 const& point, Foot start, Foot guess,
+ObstacleView<2> view(Obstacle const& obstacle, Vec2 const& point, Start const& start, Foot guess,
                      Vec3 const& /*direction*/) {
-  return std::visit([&](auto const& shape) { return view_of(shape, point, start, guess); }, obstacle);
+  return std::visit([&](auto const& shape) { return view_of(shape, point, start.foot, guess); }, obstacle);
 }
 
 template<>

@@ -125,17 +125,30 @@ Turn turn_between(Vec3 const& from, Vec3 const& to) {
   return {k, middle, (arc - 1) / (2 * sine2), ((arc * k - 1) / 2 + (arc - 1) * k) / (sine2 * sine2)};
 }
 
+Vec3 place(Foot start) {
+  return {start.xi, start.eta, start.zeta};
+}
+
+/// Where a step found a point; none if it found none.
+std::optional<Vec3> normal_of(auto const& shape, Foot start) {
+  if constexpr (requires { view_3d(shape, Vec3(), start); }) {
+    if (!start.found())
+      return {};
+    auto const seen = view_3d(shape, place(start), start);
+    return seen.segment >= 0 ? std::optional(seen.normal) : std::nullopt;
+  } else {
+    core::fail_expectation("the obstacle has a form in space", std::source_location::current());
+  }
+}
+
 /// A step's way over a surface: from where, and the surface's normal there.
 struct Way {
   Vec3 from, normal;
 
   /// None where there was no counterpart.
-  static std::optional<Way> since(auto const& shape, Foot start) {
-    if (!start.found())
-      return {};
-    Vec3 const from(start.xi, start.eta, start.zeta);
-    auto const seen = view_3d(shape, from, start);
-    return seen.segment >= 0 ? std::optional(Way{from, seen.normal}) : std::nullopt;
+  static std::optional<Way> since(auto const& shape, Start const& start) {
+    auto const normal = start.normal ? start.normal : normal_of(shape, start.foot);
+    return normal ? std::optional(Way{place(start.foot), *normal}) : std::nullopt;
   }
   /// Components along the columns t1, t2 of the frame at its end. The part of the chord across the normal
   /// half-way, as long as its circle's arc in the plane of the turn, and turned to the end.
@@ -171,7 +184,8 @@ struct Way {
   }
 };
 
-ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Foot start, Foot guess, Vec3 const& direction) {
+ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Start const& start, Foot guess,
+                        Vec3 const& direction) {
   if constexpr (requires { view_3d(shape, point, guess); }) {
     auto const seen = view_3d(shape, point, guess);
     ObstacleView<3> result;
@@ -200,7 +214,7 @@ Mat<3> stiffness_of(auto const& shape, Foot foot, Vec3 const& point, Local<3> co
   }
 }
 
-Mat<3> motion_of(auto const& shape, Foot foot, Vec3 const& point, Foot start, Vec3 const& direction) {
+Mat<3> motion_of(auto const& shape, Foot foot, Vec3 const& point, Start const& start, Vec3 const& direction) {
   if constexpr (requires { view_3d(shape, point, foot); }) {
     auto const seen = view_3d(shape, point, foot);
     auto const frame = frame_of(seen.normal, direction);
@@ -216,7 +230,7 @@ Mat<3> motion_of(auto const& shape, Foot foot, Vec3 const& point, Foot start, Ve
 } // namespace
 
 template<>
-ObstacleView<3> view(Obstacle const& obstacle, Vec3 const& point, Foot start, Foot guess,
+ObstacleView<3> view(Obstacle const& obstacle, Vec3 const& point, Start const& start, Foot guess,
                      Vec3 const& direction) {
   return std::visit([&](auto const& shape) { return view_of(shape, point, start, guess, direction); },
                     obstacle);
@@ -229,10 +243,14 @@ Mat<3> curvature_stiffness(Obstacle const& obstacle, Foot foot, Vec3 const& poin
                     obstacle);
 }
 
-Mat<3> motion_by_x(Obstacle const& obstacle, Foot foot, Vec3 const& point, Foot start,
+Mat<3> motion_by_x(Obstacle const& obstacle, Foot foot, Vec3 const& point, Start const& start,
                    Vec3 const& direction) {
   return std::visit([&](auto const& shape) { return motion_of(shape, foot, point, start, direction); },
                     obstacle);
+}
+
+std::optional<Vec3> normal_at(Obstacle const& obstacle, Foot start) {
+  return std::visit([&](auto const& shape) { return normal_of(shape, start); }, obstacle);
 }
 
 } // namespace stiction::contact

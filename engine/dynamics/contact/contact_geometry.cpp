@@ -17,7 +17,8 @@ constexpr double felt_by_newton = 1e-3;    ///< the same against obstacles: with
 } // namespace
 
 template<int D>
-ContactGeometry<D>::ContactGeometry(Model const& model) : model_(&model), poses_(model.rigids.size()) {
+ContactGeometry<D>::ContactGeometry(Model const& model)
+    : model_(&model), poses_(model.rigids.size()), normals_(model.pairs.size()) {
   for (auto const& pair : model.pairs) {
     add_search(pair);
     add_means(pair);
@@ -60,6 +61,8 @@ template<int D> void ContactGeometry<D>::begin(State const& old, double t1) {
   old_ = &old;
   t1_ = t1;
   take_positions(old.u, old.t);
+  for (std::size_t pair = 0; D == 3 && pair < normals_.size(); ++pair)
+    normals_[pair].assign(model_->pairs[pair].size(), {});
   each_mortar([&](auto& mortar, auto const* obstacle) { mortar.begin(positions(), obstacle); });
   for (auto& search : searches_)
     if (search)
@@ -104,10 +107,23 @@ template<int D> PointKinematics<D> ContactGeometry<D>::kinematics(PointId point,
 template<int D> PointKinematics<D> ContactGeometry<D>::of_node(PointId point, Foot guess) const {
   auto const& pair = model_->pairs[ix(point.pair)];
   Index const node = pair.secondary[ix(point.index)];
-  Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
   if (auto const& search = searches_[ix(point.pair)])
-    return contact::kinematics(*search, node, start, guess, positions());
-  return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start, guess, positions());
+    return contact::kinematics(*search, node, start(point).foot, guess, positions());
+  return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start(point), guess,
+                             positions());
+}
+
+/// With the normal of an obstacle in space, looked up once a step.
+template<int D> contact::Start ContactGeometry<D>::start(PointId point) const {
+  contact::Start start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
+  auto const* side = std::get_if<RigidSide>(&model_->pairs[ix(point.pair)].primary);
+  if (D == 2 || side == nullptr)
+    return start;
+  auto& normal = normals_[ix(point.pair)][ix(point.index)];
+  if (!normal)
+    normal = contact::normal_at(model_->rigids[side->body].shape, start.foot);
+  start.normal = normal;
+  return start;
 }
 
 template<int D> bool ContactGeometry<D>::beneath(PointId point, PointKinematics<D> const& now) const {
@@ -150,14 +166,13 @@ void ContactGeometry<D>::change(PointId point, PointKinematics<D> const& now, Ad
     if (shared(point.pair))
       return;
     auto const& primary = model_->pairs[ix(point.pair)].primary;
-    Foot const start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
     if (auto const* side = std::get_if<RigidSide>(&primary)) {
-      Rows<3> const beyond = motion_rows(posed(*side), now, start, positions()) - now.H;
+      Rows<3> const beyond = motion_rows(posed(*side), now, start(point), positions()) - now.H;
       if (beyond.cwiseAbs().maxCoeff() > felt_by_newton)
         add(now.nodes, beyond);
       return;
     }
-    auto rows = motion_rows(std::get<Deformable>(primary), now, start, positions());
+    auto rows = motion_rows(std::get<Deformable>(primary), now, start(point).foot, positions());
     rows.by_x.leftCols(now.unknowns()) -= now.H;
     if (rows.by_x.cwiseAbs().maxCoeff() > rounding_of_rows)
       add(rows.nodes, rows.by_x);

@@ -54,14 +54,17 @@ private:
   void add_means(Pair const& pair);
   void take_positions(Vector const& u, double t);
   template<class Act> void each_mortar(Act const& act);
+  [[nodiscard]] contact::Start start(PointId point) const;
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
   [[nodiscard]] contact::PointKinematics<D> of_node(PointId point, contact::Foot guess) const;
 
   Model const* model_;
   State const* old_ = nullptr;
   double t1_ = 0;
-  Vector positions_, moved_;                                ///< moved_: within the step
-  std::vector<contact::Pose<D>> poses_;                     ///< [rigids]
+  Vector positions_, moved_;            ///< moved_: within the step
+  std::vector<contact::Pose<D>> poses_; ///< [rigids]
+  mutable std::vector<std::vector<std::optional<contact::Vec3>>>
+      normals_; ///< of obstacles at the step's start, once looked up, [pairs][points]; 3D
   std::vector<std::optional<contact::Search<D>>> searches_; ///< [pairs]; none against rigid bodies
   std::vector<std::optional<contact::Mortar<D>>> mortars_;  ///< [pairs]; none for node to segment
   std::vector<std::optional<contact::NodeMeans<D>>> means_; ///< [pairs]; none where each node is a point
