@@ -46,7 +46,7 @@ Mortar<D>::Mortar(CellSurface const& secondary, CellSurface const* primary, Mort
 template<int D> void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle) {
   samples_.clear();
   pairings_.clear();
-  normals_ = secondary_->fan_normals<D>(x);
+  find_normals(x);
   if (obstacle != nullptr) {
     obstacle_ = *obstacle;
     cover();
@@ -55,15 +55,27 @@ template<int D> void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obsta
   }
   pairings_.resize(samples_.size());
   each_sample([&](std::size_t s) {
-    pairings_[s] = pair(samples_[s], samples_[s].start, x);
-    samples_[s].start = pairings_[s].foot;
+    pairings_[s] = pair(samples_[s], samples_[s].start.foot, x);
+    auto& start = samples_[s].start = pairings_[s].foot;
+    if (D == 3 && obstacle_ && start.foot.found())
+      start.normal = normal_at(*obstacle_->shape, start.foot);
   });
   for (auto& point : points_)
     point.share = 0;
-  for (std::size_t s = 0; s < samples_.size(); ++s)
+  samples_of_.assign(points_.size(), {});
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
     share(s);
+    for (int k = 0; k < secondary_->facet(samples_[s].facet).corners(); ++k)
+      samples_of_[ix(point_of(samples_[s].facet, k))].push_back(s);
+  }
   for (auto& point : points_)
     point.area = point.share;
+}
+
+template<int D> void Mortar<D>::find_normals(Positions x) {
+  normals_ = secondary_->fan_normals<D>(x);
+  if (primary_ != nullptr)
+    opposite_ = primary_->fan_normals<D>(x);
 }
 
 template<int D> std::vector<int> Mortar<D>::candidates(int facet, Positions x) const {
@@ -90,7 +102,7 @@ template<int D> void Mortar<D>::cut(Positions x) {
         Vec2 const middle = middle_coordinates(primary_->facet(point.primary).kind);
         sample.start =
             meet(*primary_, ray_of(sides, sample), {point.primary, middle.x(), middle.y()}, at_border, x);
-        if (sample.start.found())
+        if (sample.start.foot.found())
           of_facet[ix(f)].push_back(sample);
       }
   });
@@ -169,7 +181,8 @@ template<int D> void Mortar<D>::share(std::size_t s) {
 template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obstacle) {
   if (obstacle != nullptr)
     obstacle_ = *obstacle;
-  normals_ = secondary_->fan_normals<D>(x);
+  find_normals(x);
+  motions_.assign(samples_.size(), {});
   for (auto& point : points_) {
     point.share = point.heaviest = 0;
     point.kinematics = {};
@@ -177,7 +190,7 @@ template<int D> void Mortar<D>::locate(Positions x, PosedObstacle<D> const* obst
   }
   rows_.resize(samples_.size());
   each_sample([&](std::size_t s) {
-    Foot const guess = pairings_[s].found() ? pairings_[s].foot : samples_[s].start;
+    Foot const guess = pairings_[s].found() ? pairings_[s].foot : samples_[s].start.foot;
     pairings_[s] = pair(samples_[s], guess, x);
     if (pairings_[s].found())
       rows_[s] = rows(s, x);

@@ -20,6 +20,12 @@ struct NodalStiffness {
   Dense K;
 };
 
+/// Rows over some nodes, [D, D nodes].
+template<int D> struct NodalRows {
+  Indices nodes;
+  Rows<D> rows;
+};
+
 /// A growing list of nodes with the slot of each in it.
 class Slots {
 public:
@@ -58,6 +64,9 @@ public:
   /// Beyond this nothing is found, m.
   [[nodiscard]] double radius() const { return range_.high; }
   [[nodiscard]] std::size_t sample_count() const { return samples_.size(); }
+  /// By how much the derivatives of the point's gap and slip differ from its H; not against obstacles in the
+  /// plane, where they do not.
+  [[nodiscard]] NodalRows<D> change(Index point, Positions x) const;
   /// Derivative of H^T forces at fixed forces [points], at the positions of the last `locate`.
   [[nodiscard]] NodalStiffness stiffness(std::vector<Local<D>> const& forces, Positions x) const;
 
@@ -80,6 +89,10 @@ private:
   [[nodiscard]] std::vector<int> candidates(int facet, Positions x) const;
   [[nodiscard]] SamplePairing<D> pair(Sample const& sample, Foot guess, Positions x) const;
   [[nodiscard]] PointKinematics<D> against_obstacle(Sample const& sample, Foot guess, Positions x) const;
+  void find_normals(Positions x);
+  [[nodiscard]] SampleMotion<D> const& motion_of(std::size_t s, Positions x) const;
+  [[nodiscard]] double part(std::size_t s, Index point) const;
+  [[nodiscard]] RowsOfSample beyond(std::size_t s, Positions x) const;
   [[nodiscard]] Dense spread(Sample const& sample, PointKinematics<D> const& seen, Indices& nodes) const;
   [[nodiscard]] RowsOfSample rows(std::size_t s, Positions x) const;
   [[nodiscard]] SampleStiffness<D> stiffness_of(std::size_t s, Local<D> const& force, Positions x) const;
@@ -93,7 +106,7 @@ private:
     return samples_[s].area * samples_[s].hats[corner];
   }
   [[nodiscard]] int point_of(int facet, int corner) const { return points_of_[ix(facet)][ix(corner)]; }
-  [[nodiscard]] Faced<D> faced(Positions x) const { return {*secondary_, *primary_, x, normals_}; }
+  [[nodiscard]] Faced<D> faced(Positions x) const { return {*secondary_, *primary_, x, normals_, opposite_}; }
 
   CellSurface const* secondary_;
   CellSurface const* primary_;
@@ -101,13 +114,15 @@ private:
   GapRange range_;
   std::vector<std::array<int, 4>> points_of_; ///< contact points at the corners of every facet
   std::vector<double> hat_areas_;
-  Grid<D> grid_; ///< of the primary's facets
-  FanNormals<D> normals_;
+  Grid<D> grid_;                     ///< of the primary's facets
+  FanNormals<D> normals_, opposite_; ///< of the secondary and of the primary
   std::optional<PosedObstacle<D>> obstacle_;
   std::vector<Sample> samples_;
   std::vector<SamplePairing<D>> pairings_; ///< [samples]
   std::vector<RowsOfSample> rows_;         ///< [samples], of those that found something
   std::vector<PointMean> points_;
+  std::vector<std::vector<std::size_t>> samples_of_;            ///< [points], those with a hat there
+  mutable std::vector<std::optional<SampleMotion<D>>> motions_; ///< [samples], once asked for
 };
 
 } // namespace stiction::contact

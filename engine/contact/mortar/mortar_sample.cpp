@@ -1,8 +1,5 @@
 // The pairing of a sample and how its forces turn and slide, by hand: inputs are few.
-#include "contact/mortar/mortar_sample.hpp"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include "contact/mortar/mortar_inputs.hpp"
 
 namespace stiction::contact {
 
@@ -11,40 +8,12 @@ namespace {
 /// How far a sample may slide beyond the primary's border during a step, in parts of a facet.
 constexpr double slide = 0.5;
 
-template<int D> using Tangents = Eigen::Matrix<double, D, D - 1>;
-
-/// What a sample's forces depend on, in this order: its position, the sum of its normals, its counterpart's
-/// position and tangents at fixed local coordinates, and the first tangent's direction (3D).
-template<int D> inline constexpr int input_count = D == 2 ? 8 : 18;
-template<int D> using By = Eigen::Matrix<double, D, input_count<D>>;
-template<int D> using ByLess = Eigen::Matrix<double, D - 1, input_count<D>>;
-enum Input { own_position = 0, normal_sum = 1, other_position = 2, other_tangents = 3, carried = 5 };
-
-/// The unit derivative of one vector input.
-template<int D> By<D> unit_input(int number) {
-  By<D> E = By<D>::Zero();
-  E.template middleCols<D>(D * number).setIdentity();
-  return E;
-}
-
-template<int D> Vec<D> normal_sum_of(Faced<D> const& faced, Sample const& sample) {
-  auto const& facet = faced.secondary.facet(sample.facet);
-  Vec<D> sum = Vec<D>::Zero();
-  for (int k = 0; k < facet.corners(); ++k)
-    sum += sample.hats[k] * faced.normals.unit[ix(facet.fan[ix(k)])];
-  return sum;
-}
-
 template<int D> Vec<D> position_at(CellSurface const& surface, Foot foot, Positions x) {
   return surface.positions<D>(foot.segment, x) *
          facet_shape(surface.facet(foot.segment).kind, {foot.xi, foot.eta}).N;
 }
 
-template<int D> Vec<D> carried_direction(Faced<D> const& faced, Sample const& sample) {
-  return faced.secondary.template positions<D>(sample.facet, faced.x) * sample.material;
-}
-
-template<int D> Mat<D> frame_of(Vec<D> const& n, Vec<D> const& direction) {
+template<int D> Mat<D> frame_along(Vec<D> const& n, Vec<D> const& direction) {
   Mat<D> frame;
   if constexpr (D == 2) {
     static_cast<void>(direction);
@@ -56,29 +25,6 @@ template<int D> Mat<D> frame_of(Vec<D> const& n, Vec<D> const& direction) {
   return frame;
 }
 
-Matrix3 cross_matrix(Vec3 const& a) {
-  Matrix3 A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
-}
-
-/// The primary facet at the foot, and the forces along n that balance a tangential force: at node k, sum_b
-/// c_b N_k,b n with (t_a . x2_b) c_b = gap f_a.
-template<int D> struct Opposite {
-  CellFacet const& facet;
-  FacetNodes<D> nodes;
-  FacetShape shape;
-  Tangents<D> tangents;
-  Mat<D - 1> lever; ///< (t_a . x2_b)^-1
-
-  Opposite(Faced<D> const& faced, SamplePairing<D> const& pairing)
-      : facet(faced.primary.facet(pairing.foot.segment)),
-        nodes(faced.primary.template positions<D>(pairing.foot.segment, faced.x)),
-        shape(facet_shape(facet.kind, {pairing.foot.xi, pairing.foot.eta})),
-        tangents(tangents_of<D>(nodes, shape)),
-        lever((pairing.frame.template rightCols<D - 1>().transpose() * tangents).inverse()) {}
-};
-
 /// Derivatives by the inputs.
 template<int D> struct Turning {
   By<D> force = By<D>::Zero(), normal = By<D>::Zero();
@@ -86,42 +32,19 @@ template<int D> struct Turning {
 };
 
 template<int D>
-std::array<By<D>, D> turning_frame(Mat<D> const& frame, By<D> const& dn, Vec<D> const& direction) {
-  if constexpr (D == 2) {
-    static_cast<void>(frame), static_cast<void>(direction);
-    Mat<2> right;
-    right << 0, 1, -1, 0;
-    return {dn, By<2>(right * dn)};
-  } else {
-    Vec3 const n = frame.col(0), t1 = frame.col(1);
-    By<3> const dc = unit_input<3>(carried);
-    double const along = n.dot(direction);
-    By<3> const dq = dc - along * dn - n * (direction.transpose() * dn + n.transpose() * dc);
-    double const length = (direction - along * n).norm();
-    By<3> const dt1 = (Matrix3::Identity() - t1 * t1.transpose()) * dq / length;
-    return {dn, dt1, By<3>(cross_matrix(n) * dt1 - cross_matrix(t1) * dn)};
-  }
-}
-
-template<int D>
 Turning<D> turning(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing,
                    Local<D> const& f) {
   Opposite<D> const other(faced, pairing);
   Mat<D> const& frame = pairing.frame;
-  Vec<D> const n = frame.col(0);
+  Moving<D> const moving(faced, sample, pairing, other);
+  auto const& turned = moving.of_frame;
   Turning<D> by;
-  Mat<D> const across_n = Mat<D>::Identity() - n * n.transpose();
-  by.normal = -across_n / normal_sum_of(faced, sample).norm() * unit_input<D>(normal_sum);
-  Mat<D> J;
-  J << other.tangents, n;
-  By<D> const foot_and_gap =
-      J.inverse() * (unit_input<D>(own_position) - unit_input<D>(other_position) - pairing.gap * by.normal);
-  by.foot = foot_and_gap.template topRows<D - 1>();
-  auto const turned = turning_frame<D>(frame, by.normal, carried_direction(faced, sample));
+  by.normal = moving.normal;
+  by.foot = moving.foot();
   for (int c = 0; c < D; ++c)
     by.force += f[c] * turned[ix(c)];
   Local<D - 1> const along = f.template tail<D - 1>(), levered = pairing.gap * other.lever * along;
-  ByLess<D> right = along * foot_and_gap.row(D - 1);
+  ByLess<D> right = along * moving.foot_and_gap.row(D - 1);
   for (int b = 0; b < D - 1; ++b) {
     By<D> tangent = unit_input<D>(other_tangents + b);
     for (int a = 0; a < D - 1; ++a)
@@ -165,10 +88,12 @@ template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sa
     return result;
   Vec<D> const position = position_at<D>(faced.primary, result.foot, faced.x);
   result.gap = ray.along.dot(ray.from - position);
-  result.frame = frame_of<D>(ray.along, carried_direction(faced, sample));
-  if (sample.start.found())
-    result.slip = result.frame.template rightCols<D - 1>().transpose() *
-                  (position - position_at<D>(faced.primary, sample.start, faced.x));
+  result.frame = frame_along<D>(ray.along, carried_direction(faced, sample));
+  if (!sample.start.foot.found())
+    return result;
+  auto const way = WayEnd<D>(faced, sample.start.foot).way_to(WayEnd<D>(faced, result.foot));
+  for (int a = 0; a < D - 1; ++a)
+    result.slip[a] = way.along(result.frame.col(a + 1));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "contact/node_to_segment/kinematics.hpp"
 #include "contact/surface/ray.hpp"
+#include "contact/surface/way.hpp"
 
 namespace stiction::contact {
 
@@ -12,7 +13,7 @@ struct Sample {
   FacetShape shape;                   ///< of the secondary facet, there
   PerNode hats = PerNode::Zero();     ///< of the facet's corners, there
   PerNode material = PerNode::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
-  Foot start;                         ///< counterpart at the step's start
+  Start start;                        ///< counterpart at the step's start
 };
 
 /// The sample on a facet of `surface` at local coordinates; domain_weight: what it stands for
@@ -25,7 +26,7 @@ template<int D> struct Faced {
   CellSurface const& secondary;
   CellSurface const& primary;
   Positions x;
-  FanNormals<D> const& normals; ///< of the secondary
+  FanNormals<D> const &normals, &opposite; ///< averaged, of the secondary and of the primary
 };
 
 /// Where a sample stands against its counterpart.
@@ -39,8 +40,9 @@ template<int D> struct SamplePairing {
 
 /// The ray of a sample from its averaged normal.
 template<int D> [[nodiscard]] Ray<D> ray_of(Faced<D> const& faced, Sample const& sample);
-/// x1 - x2 = gap n with n against the secondary's averaged normal; slip is (t1 [, t2])^T (x2(foot) -
-/// x2(start)). Not found where nothing faces the sample within half a facet beyond the primary's border.
+/// x1 - x2 = gap n with n against the secondary's averaged normal; slip is the way from x2(start) to x2(foot)
+/// by the primary's averaged normals there (Way), along (t1 [, t2]). Not found where nothing faces the sample
+/// within half a facet beyond the primary's border.
 template<int D>
 [[nodiscard]] SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sample, Foot guess);
 
@@ -52,6 +54,15 @@ using SampleRows = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, 
 template<int D>
 [[nodiscard]] SampleRows<D> sample_rows(Faced<D> const& faced, Sample const& sample,
                                         SamplePairing<D> const& pairing);
+
+/// Derivatives of gap and slip, which the rows are where the sample slides a little and normals agree.
+template<int D> struct SampleMotion {
+  Rows<D> by_nodes;   ///< of the secondary facet, the primary's at the foot and that at the start
+  Rows<D> by_normals; ///< by the averaged normals at the corners of the same facets, m
+};
+template<int D>
+[[nodiscard]] SampleMotion<D> sample_motion(Faced<D> const& faced, Sample const& sample,
+                                            SamplePairing<D> const& pairing);
 
 /// Derivative of a sample's nodal forces at fixed force (n, t1 [, t2]). Rows as the columns of SampleRows.
 template<int D> struct SampleStiffness {

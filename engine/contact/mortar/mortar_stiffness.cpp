@@ -1,25 +1,7 @@
 // Stiffness of all samples of a mortar pair over the nodes that they touch.
-#include <Eigen/Geometry>
-
 #include "contact/mortar/mortar.hpp"
 
 namespace stiction::contact {
-
-namespace {
-
-/// Derivative of a facet's area vector at a corner by the position of its node k.
-template<int D> Mat<D> area_by_node(FacetNodes<D> const& nodes, FacetShape const& shape, int k) {
-  Mat<D> by;
-  if constexpr (D == 2) {
-    by << 0, shape.by[0][k], -shape.by[0][k], 0;
-  } else {
-    Vec3 const a = nodes * shape.by[0] * shape.by[1][k] - nodes * shape.by[1] * shape.by[0][k];
-    by << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  }
-  return by;
-}
-
-} // namespace
 
 template<int D> Local<D> Mortar<D>::force_on(std::size_t s, std::vector<Local<D>> const& forces) const {
   Local<D> sum = Local<D>::Zero();
@@ -51,16 +33,8 @@ template<int D> void Mortar<D>::add_by_fans(Dense const& by_fans, Slots& slot, D
     auto const by_unit = by_fans.middleCols<D>(D * static_cast<Index>(f));
     if (by_unit.isZero(0))
       continue;
-    Vec<D> const& n = normals_.unit[f];
-    Dense const by_area = by_unit * (Mat<D>::Identity() - n * n.transpose()) / normals_.length[f];
-    for (auto const& [number, corner] : secondary_->fans()[f]) {
-      auto const& facet = secondary_->facet(number);
-      auto const nodes = secondary_->positions<D>(number, x);
-      auto const shape = facet_shape(facet.kind, corner_coordinates(facet.kind, corner));
-      for (int k = 0; k < facet.count(); ++k)
-        K.middleCols<D>(D * slot(facet.nodes[ix(k)])) +=
-            domain_size(facet.kind) * by_area * area_by_node<D>(nodes, shape, k);
-    }
+    for (auto const& [node, by] : secondary_->turn_of_fan(normals_, static_cast<Index>(f), x))
+      K.middleCols<D>(D * slot(node)) += by_unit * by;
   }
 }
 

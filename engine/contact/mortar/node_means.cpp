@@ -55,6 +55,10 @@ template<int D> PointKinematics<D> NodeMeans<D>::point(Index i) const {
   return mean;
 }
 
+template<int D> std::vector<mesh::NodeShare> NodeMeans<D>::nodes_of(Index i) const {
+  return whole_[ix(i)] ? means_[ix(i)] : std::vector<mesh::NodeShare>{{i, 1.0}};
+}
+
 template<int D> std::vector<Local<D>> NodeMeans<D>::at_nodes(std::vector<Local<D>> const& forces) const {
   std::vector<Local<D>> result(forces.size(), Local<D>::Zero());
   for (std::size_t i = 0; i < forces.size(); ++i)

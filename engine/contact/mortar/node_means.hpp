@@ -20,6 +20,8 @@ public:
   void settle();
   /// Gap, slip and rows of the mean; foot and frame: of the point's own node.
   [[nodiscard]] PointKinematics<D> point(Index i) const;
+  /// The nodes that the point is the mean of, with their weights.
+  [[nodiscard]] std::vector<mesh::NodeShare> nodes_of(Index i) const;
   /// Forces on the nodes, each in its own frame, of forces on the points. [points]
   [[nodiscard]] std::vector<Local<D>> at_nodes(std::vector<Local<D>> const& forces) const;
 

@@ -5,13 +5,12 @@
 
 #include "contact/obstacle/obstacle.hpp"
 #include "contact/obstacle/obstacle_view.hpp"
+#include "contact/surface/way.hpp"
 #include "core/error.hpp"
 
 namespace stiction::contact {
 
 namespace {
-
-using RowVec3 = Eigen::RowVector3d;
 
 View3d view_3d(RigidPlane const& plane, Vec3 const& x, Foot /*guess*/) {
   Vec3 const n = unit_or_last_axis<3>(plane.normal);
@@ -105,26 +104,6 @@ Mat<3> turn_of_frame(Mat<3> const& frame, Mat<3> const& dn, Vec3 const& directio
   return force[0] * dn + force[1] * dt1 + force[2] * dt2;
 }
 
-/// From one normal to another by the shortest turn.
-struct Turn {
-  double cosine;              ///< of half of the angle
-  Vec3 middle;                ///< normal half-way
-  double excess, excess_by_k; ///< (arc / chord - 1) / (2 sin^2) of a circle, of half of the angle
-};
-
-/// Half the angle's cosine below which the way from a normal to its opposite is not told any more.
-constexpr double opposite = 0.1;
-
-Turn turn_between(Vec3 const& from, Vec3 const& to) {
-  Vec3 const sum = from + to;
-  double const k = sum.norm() / 2, sine = (to - from).norm() / 2, half = std::atan2(sine, k);
-  Vec3 const middle = k > 0 ? Vec3(sum / (2 * k)) : to;
-  if (half < 1e-2)
-    return {k, middle, 1.0 / 12 + 3 * half * half / 80, -3.0 / 40};
-  double const arc = half / sine, sine2 = sine * sine;
-  return {k, middle, (arc - 1) / (2 * sine2), ((arc * k - 1) / 2 + (arc - 1) * k) / (sine2 * sine2)};
-}
-
 Vec3 place(Foot start) {
   return {start.xi, start.eta, start.zeta};
 }
@@ -141,48 +120,12 @@ std::optional<Vec3> normal_of(auto const& shape, Foot start) {
   }
 }
 
-/// A step's way over a surface: from where, and the surface's normal there.
-struct Way {
-  Vec3 from, normal;
-
-  /// None where there was no counterpart.
-  static std::optional<Way> since(auto const& shape, Start const& start) {
-    auto const normal = start.normal ? start.normal : normal_of(shape, start.foot);
-    return normal ? std::optional(Way{place(start.foot), *normal}) : std::nullopt;
-  }
-  /// Components along the columns t1, t2 of the frame at its end. The part of the chord across the normal
-  /// half-way, as long as its circle's arc in the plane of the turn, and turned to the end.
-  [[nodiscard]] Local<2> slip(Vec3 const& to, Mat<3> const& frame) const {
-    Vec3 const chord = to - from, n = frame.col(0);
-    auto const turn = turn_between(normal, n);
-    Local<2> const along = frame.rightCols<2>().transpose() * chord;
-    if (turn.cosine < opposite)
-      return along;
-    double const risen = chord.dot(turn.middle + n) / (1 + turn.cosine) + turn.excess * chord.dot(n - normal);
-    return along - risen * frame.rightCols<2>().transpose() * turn.middle;
-  }
-  /// Its derivative by the end, where the normal turns by dn.
-  [[nodiscard]] Eigen::Matrix<double, 2, 3> slip_by_x(Vec3 const& to, Mat<3> const& frame, Mat<3> const& dn,
-                                                      Vec3 const& direction) const {
-    Vec3 const chord = to - from, n = frame.col(0);
-    auto const [k, m, excess, excess_by_k] = turn_between(normal, n);
-    RowVec3 const dk = normal.transpose() * dn / (4 * k);
-    Mat<3> const dm = (dn - m * (m.transpose() * dn)) / (2 * k);
-    double const back = chord.dot(m + n) / (1 + k), risen = back + excess * chord.dot(n - normal);
-    RowVec3 const by_x = ((m + n).transpose() + chord.transpose() * (dm + dn) - back * dk) / (1 + k) +
-                         excess * ((n - normal).transpose() + chord.transpose() * dn) +
-                         excess_by_k * chord.dot(n - normal) * dk;
-    Eigen::Matrix<double, 2, 3> rows;
-    for (int a = 0; a < 2; ++a) {
-      Vec3 const t = frame.col(a + 1);
-      Mat<3> const dt = turn_of_frame(frame, dn, direction, Vec3::Unit(a + 1));
-      rows.row(a) = t.transpose() + chord.transpose() * dt;
-      if (k >= opposite)
-        rows.row(a) -= risen * (m.transpose() * dt + t.transpose() * dm) + t.dot(m) * by_x;
-    }
-    return rows;
-  }
-};
+/// The way over a shape to a point with that normal; none where there was no counterpart.
+std::optional<Way<3>> way_to(auto const& shape, Start const& start, Vec3 const& to, Vec3 const& normal) {
+  auto const before = start.normal ? start.normal : normal_of(shape, start.foot);
+  return before ? std::optional(Way<3>(to - place(start.foot), *before, normal, ChordEnds::over_surface))
+                : std::nullopt;
+}
 
 ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Start const& start, Foot guess,
                         Vec3 const& direction) {
@@ -196,8 +139,8 @@ ObstacleView<3> view_of(auto const& shape, Vec3 const& point, Start const& start
     result.gap = seen.gap;
     result.frame = frame_of(seen.normal, direction);
     result.by_x = result.frame.transpose();
-    if (auto const way = Way::since(shape, start))
-      result.slip = way->slip(point, result.frame);
+    if (auto const way = way_to(shape, start, point, seen.normal))
+      result.slip = {way->along(result.frame.col(1)), way->along(result.frame.col(2))};
     return result;
   } else {
     core::fail_expectation("the obstacle has a form in space", std::source_location::current());
@@ -219,8 +162,12 @@ Mat<3> motion_of(auto const& shape, Foot foot, Vec3 const& point, Start const& s
     auto const seen = view_3d(shape, point, foot);
     auto const frame = frame_of(seen.normal, direction);
     Mat<3> rows = frame.transpose();
-    if (auto const way = Way::since(shape, start))
-      rows.bottomRows<2>() = way->slip_by_x(point, frame, seen.normal_by_x, direction);
+    auto const way = way_to(shape, start, point, seen.normal);
+    for (int a = 1; way && a < 3; ++a) {
+      auto const by = way->by(frame.col(a));
+      rows.row(a) = by.chord.transpose() + by.to.transpose() * seen.normal_by_x +
+                    by.tangent.transpose() * turn_of_frame(frame, seen.normal_by_x, direction, Vec3::Unit(a));
+    }
     return rows;
   } else {
     core::fail_expectation("the obstacle has a form in space", std::source_location::current());

@@ -46,6 +46,18 @@ int corner_of(CellFacet const& facet, Index node) {
   return -1;
 }
 
+/// Derivative of a facet's area vector at a corner by the position of its node k.
+template<int D> Mat<D> area_by_node(FacetNodes<D> const& nodes, FacetShape const& shape, int k) {
+  Mat<D> by;
+  if constexpr (D == 2) {
+    by << 0, shape.by[0][k], -shape.by[0][k], 0;
+  } else {
+    Vec3 const a = nodes * shape.by[0] * shape.by[1][k] - nodes * shape.by[1] * shape.by[0][k];
+    by << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  }
+  return by;
+}
+
 } // namespace
 
 CellSurface::CellSurface(std::vector<mesh::Facet> const& facets, Matrix const& reference,
@@ -197,7 +209,27 @@ template FacetNodes<2> CellSurface::positions<2>(int, Positions) const;
 template FacetNodes<3> CellSurface::positions<3>(int, Positions) const;
 template Vec2 CellSurface::normal<2>(int, Vec2 const&, Positions) const;
 template Vec3 CellSurface::normal<3>(int, Vec2 const&, Positions) const;
+template<int D>
+std::vector<NormalByNode<D>> CellSurface::turn_of_fan(FanNormals<D> const& normals, Index fan,
+                                                      Positions x) const {
+  Vec<D> const& n = normals.unit[ix(fan)];
+  Mat<D> const by_area = (Mat<D>::Identity() - n * n.transpose()) / normals.length[ix(fan)];
+  std::vector<NormalByNode<D>> all;
+  for (auto const& [number, corner] : fans_[ix(fan)]) {
+    auto const& f = facet(number);
+    auto const nodes = positions<D>(number, x);
+    auto const shape = facet_shape(f.kind, corner_coordinates(f.kind, corner));
+    for (int k = 0; k < f.count(); ++k)
+      all.push_back({f.nodes[ix(k)], domain_size(f.kind) * by_area * area_by_node<D>(nodes, shape, k)});
+  }
+  return all;
+}
+
 template FanNormals<2> CellSurface::fan_normals<2>(Positions) const;
 template FanNormals<3> CellSurface::fan_normals<3>(Positions) const;
+template std::vector<NormalByNode<2>> CellSurface::turn_of_fan<2>(FanNormals<2> const&, Index,
+                                                                  Positions) const;
+template std::vector<NormalByNode<3>> CellSurface::turn_of_fan<3>(FanNormals<3> const&, Index,
+                                                                  Positions) const;
 
 } // namespace stiction::contact

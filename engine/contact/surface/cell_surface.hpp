@@ -31,6 +31,12 @@ template<int D> struct FanNormals {
   std::vector<double> length;
 };
 
+/// The derivative of an averaged normal by one node, 1/m.
+template<int D> struct NormalByNode {
+  Index node = 0;
+  Mat<D> by;
+};
+
 /// Positions of all nodes, [dim nodes].
 using Positions = std::span<double const>;
 
@@ -57,6 +63,10 @@ public:
   /// Outward and as long as the surface is stretched there.
   template<int D> [[nodiscard]] Vec<D> normal(int facet, Vec2 const& at, Positions x) const;
   template<int D> [[nodiscard]] FanNormals<D> fan_normals(Positions x) const;
+  /// Derivatives of the averaged normal of a fan; nodes that its facets share come more than once.
+  template<int D>
+  [[nodiscard]] std::vector<NormalByNode<D>> turn_of_fan(FanNormals<D> const& normals, Index fan,
+                                                         Positions x) const;
   /// Reference length or area per unit of the reference domain; times 2 pi r where `around` an axis.
   [[nodiscard]] double measure(int facet, Vec2 const& at, bool around) const;
   /// Integrals of the hats over the reference surface, in the order of `points`, m^2 (m in plane strain).

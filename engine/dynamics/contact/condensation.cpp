@@ -117,13 +117,11 @@ void Condensation::set_mobility(linear::BulkFactor& bulk, Dense& W) {
   right_.setZero(V_.rows(), rows_);
   for (auto const& h : H_)
     right_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]);
+  across_ = right_.transpose();
   W.setZero(rows_, rows_);
-  each_row_entry([&](Entry const& h) {
-    if (auto const row = right_.row(slot_[ix(h.column)]); alike()) // W is its own transpose
-      W.col(h.row) += h.value * row.transpose();
-    else
-      W.row(h.row) += h.value * row;
-  });
+  each_row_entry([&](Entry const& h) { W.col(h.row) += h.value * across_.col(slot_[ix(h.column)]); });
+  if (!alike()) // else W is its own transpose
+    W.transposeInPlace();
 }
 
 /// Adds what K_geo does to W.
@@ -149,10 +147,14 @@ void Condensation::add_stiffness_of_contact(Dense& W) {
     if (!crowded)
       K_motion_.col(slot_[ix(k.row)]) += (weight_ * k.value) * motion.col(slot_[ix(k.column)]);
   if (!alike()) {
+    if (!symmetric_)
+      V_.transposeInPlace();
     left_.setZero(s, m);
     each_row_entry([&](Entry const& h) {
-      left_.col(h.row) += (weight_ * h.value) * V_.row(slot_[ix(h.column)]).head(s).transpose();
+      left_.col(h.row) += (weight_ * h.value) * V_.col(slot_[ix(h.column)]).head(s);
     });
+    if (!symmetric_)
+      V_.transposeInPlace();
   }
   W.noalias() += (1 / weight_) * (sides() * K_motion_.transpose());
 }

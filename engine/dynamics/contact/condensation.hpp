@@ -76,6 +76,7 @@ private:
   Index support_ = 0;   ///< how many of them K touches
   Dense V_;             ///< between them
   Dense right_;         ///< weight V H^T, [used, rows]
+  Dense across_;        ///< its transpose
   Dense left_;  ///< weight V^T (H + change)^T on the support, [support, rows]; where it is not that of right_
   Dense small_; ///< I - weight V K on the support
   Dense K_all_; ///< weight K on the support, where it has more entries than slots

@@ -12,8 +12,8 @@ using contact::PointKinematics;
 using contact::Rows;
 
 namespace {
-constexpr double rounding_of_rows = 1e-12; ///< of rows, whose entries are about 1
-constexpr double felt_by_newton = 1e-3;    ///< the same against obstacles: with less W stays symmetric
+constexpr double rounding_of_rows = 1e-12; ///< of rows of nodes against bodies, whose entries are about 1
+constexpr double felt_by_newton = 1e-3;    ///< the same elsewhere: with less W stays symmetric
 } // namespace
 
 template<int D>
@@ -162,20 +162,35 @@ void ContactGeometry<D>::stiffness(int pair, PointKinematics<D> const& point, Lo
 
 template<int D>
 void ContactGeometry<D>::change(PointId point, PointKinematics<D> const& now, Add const& add) const {
+  if (auto const& mortar = mortars_[ix(point.pair)]) {
+    auto const [nodes, beyond] = mortar->change(point.index, positions());
+    if (beyond.size() > 0 && beyond.cwiseAbs().maxCoeff() > felt_by_newton)
+      add(nodes, beyond);
+    return;
+  }
+  auto const& means = means_[ix(point.pair)];
+  if (!means)
+    return change_of_node(point, now, 1, add);
+  for (auto const& [index, weight] : means->nodes_of(point.index))
+    change_of_node({point.pair, static_cast<int>(index)}, means->seen()[ix(index)], weight, add);
+}
+
+/// weight: of the node in its point.
+template<int D>
+void ContactGeometry<D>::change_of_node(PointId node, PointKinematics<D> const& now, double weight,
+                                        Add const& add) const {
   if constexpr (D == 3) {
-    if (shared(point.pair))
-      return;
-    auto const& primary = model_->pairs[ix(point.pair)].primary;
+    auto const& primary = model_->pairs[ix(node.pair)].primary;
     if (auto const* side = std::get_if<RigidSide>(&primary)) {
-      Rows<3> const beyond = motion_rows(posed(*side), now, start(point), positions()) - now.H;
+      Rows<3> const beyond = motion_rows(posed(*side), now, start(node), positions()) - now.H;
       if (beyond.cwiseAbs().maxCoeff() > felt_by_newton)
-        add(now.nodes, beyond);
+        add(now.nodes, weight * beyond);
       return;
     }
-    auto rows = motion_rows(std::get<Deformable>(primary), now, start(point).foot, positions());
+    auto rows = motion_rows(std::get<Deformable>(primary), now, start(node).foot, positions());
     rows.by_x.leftCols(now.unknowns()) -= now.H;
     if (rows.by_x.cwiseAbs().maxCoeff() > rounding_of_rows)
-      add(rows.nodes, rows.by_x);
+      add(rows.nodes, weight * rows.by_x);
   }
 }
 

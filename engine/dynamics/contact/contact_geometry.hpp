@@ -43,7 +43,7 @@ public:
   /// Geometric stiffness of a force (n, t1 [, t2]), N, on one node.
   void stiffness(int pair, contact::PointKinematics<D> const& point, contact::Local<D> const& force,
                  Add const& add) const;
-  /// How gap and slip change with the positions beyond what H says; nothing where that is all, or not known.
+  /// How gap and slip change with the positions beyond what H says; nothing where that is all.
   void change(PointId point, contact::PointKinematics<D> const& now, Add const& add) const;
   /// Of the forces on all points of a pair that shares.
   void shared_stiffness(int pair, std::vector<contact::Local<D>> const& forces, Add const& add) const;
@@ -54,6 +54,8 @@ private:
   void add_means(Pair const& pair);
   void take_positions(Vector const& u, double t);
   template<class Act> void each_mortar(Act const& act);
+  void change_of_node(PointId node, contact::PointKinematics<D> const& now, double weight,
+                      Add const& add) const;
   [[nodiscard]] contact::Start start(PointId point) const;
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
   [[nodiscard]] contact::PointKinematics<D> of_node(PointId point, contact::Foot guess) const;

@@ -71,7 +71,8 @@ TEST_SUITE("contact") {
             primary({{{4, 5}}, {{2, 3}}}, nodes, Vec3::UnitX());
         auto const x = positions(nodes);
         auto const normals = secondary.fan_normals<2>(x);
-        auto const points = cut_facet<2>({secondary, primary, x, normals}, 0, {0, 1}, {-1, 1});
+        auto const opposite = primary.fan_normals<2>(x);
+        auto const points = cut_facet<2>({secondary, primary, x, normals, opposite}, 0, {0, 1}, {-1, 1});
         double whole = 0;
         for (auto const& point : points) {
           CHECK(point.primary == (point.weight > 0 ? 1 : 0)); // what is hidden has no weight

@@ -165,6 +165,95 @@ template<int D> void check_stiffness(Bent<D> const& bent) {
   CHECK(rate.errors[2] <= 1e-5 * rate.scale);
 }
 
+/// Gaps and slips of all points, the samples held; zero where nothing is found.
+template<int D>
+Vector measures(Mortar<D> mortar, Vector const& x, Index points, contact::PosedObstacle<D> const* obstacle) {
+  mortar.locate({x.data(), ix(static_cast<Index>(x.size()))}, obstacle);
+  Vector all = Vector::Zero(D * points);
+  for (Index i = 0; i < points; ++i)
+    if (auto const& point = mortar.point(i); point.found)
+      all.segment<D>(D * i) << point.gap, point.slip;
+  return all;
+}
+
+/// Rows and their changes are the derivative; the largest change is at least `least`.
+template<int D>
+void check_motion(Mortar<D> const& mortar, Vector const& x, Index points, double least,
+                  contact::PosedObstacle<D> const* obstacle = nullptr) {
+  Dense rows = Dense::Zero(D * points, x.size());
+  double largest = 0;
+  for (Index i = 0; i < points; ++i) {
+    auto const& point = mortar.point(i);
+    if (!point.found)
+      continue;
+    for (int k = 0; k < point.count; ++k)
+      rows.block<D, D>(D * i, D * point.nodes[ix(k)]) += point.H.template middleCols<D>(D * k);
+    auto const [nodes, change] = mortar.change(i, {x.data(), ix(static_cast<Index>(x.size()))});
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      rows.block<D, D>(D * i, D * nodes[k]) += change.template middleCols<D>(D * static_cast<Index>(k));
+    largest = std::max(largest, change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
+  }
+  CHECK(largest > least);
+  auto const moves = [&](Vector const& y) { return measures<D>(mortar, y, points, obstacle); };
+  test::check_rate(test::rate(moves, rows, x, 1e-4, 3), "motion");
+}
+
+template<int D> void check_motion(Bent<D> const& bent) {
+  check_motion<D>(bent.mortar, bent.positions(), bent.pair->size(), 0.05);
+}
+
+/// A box on a ball or a drum, moved by `way` since the samples were chosen.
+void check_motion_on(test::Input const& shape, contact::Vec3 const& way) {
+  auto table = boxes("hex8", "hex20");
+  test::remove(table, "bodies.lower");
+  test::at(table, "motions") = test::list({test::fix_in("upper.top", "xyz")});
+  test::at(table, "obstacles.ball.shape") = shape;
+  test::at(table, "pairs.joint") = test::pair("upper.bottom", "ball");
+  test::at(table, "pairs.joint.discretisation") = test::text("mortar");
+  auto const scene = scene::build(table);
+  auto const& model = *scene.model;
+  auto const& pair = model.pairs[0];
+  Mortar<3> mortar(*pair.mortar, nullptr, {pair.secondary, 1, false});
+  contact::PosedObstacle<3> const ball{&model.rigids[0].shape, {}, contact::Vec3(1, 0.2, -0.3)};
+  Vector x = Eigen::Map<Vector const>(model.reference.data(), model.dofs());
+  mortar.begin({x.data(), ix(static_cast<Index>(x.size()))}, &ball);
+  for (Index node = 0; node < x.size() / 3; ++node)
+    x.segment<3>(3 * node) += way;
+  mortar.locate({x.data(), ix(static_cast<Index>(x.size()))}, &ball);
+  check_motion<3>(mortar, x, pair.size(), 0.02, &ball);
+}
+
+/// A plate above a drum of radius 2, whose samples go round it by `angle` while the plate turns with them.
+template<int D> void check_round_a_drum(Bent<D> const& plain, double angle) {
+  auto x = plain.x;
+  auto const first = plain.scene.model->first_node[1];
+  auto const& reference = plain.scene.model->reference;
+  double const middle = 0.6, radius = 2;
+  auto const bend = [&](double across, double height, double turned, double* at) {
+    double const phi = (across - middle) / radius + turned, r = radius + height;
+    at[0] = middle + r * std::sin(phi);
+    at[D - 1] = r * std::cos(phi) - radius;
+  };
+  auto const put = [&](double turned) {
+    for (Index node = 0; node < static_cast<Index>(x.size()) / D; ++node)
+      bend(reference.data()[D * node], reference.data()[D * node + D - 1], node >= first ? turned : 0,
+           &x[ix(D * node)]);
+  };
+  auto mortar = plain.mortar;
+  put(0);
+  mortar.begin(x, nullptr);
+  put(angle);
+  mortar.locate(x, nullptr);
+  for (Index i = 0; i < plain.pair->size(); ++i) {
+    REQUIRE(mortar.point(i).found);
+    Vec<D> along = Vec<D>::Zero();
+    for (int a = 1; a < D; ++a)
+      along += mortar.point(i).slip[a - 1] * mortar.point(i).frame.col(a);
+    // facets a tenth of a radius long: their chords are shorter than arcs by 4e-4 of them
+    CHECK(along.norm() == doctest::Approx(radius * angle).epsilon(2e-3));
+  }
+}
+
 } // namespace
 
 TEST_CASE("mortar: areas add up and rows balance forces and moments on bent surfaces") {
@@ -191,6 +280,40 @@ TEST_CASE("mortar: the stiffness is the derivative of the nodal forces") {
   check_stiffness(Bent<2>(blocks("quad8", "tri6")));
   check_stiffness(Bent<3>(boxes("hex8", "tet4")));
   check_stiffness(Bent<3>(boxes("tet10", "hex20")));
+}
+
+TEST_CASE("mortar: rows and their changes are the derivative of gap and slip, however long the way") {
+  for (double const way : {0.0, 0.2}) {
+    check_motion(slid(Bent<2>(blocks("quad4", "quad4")), way));
+    check_motion(slid(Bent<2>(blocks("quad8", "tri6")), way));
+    check_motion(slid(Bent<3>(boxes("hex8", "tet4")), way));
+    check_motion(slid(Bent<3>(boxes("tet10", "hex20")), way));
+  }
+}
+
+TEST_CASE("mortar: against obstacles in space, too") {
+  auto const ball = test::make(
+      "rigid.sphere", {{"centre", test::values({0.4, 0.7, -3}, "m")}, {"radius", test::value(3, "m")}});
+  auto const drum = test::make("rigid.cylinder", {{"centre", test::values({0.5, 0.5, -2}, "m")},
+                                                  {"axis", test::values({0.2, 1, 0.1}, "1")},
+                                                  {"radius", test::value(2, "m")}});
+  check_motion_on(ball, {0.4, -0.3, -0.02});
+  check_motion_on(drum, {0.4, -0.3, -0.02});
+}
+
+TEST_CASE("mortar: slip round a drum is the arc") {
+  auto plane = blocks("quad4", "quad4");
+  test::at(plane, "bodies.lower") =
+      test::block({{-0.5, -1}, {2.2, 1}, {22, 2}}, test::linear_elastic(1000, 0.3));
+  test::at(plane, "bodies.upper") =
+      test::block({{0.4, 0}, {0.4, 1}, {3, 2}}, test::linear_elastic(1000, 0.3));
+  check_round_a_drum(Bent<2>(plane), 0.3);
+  auto space = boxes("hex8", "hex8");
+  test::at(space, "bodies.lower") =
+      test::box({{-0.5, -0.1, -1}, {2.2, 0.6, 1}, {22, 2, 1}}, test::linear_elastic(1000, 0.3));
+  test::at(space, "bodies.upper") =
+      test::box({{0.4, 0, 0}, {0.4, 0.4, 1}, {3, 3, 1}}, test::linear_elastic(1000, 0.3));
+  check_round_a_drum(Bent<3>(space), 0.3);
 }
 
 TEST_CASE("mortar: where samples have slid off an end the means are over those that are left") {
