@@ -48,7 +48,8 @@ TEST_SUITE("contact") {
       }
   }
 
-  TEST_CASE("on facets a way without a turn is the chord, however it leans; over a surface its part across") {
+  TEST_CASE(
+      "on facets a way without a turn is the chord, however it leans, and over a surface its part across") {
     Vec3 const n = Vec3(0.1, 0.2, 1).normalized(), chord(0.4, -0.3, 0.05), tangent(1, 0, 0);
     CHECK(Way<3>(chord, n, n, ChordEnds::on_facets).along(tangent) == doctest::Approx(0.4).epsilon(1e-14));
     double const across = (chord - n * n.dot(chord)).dot(tangent);
