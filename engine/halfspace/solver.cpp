@@ -31,17 +31,18 @@ public:
       strength_ = std::max(strength_, scales.strength);
       double const wide = scales.strength > 0 ? 3 * scales.work / scales.strength : 0;
       reach_ = std::max({reach_, far * scales.opening, wide});
+      opening_ = opening_ > 0 ? std::min(opening_, scales.opening) : scales.opening;
     }
   }
 
   Answer run(Vector const& guess) {
-    answer_.force = guess;
-    guess_ = guess;
+    answer_.force = guess_ = guess;
     place();
     evaluate();
     Standing const before = standing();
     torn_ = tells() && !wanted_.force && problem_.start.size() > 0 && before.bonds < bonds_at_start(problem_);
-    if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held())
+    Station const start = here();
+    if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held() || over_a_rise(start))
       if (!solve_from_held())
         solve_by_small_moves();
     finish();
@@ -91,14 +92,40 @@ private:
   [[nodiscard]] bool tells() const {
     return !problem_.adhesions.empty() && !interface::evolves(problem_.adhesions.front());
   }
-  /// With the work that a force has still to do.
-  [[nodiscard]] Standing standing() const {
-    if (!tells())
-      return {};
-    auto now = halfspace::standing<D>(problem_, answer_.force, answer_.x);
+  void back_to(Station const& at) {
+    answer_.force = at.force;
+    answer_.x = at.x;
+    answer_.lift = at.lift;
+  }
+  [[nodiscard]] Station here() const { return {answer_.force, answer_.x, answer_.lift}; }
+  /// With what holds have, and the work that a force has still to do.
+  [[nodiscard]] Standing standing(Station const& at) const {
+    auto now = halfspace::standing<D>(problem_, at.force, at.x);
+    now.potential += 0.5 * held_lift() * std::pow(at.lift - lift_near_, 2);
     if (wanted_.force)
-      now.potential += (*wanted_.force - 0.5 * now.force) * answer_.lift;
+      now.potential += (*wanted_.force - 0.5 * now.force) * at.lift;
+    for (Index i = 0; hold_ > 0 && i < n_; ++i)
+      now.potential +=
+          0.5 * held(i) * (at.x.template segment<D>(D * i) - near_.segment<D>(D * i)).squaredNorm();
     return now;
+  }
+  [[nodiscard]] Standing standing() const { return tells() ? standing(here()) : Standing{}; }
+  /// Does energy rise on the straight way from there to here? Then nothing leads down it, and a state between
+  /// the two may hold. Friction has no potential: where it acts only lost bonds are asked for.
+  [[nodiscard]] bool over_a_rise(Station const& from) {
+    if (!tells() || torn_ || (D > 1 && standing().bonds >= bonds_at_start(problem_)))
+      return false;
+    Station const to = here();
+    if ((to.x - from.x).cwiseAbs().maxCoeff() < little * opening_)
+      return false;
+    Standing const before = standing(from);
+    double const most =
+        before.potential + work_of_pressing<D>(problem_, from, to) + rounding * std::abs(before.potential);
+    return std::ranges::any_of(looks, [&](double part) {
+      return standing({from.force + part * (to.force - from.force), from.x + part * (to.x - from.x),
+                       from.lift + part * (to.lift - from.lift)})
+                 .potential > most;
+    });
   }
 
   /// Where a displacement tears bonds before any force changes, an answer without them is compared with what
@@ -166,18 +193,7 @@ private:
 
   /// The force of every point that no displacement tells of: where the mean of the surface stays, forces may
   /// grow by the same at all points for ever without coming nearer to an answer. They are no yardstick then.
-  [[nodiscard]] double unfelt() const {
-    if (!unfelt_)
-      return 0;
-    return core::sum_of_pieces(n_, least_points,
-                               [&](Index first, Index last) {
-                                 double part = 0;
-                                 for (Index i = first; i < last; ++i)
-                                   part += answer_.force[D * i];
-                                 return part;
-                               }) /
-           double(n_);
-  }
+  [[nodiscard]] double unfelt() const { return unfelt_ ? normal_force<D>(answer_.force) / double(n_) : 0; }
 
   /// How large the force of a point is, of which so much is unfelt, N.
   [[nodiscard]] double yardstick(Index i, double unfelt) const {
@@ -220,13 +236,7 @@ private:
   [[nodiscard]] double missing() const {
     if (!wanted_.force)
       return 0;
-    double const sum = core::sum_of_pieces(n_, least_points, [&](Index first, Index last) {
-      double part = 0;
-      for (Index i = first; i < last; ++i)
-        part += answer_.force[D * i];
-      return part;
-    });
-    return *wanted_.force - sum + held_lift() * (answer_.lift - lift_near_);
+    return *wanted_.force - normal_force<D>(answer_.force) + held_lift() * (answer_.lift - lift_near_);
   }
   [[nodiscard]] bool balanced() const {
     return !wanted_.force || std::abs(missing()) <= tolerance() * std::abs(*wanted_.force) ||
@@ -351,21 +361,14 @@ private:
     return false;
   }
 
-  /// Where a force presses and nothing touches: down by as much as the nearest point takes for it, at most to
-  /// where a quarter of the points touches, as more of them cost room and iterations.
+  /// Where a force presses and nothing touches.
   void reach_down() {
     if (!wanted_.force || hold_ > 0 || !(missing() > 0) || answer_.force.cwiseAbs().maxCoeff() > 0)
       return;
-    Vector gaps(n_);
-    for (Index i = 0; i < n_; ++i)
-      gaps[i] = answer_.x[D * i] - problem_.points[ix(i)].shift[0];
-    double const nearest = gaps.minCoeff();
-    if (nearest < 0)
+    double const drop = drop_until_touched<D>(problem_, answer_.x, missing() / natural_);
+    if (drop == 0)
       return;
-    auto const some = gaps.begin() + n_ / 4;
-    std::nth_element(gaps.begin(), some, gaps.end());
-    double const one = missing() / natural_, quarter = *some - nearest;
-    answer_.lift -= nearest + (quarter > 0 ? std::min(one, quarter) : one);
+    answer_.lift -= drop;
     place();
     evaluate();
   }
@@ -394,15 +397,13 @@ private:
     for (int k = 0, since = 0; k < most_moves && !enough(); ++k) {
       near_ = answer_.x;
       lift_near_ = answer_.lift;
-      Vector const force = answer_.force;
       evaluate();
-      if (!solve_from_here()) {
+      Station const station = here();
+      if (!solve_from_here() || over_a_rise(station)) {
         hold_ *= 2;
         least = hold_;
         since = 0;
-        answer_.force = force;
-        answer_.x = near_;
-        answer_.lift = lift_near_;
+        back_to(station);
         if (hold_ > 1e6 * steepest)
           break;
         continue;
@@ -411,8 +412,7 @@ private:
         break;
       if (++since % 8 == 0)
         least = std::max(0.5 * least, 1e-3 * steepest);
-      double const hold = std::exchange(hold_, 0);
-      double const moved = (answer_.x - near_).cwiseAbs().maxCoeff();
+      double const hold = std::exchange(hold_, 0), moved = (answer_.x - near_).cwiseAbs().maxCoeff();
       most_moved = std::max(most_moved, moved);
       evaluate();
       // where nothing pulls any more, forces are no yardstick for what is left of them
@@ -426,13 +426,10 @@ private:
   }
   /// Where it fails, all is as before.
   bool try_without_hold() {
-    Vector const held = answer_.force;
-    double const lift = answer_.lift;
-    if (solve_from_here())
+    Station const held = here();
+    if (solve_from_here() && !over_a_rise(held))
       return true;
-    answer_.force = held;
-    answer_.lift = lift;
-    place();
+    back_to(held);
     return false;
   }
   /// Is there nothing left that a force could pull at?
@@ -462,7 +459,10 @@ private:
   }
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
-  static constexpr double tolerance_held = 1e-6;
+  static constexpr double tolerance_held = 1e-6, rounding = 1e-9;
+  static constexpr double little = 0.05; ///< of the opening of the strength: what moves less passes nothing
+  static constexpr std::array looks{1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.03, 0.06, 0.1, 0.15, 0.2,
+                                    0.25, 0.3,  0.35, 0.4,  0.45, 0.5,  0.6,  0.7,  0.8, 0.9};
   static constexpr double far = 8; ///< over the opening of the strength: what adheres there hardly falls
   static constexpr int most_vain = 8, most_moves = 2000;
   static constexpr int most_vain_in_front = 40; ///< sets of points are found however residuals go
@@ -479,6 +479,7 @@ private:
   bool unfelt_ = false; ///< the mean force of a displacement
   double strength_ = 0; ///< of adhesion, Pa
   double reach_ = 0;    ///< of the law: beyond, it hardly falls, m
+  double opening_ = 0;  ///< of the strength, the least, m
   Answer answer_;
   Vector F_; ///< N
   Vector guess_, near_;

@@ -5,8 +5,43 @@
 #include <cmath>
 
 #include "contact/problem/problem.hpp"
+#include "core/threads.hpp"
+#include "halfspace/linearised.hpp"
 
 namespace stiction::halfspace {
+
+/// Of all points, N.
+template<int D> [[nodiscard]] double normal_force(Vector const& force) {
+  return core::sum_of_pieces(static_cast<Index>(force.size()) / D, least_points,
+                             [&](Index first, Index last) {
+                               double part = 0;
+                               for (Index i = first; i < last; ++i)
+                                 part += force[D * i];
+                               return part;
+                             });
+}
+
+/// What an answer may go on from: forces, N, x and the lift of the counterpart, m.
+struct Station {
+  Vector force, x;
+  double lift = 0;
+};
+
+/// Down by what a force takes at the nearest point alone, `alone`, at most to where a quarter of the points
+/// touches, as more of them cost room and iterations, m; 0 where one touches.
+template<int D>
+[[nodiscard]] double drop_until_touched(contact::Problem const& problem, Vector const& x, double alone) {
+  Vector gaps(problem.size());
+  for (Index i = 0; i < problem.size(); ++i)
+    gaps[i] = x[D * i] - problem.points[ix(i)].shift[0];
+  double const nearest = gaps.minCoeff();
+  if (nearest < 0)
+    return 0;
+  auto const some = gaps.begin() + problem.size() / 4;
+  std::nth_element(gaps.begin(), some, gaps.end());
+  double const quarter = *some - nearest;
+  return nearest + (quarter > 0 ? std::min(alone, quarter) : alone);
+}
 
 struct Standing {
   double potential = 0; ///< that surfaces and bonds have stored and lost in the step, J
@@ -38,6 +73,19 @@ template<int D>
     sum.force += f[0];
     sum.potential += 0.5 * f.dot(at - problem.free.segment<D>(D * i));
     add_bond<D>(problem, i, at, sum);
+  }
+  return sum;
+}
+
+/// What pushes points out of each other that are pressed in at the start, at most, J.
+template<int D>
+[[nodiscard]] double work_of_pressing(contact::Problem const& problem, Station const& from,
+                                      Station const& to) {
+  double sum = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    double const depth = problem.points[ix(i)].shift[0] - from.x[D * i];
+    if (depth > 0)
+      sum += depth * std::max({0.0, from.force[D * i], to.force[D * i]});
   }
   return sum;
 }

@@ -56,4 +56,48 @@ TEST_CASE("stiff bonds part behind a front that passes many points in a step") {
   CHECK(strongest > 0.8 * strength * 2 * half);
 }
 
+/// A flat strip drawn off by a displacement, m, in so many steps: the largest pull, N/m.
+double pull_of_strip(Index points, int steps) {
+  constexpr double half = 3e-4, strength = 6e4, work = 0.05; // m, Pa, J/m^2
+  halfspace::Model model;
+  model.grid = {points, 1, 1e-3, 1, true, false};
+  model.body = {2.3e6, 0.31, 0};
+  model.heights = Vector::Zero(points);
+  for (Index i = 0; i < points; ++i)
+    model.heights[i] = std::abs(model.grid.x(i)) < half ? 0 : 5e-4;
+  model.shift[2] = dynamics::Path{{0, 1, 2}, {0, -1e-7, 1.2e-5}};
+  interface::Dugdale law;
+  law.sigma0 = strength;
+  law.h0 = work / strength;
+  law.ramp = 0.2;
+  model.law.adhesion = law;
+  halfspace::Stepper stepper(model);
+  auto state = stepper.initial();
+  double strongest = 0;
+  while (state.t < 2 - 1e-9) {
+    double dt = state.t < 1 - 1e-9 ? 0.5 : 1.0 / steps;
+    auto outcome = stepper.step(state, dt);
+    for (int halved = 0; !outcome.converged && halved < 8; ++halved)
+      outcome = stepper.step(state, dt /= 2);
+    REQUIRE_MESSAGE(outcome.converged, outcome.reason);
+    state = std::move(outcome.state);
+    strongest = std::max(strongest, -state.force.sum());
+  }
+  return strongest;
+}
+
+/// What it bears is that of the same strip followed along the arc of its path, with which a force lets go,
+/// too.
+TEST_CASE("a displacement does not tear what a barrier of energy holds") {
+  for (auto const& [points, bears] :
+       {std::pair(192, 16.0553), std::pair(256, 15.695), std::pair(320, 15.4658)})
+    for (int const steps : {40, 80, 320}) {
+      CAPTURE(points);
+      CAPTURE(steps);
+      double const pull = pull_of_strip(points, steps), of_step = 2.06e6 * 1.21e-5 / steps; // N/m
+      CHECK(pull <= bears * (1 + 1e-4));
+      CHECK(pull >= 0.97 * bears - of_step);
+    }
+}
+
 } // namespace
