@@ -43,13 +43,16 @@ Mortar<D>::Mortar(CellSurface const& secondary, CellSurface const* primary, Mort
   range_ = {-deep, std::max(4 * size, deep + largest)};
 }
 
-template<int D> void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle) {
+template<int D>
+void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle, std::vector<Vec3> const& tangents) {
   samples_.clear();
   pairings_.clear();
   find_normals(x);
   if (obstacle != nullptr) {
     obstacle_ = *obstacle;
     cover();
+    if (!tangents.empty())
+      find_tangents(tangents);
   } else {
     cut(x);
   }
@@ -76,6 +79,19 @@ template<int D> void Mortar<D>::find_normals(Positions x) {
   normals_ = secondary_->fan_normals<D>(x);
   if (primary_ != nullptr)
     opposite_ = primary_->fan_normals<D>(x);
+}
+
+template<int D> void Mortar<D>::find_tangents(std::vector<Vec3> const& tangents) {
+  for (auto& sample : samples_)
+    for (int k = 0; k < secondary_->facet(sample.facet).corners(); ++k)
+      sample.tangent += sample.hats[k] * tangents[ix(point_of(sample.facet, k))];
+}
+
+template<int D> PosedObstacle<D> Mortar<D>::obstacle_of(Sample const& sample) const {
+  auto obstacle = *obstacle_;
+  if (!sample.tangent.isZero(0))
+    obstacle.direction = sample.tangent;
+  return obstacle;
 }
 
 template<int D> std::vector<int> Mortar<D>::candidates(int facet, Positions x) const {
@@ -137,7 +153,7 @@ template<int D> SamplePairing<D> Mortar<D>::pair(Sample const& sample, Foot gues
 template<int D>
 PointKinematics<D> Mortar<D>::against_obstacle(Sample const& sample, Foot guess, Positions x) const {
   Vec<D> const position = secondary_->positions<D>(sample.facet, x) * sample.shape.N;
-  return kinematics(*obstacle_, 0, sample.start, guess, {position.data(), ix(D)});
+  return kinematics(obstacle_of(sample), 0, sample.start, guess, {position.data(), ix(D)});
 }
 
 /// The motion of the sample and the obstacle's by the motion of nodes: [D (1 or 3), D nodes].

@@ -52,8 +52,9 @@ public:
   Mortar(CellSurface const& secondary, CellSurface const* primary, MortarSettings settings);
 
   /// Cuts the secondary and pairs its samples at x, the positions at the step's start; obstacle: where it is
-  /// then, if the primary is one.
-  void begin(Positions x, PosedObstacle<D> const* obstacle);
+  /// then, if the primary is one; tangents: of the points in the obstacle's frame, whose means take the place
+  /// of its direction, [points] (3D).
+  void begin(Positions x, PosedObstacle<D> const* obstacle, std::vector<Vec3> const& tangents = {});
   /// Pairs the samples at x and takes the means.
   void locate(Positions x, PosedObstacle<D> const* obstacle);
 
@@ -90,6 +91,8 @@ private:
   [[nodiscard]] SamplePairing<D> pair(Sample const& sample, Foot guess, Positions x) const;
   [[nodiscard]] PointKinematics<D> against_obstacle(Sample const& sample, Foot guess, Positions x) const;
   void find_normals(Positions x);
+  void find_tangents(std::vector<Vec3> const& tangents);
+  [[nodiscard]] PosedObstacle<D> obstacle_of(Sample const& sample) const;
   [[nodiscard]] SampleMotion<D> const& motion_of(std::size_t s, Positions x) const;
   [[nodiscard]] double part(std::size_t s, Index point) const;
   [[nodiscard]] RowsOfSample beyond(std::size_t s, Positions x) const;

@@ -122,7 +122,7 @@ template<int D> typename Mortar<D>::RowsOfSample Mortar<D>::beyond(std::size_t s
     auto const& sample = samples_[s];
     Vec3 const at = secondary_->positions<3>(sample.facet, x) * sample.shape.N;
     auto const seen = against_obstacle(sample, pairings_[s].foot, x);
-    result.H = motion_rows(*obstacle_, seen, sample.start, {at.data(), 3}) - seen.H;
+    result.H = motion_rows(obstacle_of(sample), seen, sample.start, {at.data(), 3}) - seen.H;
     result.H *= spread(sample, seen, result.nodes);
   }
   return result;

@@ -14,6 +14,7 @@ struct Sample {
   PerNode hats = PerNode::Zero();     ///< of the facet's corners, there
   PerNode material = PerNode::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
   Start start;                        ///< counterpart at the step's start
+  Vec3 tangent = Vec3::Zero();        ///< of an obstacle, in place of its direction; zero: that
 };
 
 /// The sample on a facet of `surface` at local coordinates; domain_weight: what it stands for

@@ -24,7 +24,7 @@ SampleStiffness<D> Mortar<D>::stiffness_of(std::size_t s, Local<D> const& force,
   auto const seen = against_obstacle(sample, pairings_[s].foot, x);
   Indices nodes;
   Dense const E = spread(sample, seen, nodes);
-  return {E.transpose() * geometric_stiffness(*obstacle_, seen, {at.data(), ix(D)}, force) * E, {}};
+  return {E.transpose() * geometric_stiffness(obstacle_of(sample), seen, {at.data(), ix(D)}, force) * E, {}};
 }
 
 /// by_fans [D nodes, D fans] times the derivative of the averaged normals by the nodes of their facets.

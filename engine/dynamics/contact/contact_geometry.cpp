@@ -46,14 +46,15 @@ template<int D> void ContactGeometry<D>::add_means(Pair const& pair) {
                    contact::MortarSettings{pair.secondary, pair.reach, around});
 }
 
-/// Calls act(mortar, obstacle) for every mortar pair; obstacle: where it is, null if the primary is a body.
+/// Calls act(mortar, obstacle, pair) for every mortar pair; obstacle: where it is, null if the primary is a
+/// body.
 template<int D> template<class Act> void ContactGeometry<D>::each_mortar(Act const& act) {
   for (std::size_t p = 0; p < mortars_.size(); ++p) {
     if (!mortars_[p])
       continue;
     auto const* side = std::get_if<RigidSide>(&model_->pairs[p].primary);
     auto const obstacle = side != nullptr ? posed(*side) : contact::PosedObstacle<D>{};
-    act(*mortars_[p], side != nullptr ? &obstacle : nullptr);
+    act(*mortars_[p], side != nullptr ? &obstacle : nullptr, p);
   }
 }
 
@@ -63,7 +64,9 @@ template<int D> void ContactGeometry<D>::begin(State const& old, double t1) {
   take_positions(old.u, old.t);
   for (std::size_t pair = 0; D == 3 && pair < normals_.size(); ++pair)
     normals_[pair].assign(model_->pairs[pair].size(), {});
-  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.begin(positions(), obstacle); });
+  each_mortar([&](auto& mortar, auto const* obstacle, std::size_t pair) {
+    mortar.begin(positions(), obstacle, obstacle != nullptr ? tangents(pair) : std::vector<contact::Vec3>{});
+  });
   for (auto& search : searches_)
     if (search)
       search->update(positions());
@@ -78,11 +81,28 @@ template<int D> void ContactGeometry<D>::take_positions(Vector const& u, double 
 template<int D> void ContactGeometry<D>::locate(Vector const& u) {
   take_positions(u, t1_);
   moved_ = u - old_->u;
-  each_mortar([&](auto& mortar, auto const* obstacle) { mortar.locate(positions(), obstacle); });
+  each_mortar([&](auto& mortar, auto const* obstacle, std::size_t) { mortar.locate(positions(), obstacle); });
 }
 
 template<int D> contact::PosedObstacle<D> ContactGeometry<D>::posed(RigidSide const& side) const {
   return {&model_->rigids[side.body].shape, poses_[side.body], side.direction};
+}
+
+/// With the tangent that the point had at the step's start.
+template<int D>
+contact::PosedObstacle<D> ContactGeometry<D>::posed(RigidSide const& side, PointId point) const {
+  auto obstacle = posed(side);
+  if (auto const& tangent = old_->contacts[ix(point.pair)][ix(point.index)].tangent; !tangent.isZero(0))
+    obstacle.direction = tangent;
+  return obstacle;
+}
+
+template<int D> std::vector<contact::Vec3> ContactGeometry<D>::tangents(std::size_t pair) const {
+  auto const& side = std::get<RigidSide>(model_->pairs[pair].primary);
+  std::vector<contact::Vec3> all;
+  for (Index i = 0; i < model_->pairs[pair].size(); ++i)
+    all.push_back(posed(side, {static_cast<int>(pair), i}).direction);
+  return all;
 }
 
 template<int D> void ContactGeometry<D>::see(PointId point, Foot guess) {
@@ -109,7 +129,7 @@ template<int D> PointKinematics<D> ContactGeometry<D>::of_node(PointId point, Fo
   Index const node = pair.secondary[ix(point.index)];
   if (auto const& search = searches_[ix(point.pair)])
     return contact::kinematics(*search, node, start(point).foot, guess, positions());
-  return contact::kinematics(posed(std::get<RigidSide>(pair.primary)), node, start(point), guess,
+  return contact::kinematics(posed(std::get<RigidSide>(pair.primary), point), node, start(point), guess,
                              positions());
 }
 
@@ -149,15 +169,15 @@ template<int D> double ContactGeometry<D>::search_radius(int pair) const {
 }
 
 template<int D>
-void ContactGeometry<D>::stiffness(int pair, PointKinematics<D> const& point, Local<D> const& force,
+void ContactGeometry<D>::stiffness(PointId node, PointKinematics<D> const& now, Local<D> const& force,
                                    Add const& add) const {
   if (force.isZero(0))
     return;
-  auto const& primary = model_->pairs[ix(pair)].primary;
+  auto const& primary = model_->pairs[ix(node.pair)].primary;
   if (auto const* surface = std::get_if<Deformable>(&primary))
-    add(point.nodes, geometric_stiffness(*surface, point, positions(), force));
+    add(now.nodes, geometric_stiffness(*surface, now, positions(), force));
   else
-    add(point.nodes, geometric_stiffness(posed(std::get<RigidSide>(primary)), point, positions(), force));
+    add(now.nodes, geometric_stiffness(posed(std::get<RigidSide>(primary), node), now, positions(), force));
 }
 
 template<int D>
@@ -182,7 +202,7 @@ void ContactGeometry<D>::change_of_node(PointId node, PointKinematics<D> const& 
   if constexpr (D == 3) {
     auto const& primary = model_->pairs[ix(node.pair)].primary;
     if (auto const* side = std::get_if<RigidSide>(&primary)) {
-      Rows<3> const beyond = motion_rows(posed(*side), now, start(node), positions()) - now.H;
+      Rows<3> const beyond = motion_rows(posed(*side, node), now, start(node), positions()) - now.H;
       if (beyond.cwiseAbs().maxCoeff() > felt_by_newton)
         add(now.nodes, weight * beyond);
       return;
@@ -204,7 +224,7 @@ void ContactGeometry<D>::shared_stiffness(int pair, std::vector<Local<D>> const&
   auto const& means = *means_[ix(pair)];
   auto const on_nodes = means.at_nodes(forces);
   for (std::size_t i = 0; i < on_nodes.size(); ++i)
-    stiffness(pair, means.seen()[i], on_nodes[i], add);
+    stiffness({pair, static_cast<Index>(i)}, means.seen()[i], on_nodes[i], add);
 }
 
 template class ContactGeometry<2>;

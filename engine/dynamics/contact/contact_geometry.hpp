@@ -40,8 +40,8 @@ public:
   [[nodiscard]] bool shared(int pair) const { return mortars_[ix(pair)] || means_[ix(pair)]; }
   /// Takes nodes and the stiffness over them, [D nodes, D nodes], N/m.
   using Add = std::function<void(Indices const&, Eigen::Ref<Dense const> const&)>;
-  /// Geometric stiffness of a force (n, t1 [, t2]), N, on one node.
-  void stiffness(int pair, contact::PointKinematics<D> const& point, contact::Local<D> const& force,
+  /// Geometric stiffness of a force (n, t1 [, t2]), N, on one node, that of the point.
+  void stiffness(PointId node, contact::PointKinematics<D> const& now, contact::Local<D> const& force,
                  Add const& add) const;
   /// How gap and slip change with the positions beyond what H says; nothing where that is all.
   void change(PointId point, contact::PointKinematics<D> const& now, Add const& add) const;
@@ -58,6 +58,8 @@ private:
                       Add const& add) const;
   [[nodiscard]] contact::Start start(PointId point) const;
   [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side) const;
+  [[nodiscard]] contact::PosedObstacle<D> posed(RigidSide const& side, PointId point) const;
+  [[nodiscard]] std::vector<contact::Vec3> tangents(std::size_t pair) const;
   [[nodiscard]] contact::PointKinematics<D> of_node(PointId point, contact::Foot guess) const;
 
   Model const* model_;

@@ -212,6 +212,9 @@ template<int D, int C> void ContactPoints<D, C>::finish(State& next) const {
       continue;
     }
     after.foot = point.kinematics.foot;
+    if (auto const* side = std::get_if<RigidSide>(&pair_of(point).primary); D == 3 && side != nullptr)
+      after.tangent.template head<D>() =
+          poses[side->body].rotation.transpose() * point.kinematics.frame.col(1);
     after.gap = point.kinematics.gap;
     after.in_reach = point.active;
     after.beneath = geometry_.beneath(point.id, point.kinematics);

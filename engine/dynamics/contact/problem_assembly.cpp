@@ -128,7 +128,7 @@ template<int D, int C> void ProblemAssembly<D, C>::gather(Points const& points, 
         condensation_.add_change(unknowns_of(nodes), change.template topRows<C>());
       });
     if (turning_ && !geometry.shared(point.id.pair))
-      geometry.stiffness(point.id.pair, kinematics, full<D>(point.force),
+      geometry.stiffness(point.id, kinematics, full<D>(point.force),
                          [&](Indices const& nodes, auto const& K) { add_stiffness(nodes, K); });
     if (grip_ > 0)
       add_stiffness(kinematics.nodes,

@@ -20,6 +20,9 @@ struct ContactState {
   contact::Vec2 path = contact::Vec2::Zero();     ///< signed slip since the start, (t1, t2), m
   contact::Vec3 dry = contact::Vec3::Zero();      ///< rbar (n, t1, t2), Pa; t2 only in 3D
   contact::Vec3 adhesion = contact::Vec3::Zero(); ///< rtilde (n, t1, t2), Pa
+  /// t1 on an obstacle in space, in the obstacle's frame: the next step's is its part along the surface
+  /// there; zero: that of the pair's direction.
+  contact::Vec3 tangent = contact::Vec3::Zero();
   interface::Bond bond;
   interface::Status status = interface::Status::open;
   bool in_reach = false; ///< took part in the last step's contact problem

@@ -242,10 +242,11 @@ core::Schema const& PairPart::schema() {
           .number("reach", &PairPart::reach, "m", core::non_negative, Need::optional,
                   "points farther apart stay out of the contact problem; 0: half a facet, or the range of a "
                   "reversible adhesion if that is more")
-          .numbers("direction", &PairPart::direction, "1", Need::optional,
-                   "3D: the first tangential direction is its part along the primary surface {x, y, z} "
-                   "(mortar: along "
-                   "the secondary's)")
+          .numbers(
+              "direction", &PairPart::direction, "1", Need::optional,
+              "3D: the first tangential direction is its part along the primary surface {x, y, z}, on an "
+              "obstacle where the run begins, from where it is carried along (mortar on bodies: along the "
+              "secondary's)")
           .build();
   return made;
 }
