@@ -79,6 +79,8 @@ struct Wave {
         sum += 1 - std::cos(2 * std::numbers::pi * (k == 0 ? x : y) / wavelengths[k]);
     return amplitude * sum;
   }
+  /// What the grid cannot hold.
+  [[nodiscard]] core::Complaints check(Grid const& grid) const;
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Wave>{"wave", "cosines along x, along y, or the sum of both, lowest at the origin",

@@ -10,8 +10,14 @@ Vector Builder::heights_of(Where const& where, halfspace::Shape const& surface, 
   core::Complaints all;
   Vector heights;
   try {
-    auto const* rough = std::get_if<halfspace::Rough>(&surface);
-    all = rough != nullptr ? rough->check(grid) : core::Complaints{};
+    all = std::visit(
+        [&](auto const& shape) {
+          if constexpr (requires { shape.check(grid); })
+            return shape.check(grid);
+          else
+            return core::Complaints{};
+        },
+        surface);
     if (all.empty())
       heights = halfspace::heights(surface, grid);
   } catch (core::InputError const& error) {

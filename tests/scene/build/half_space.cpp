@@ -94,4 +94,23 @@ TEST_CASE("a periodic surface is not pushed below where it is flat") {
   check_refused("bodies.base.poisson", test::value(0.5), "an incompressible layer cannot be squeezed", table);
 }
 
+TEST_CASE("waves that points cannot follow, or that do not fit the period, are refused") {
+  auto const wave = [](std::vector<double> const& lengths) {
+    return test::make("surface.wave",
+                      {{"amplitude", test::value(1e-3, "m")}, {"wavelengths", test::values(lengths, "m")}});
+  };
+  auto const* const at = "obstacles.ball.surface";
+  check_refused(
+      at, wave({0.4, 0.04}),
+      "along y of 0.04 m has 1.6 points, and looks like a longer wave; give at least 23 points along y");
+  auto table = test::half_space_scene();
+  test::at(table, at) = wave({0.3}); // beyond a free surface's rim there is no seam
+  CHECK(test::complaints(table).empty());
+  test::at(table, "bodies.base.boundary") = test::text("periodic");
+  check_refused(at, wave({0.3}), "goes 1.333 times into the period of 0.4 m", table);
+  check_refused(at, wave({0.4, 0.2}), "goes 1.5 times into the period of 0.3 m", table);
+  test::at(table, at) = wave({0.2, 0.15});
+  CHECK(test::complaints(table).empty());
+}
+
 } // namespace
