@@ -110,6 +110,7 @@ TEST_CASE("waves that points cannot follow, or that do not fit the period, are r
   check_refused(at, wave({0.3}), "goes 1.333 times into the period of 0.4 m", table);
   check_refused(at, wave({0.4, 0.2}), "goes 1.5 times into the period of 0.3 m", table);
   test::at(table, at) = wave({0.2, 0.15});
+  test::at(table, "bodies.base.depth") = test::value(1, "m"); // or it would be pushed lower than flat
   CHECK(test::complaints(table).empty());
 }
 
