@@ -333,7 +333,8 @@ differences along them. Noise that goes on from point to point (drift, a filter)
 length in x, for residuals that are each freed from what they share with those before; chi square, runs and intervals are of these,
 and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
 follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
-likelihood (--no-profiles: by the covariance), widened by what one finer level changes, times what claims of a trade allow for
+likelihood (--no-profiles: by the covariance): the other parameters are at their best at each point of it, until they would gain less
+than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said. They are widened by what one finer level changes, times what claims of a trade allow for
 ('stiction help trade'): less than the simulation's own error is never claimed. A parameter counts as determined up to a standard error
 of 25 % of itself (a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
 product of powers that is determined is told; else not. The model is rejected where chi square, or the runs of like signs among

@@ -128,8 +128,20 @@ function verdict.settle(judged, own_error, found)
   judged.misfit, judged.rejected = judged.rejected, judged.rejected and not judged.coarse
 end
 
---- Lines on the model, the parameters and the simulation's own error.
-function verdict.lines(fit, judged, own_error, found)
+--- What is said of profiles that could not be followed to their end.
+local function on_profiles(fit, judged, intervals, lines)
+  for k, own in ipairs(fit.parameters) do
+    for _, side in ipairs(intervals and intervals[k] and intervals[k].lost or {}) do
+      lines[#lines + 1] = ("the interval of %s is open %s: its profile could not be followed %s %s (%s)"):format(own.name,
+        side.way < 0 and "below" or "above", side.way < 0 and "below" or "beyond", verdict.words(own, side.value),
+        side.reason:match("^[^\n]*"))
+    end
+  end
+  lines[#lines + 1] = judged.undercut and "profiles still meet lower points: this may be no minimum; the intervals are about it" or nil
+end
+
+--- Lines on the model, the parameters and the simulation's own error; intervals: of profiles, or nil.
+function verdict.lines(fit, judged, own_error, found, intervals)
   local lines = {}
   on_model(fit, judged, lines)
   local function those(word)
@@ -166,6 +178,7 @@ function verdict.lines(fit, judged, own_error, found)
     .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
     own_error.reason) or nil
+  on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
     lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
   end
