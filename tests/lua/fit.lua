@@ -95,9 +95,10 @@ test("along a curved ridge a profile goes as far as the others can follow", func
   end
   for _, nu in ipairs { 0.3, 0.2 } do
     for _, logarithmic in ipairs { true, false } do
-      local own = { { name = "young", from = 0.2, to = 5, log = logarithmic, start = 1 }, { name = "nu", from = 0.05, to = 0.49, start = nu },
-        { name = "zero", from = -0.1, to = 0.1, start = 0 } }
-      local t = { parameters = own, x = x, y = measured(hertz, { 1.2, 0.45, 0 }, x, 0.05, dice(31)), sigma = 0.05, f = hertz, enough = 0.04 }
+      local own = { { name = "young", from = 0.2, to = 5, log = logarithmic, start = 1 },
+        { name = "nu", from = 0.05, to = 0.49, start = nu }, { name = "zero", from = -0.1, to = 0.1, start = 0 } }
+      local t = { parameters = own, x = x, y = measured(hertz, { 1.2, 0.45, 0 }, x, 0.05, dice(31)), sigma = 0.05, f = hertz,
+        enough = 0.04 }
       local count = select(4, plain.fit(t)).count.evaluations
       local found, judged, profiles, problem = plain.fit(t, 1, true)
       assert(not profiles[2].low and not profiles[2].high and #profiles[2].lost == 0, "nu is told")

@@ -233,6 +233,9 @@ local function run(own, study, options, folder)
   table.sort(names)
   local points = points_module.open(study, options, folder, names)
   report.line("%d points of %s", #values, own.list and "a list" or own.design)
+  if #(own.left_out or {}) > 0 then
+    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(own.left_out, ", "))
+  end
   local found = { folder = folder, values = values, count = #values }
   found.rows = points:run(values)
   found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)

@@ -4,9 +4,9 @@ local csv_module = require "stiction.measured"
 local declared = require "stiction.declared"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local fitted = require "stiction.sampling.fitted"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
-local output = require "stiction.output"
 local sample = require "stiction.sample"
 local sweep = require "stiction.sweep"
 local units = require "stiction.units"
@@ -56,62 +56,6 @@ local function axis(name, entry, standing)
     fault.script("%s is in %s, but the study's own value is %s", what, tostring(first), tostring(standing))
   end
   return { name = name, like = first, kind = own.kind, value = function(u) return own.value(a, b, u) end }
-end
-
---- Lower factor of a positive definite matrix, as lists.
-local function factor(matrix)
-  local L = {}
-  for i, row in ipairs(matrix) do
-    L[i] = {}
-    for j = 1, i do
-      local sum = row[j]
-      for k = 1, j - 1 do
-        sum = sum - L[i][k] * L[j][k]
-      end
-      L[i][j] = i == j and math.sqrt(math.max(sum, 0)) or (L[j][j] > 0 and sum / L[j][j] or 0)
-    end
-  end
-  return L
-end
-
---- Axes of a fit's parameters that its curves share: all move together, by standard normal numbers.
-local function axes_of_fit(study, t, options)
-  local path = t.fit == true and output.default_folder(study.name, study.source.file) .. "/fit/fit.json"
-    or t.fit:sub(1, 1) == "/" and t.fit or study.source.folder .. "/" .. t.fit
-  if t.fit == true and options.out then
-    path = options.out:gsub("[^/]+/*$", "") .. "fit/fit.json"
-  end
-  local kept = engine.decode_json(engine.read_file(path) or "")
-  if type(kept) ~= "table" or type(kept.parameters) ~= "table" or type(kept.covariance) ~= "table" then
-    fault.input("study.sample.fit: there is no fit in %s; 'stiction fit' on the study makes one", path)
-  end
-  local held, L = engine.call(factor, kept.covariance)
-  local by_name, axes = {}, {}
-  for _, own in ipairs(kept.parameters) do
-    by_name[type(own) == "table" and own.name or ""] = own
-  end
-  if not held or type(kept.free) ~= "table" then
-    fault.input("study.sample.fit: %s is damaged; run the fit again", path)
-  end
-  for i, name in ipairs(kept.free) do
-    local own = by_name[name]
-    if type(own) ~= "table" or type(own.best) ~= "number" or type(L[i]) ~= "table" then
-      fault.input("study.sample.fit: %s is damaged; run the fit again", path)
-    elseif type(own.relative_error) ~= "number" or own.relative_error > 1 then
-      fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it", name,
-        path)
-    end
-    local scale = own.error / own.relative_error
-    axes[i] = { name = own.key, curve = own.curve, like = own.unit == "1" and 1 or units.units(own.unit), kind = "normal", joint = true,
-      together = function(xi)
-        local sum = 0
-        for j = 1, i do
-          sum = sum + L[i][j] * xi[j]
-        end
-        return own.log and own.best * math.exp(sum) or own.best + scale * sum
-      end }
-  end
-  return axes, path
 end
 
 --- The user's own list of points, as values by name.
@@ -207,7 +151,8 @@ function spec.values(own, u)
   return values
 end
 
---- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =}.
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =, left_out = (names
+--- of a fit's parameters that no case has)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
@@ -218,7 +163,7 @@ function spec.read(study, options)
     return own
   end
   if t.fit then
-    own.axes, own.source = axes_of_fit(study, t, options)
+    own.axes, own.source, own.left_out = fitted.axes(study, t.fit, options)
     own.joint = true
   end
   local probe = copy(own.set)
