@@ -62,7 +62,7 @@ expect 0 "left out, as no case has it (the fit's \`against\` alone reads it): on
 holds "mu is that of the curve" [ "$(awk -F, 'NR > 1 && $2 > 0.19 && $2 < 0.21' out/curve/sample/sample.csv | wc -l)" = 4 ]
 of_curve true
 mkdir -p asked
-sed '/"one\./d; s/, "one.zero", "one.mu"//; s/^"covariance.*/"covariance": [ [ 1e-4, 0 ], [ 0, 1e-6 ] ] }/' soft/own.json >asked/fit.json
+sed '/"name": "one\./d; s/, "one.zero", "one.mu"//; s/^"covariance.*/"covariance": [ [ 1e-4, 0 ], [ 0, 1e-6 ] ] }/' soft/own.json >asked/fit.json
 expect 0 "4 points of sobol" "$stiction" sample soft/curve.lua --no-figures --out asked
 
 # cases that fail are listed by where they lie, and the rest is told

@@ -35,7 +35,8 @@ local function wanted(entry)
   end
   for _, key in ipairs(ordered.keys(entry)) do
     if not keys[key] then
-      fault.script("study.sample.fit: unknown key '%s'%s; it has curve and file", tostring(key), fault.meant(tostring(key), ordered.keys(keys)))
+      fault.script("study.sample.fit: unknown key '%s'%s; it has curve and file", tostring(key),
+        fault.meant(tostring(key), ordered.keys(keys)))
     elseif type(entry[key]) ~= "string" then
       fault.script("study.sample.fit: %s = %s; a name is wanted", key, tostring(entry[key]))
     end
@@ -131,7 +132,8 @@ function fitted.axes(study, entry, options)
   if not held then
     damaged()
   elseif #list == 0 then
-    fault.input("study.sample.fit: no parameter of the fit in %s is one of the study's cases; give distributions in sample.of", path)
+    fault.input("study.sample.fit: no parameter of the fit in %s is one of the study's cases; give distributions in sample.of",
+      path)
   end
   local axes = {}
   for n, own in ipairs(list) do

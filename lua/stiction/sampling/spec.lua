@@ -151,8 +151,8 @@ function spec.values(own, u)
   return values
 end
 
---- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =, left_out = (names
---- of a fit's parameters that no case has)}.
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =,
+--- left_out = (names of a fit's parameters that no case has)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
