@@ -260,6 +260,17 @@ test("outliers draw a robust fit less", function()
   end
 end)
 
+test("a robust loss over known errors is no reason to say that these were not given", function()
+  local y = measured(rising, { 2, 1.5 }, x, 0.05, dice(9))
+  for _, known in ipairs { true, false } do
+    local found, judged = plain.fit { parameters = parameters, x = x, y = y, sigma = known and 0.05 or nil, f = rising, loss = "huber" }
+    local fit = { parameters = parameters, curves = {}, known = known, loss = "huber" }
+    local lines = table.concat(verdict.lines(fit, judged, { variants = {}, reason = "none" }, found), "\n")
+    equal(lines:find("errors of the data were not given", 1, true) == nil, known)
+    equal(lines:find("the loss is 'huber'", 1, true) ~= nil, known)
+  end
+end)
+
 test("losses are squares of what they hand on, and slopes are theirs", function()
   for _, name in ipairs { "squares", "huber", "soft", "cauchy" } do
     for _, r in ipairs { -7.3, -1, -0.2, 0, 0.4, 1.3, 6 } do

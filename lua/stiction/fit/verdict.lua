@@ -90,7 +90,7 @@ local function is_coarse(judged, own_error, found)
   return chance ~= nil and chance >= judge.doubt or chance == nil and largest > blur
 end
 
-local function on_squares(judged, lines)
+local function on_squares(fit, judged, lines)
   local each = judged.squares / math.max(1, judged.degrees)
   local words = ("chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)"):format(judged.squares, judged.degrees, each,
     judged.chance or 0)
@@ -99,13 +99,16 @@ local function on_squares(judged, lines)
   elseif judged.chance then
     lines[#lines + 1] = "the model agrees with the data: " .. words
       .. (judged.chance > 1 - judge.doubt and "; so little says that the errors given are too large" or "")
+  elseif fit.known then
+    lines[#lines + 1] = fit.loss and fit.loss ~= "squares" and ("the loss is '%s': its sum has no known distribution, and chi square tells "
+      .. "nothing"):format(fit.loss) or nil
   elseif not judged.rejected then
     lines[#lines + 1] = "errors of the data were not given: they are those that the residuals show, and chi square tells nothing"
   end
 end
 
 local function on_model(fit, judged, lines)
-  on_squares(judged, lines)
+  on_squares(fit, judged, lines)
   for i, chance in ipairs(judged.runs) do
     if chance and chance < judge.doubt / #judged.runs then
       lines[#lines + 1] = ("%sthe residuals of %s keep their sign in long runs (chance %.2g)"):format(

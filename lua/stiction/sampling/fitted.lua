@@ -122,8 +122,8 @@ function fitted.axes(study, entry, options)
       left_out[#left_out + 1] = name
     elseif not (own.curve and want.curve and own.curve ~= want.curve) then
       if type(own.relative_error) ~= "number" or own.relative_error > 1 then
-        fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it", name,
-          path)
+        fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it",
+          name, path)
       end
       list[#list + 1], of[#of + 1] = own, i
     end
