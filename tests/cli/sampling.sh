@@ -81,6 +81,7 @@ refused 's/uniform = { 0.02, 0.2 }/uniform = { 0.2, 0.02 }/' "uniform takes { lo
 refused 's/of = { mu =/of = { nu =/' "the study has no parameter 'nu'; did you mean 'mu'?"
 refused 's/log_normal = { 1\*MPa, 0.2 }/log_normal = { 1*mm, 0.2 }/' "must be like"
 refused 's/count = 16/count = 1/' "2 or more, is wanted"
+refused 's/count = 16/count = 100000000/' "count = 100000000; it is 2 to 100000, each a case of its own: take fewer points"
 refused 's/count = 16/design = "sobel"/' "did you mean 'sobol'?"
 refused 's/count = 16/results = { "forse_x" }/' "no result 'forse_x'; did you mean 'force_x'?"
 refused 's/sample = { of = .*/sample = { count = 3 },/' "study.sample needs of = "

@@ -352,7 +352,7 @@ sample = {                                            -- a key of a study
                                                       -- "slow", file = "fit.json" }: with the own parameters of that curve
   list = { { mu = 0.1, w = ... }, ... },              -- alone: one's own points, or a .csv file with a column for each
   design = "sobol",                                   -- or "latin_hypercube"; "saltelli": pairs of points, count * (parameters + 2)
-  count = 64, seed = 1,                               -- --count N: more keep the points (of a hypercube: twice as many)
+  count = 64, seed = 1,                               -- --count N, at most 100000: more keep the points (a hypercube: 2 N)
   results = { "pull_off" },                           -- default: all
   set = { speed = 1*mm/s },                           -- one value for what the study sweeps
   quick = { count = 16 },

@@ -150,8 +150,8 @@ function chaos.varies(values)
 end
 
 --- {mean =, deviation =, first =, total = (nil of a result that does not vary), degree =, terms = (how many), error = (of a point left
---- out, over the deviation of the values), at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform" (in 0 to 1) or "normal"; slopes: of the
---- values over these coordinates, lists, or nil.
+--- out, over the deviation of the values), at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform"
+--- (in 0 to 1) or "normal"; slopes: of the values over these coordinates, lists, or nil.
 function chaos.of(points, values, kinds, slopes)
   local best, variance, group = nil, 0, slopes and #kinds + 1 or 1
   local rows = slopes and rows_of(values, slopes, kinds) or values

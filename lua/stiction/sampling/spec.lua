@@ -16,6 +16,7 @@ local spec = {}
 local keys = { of = "table", fit = true, list = true, design = "string", count = "number", seed = "number", results = "table",
   set = "table", quick = "table" }
 local designs = { sobol = true, latin_hypercube = true, saltelli = true }
+local most_points = 100000 -- each is a case with a folder of its own
 local tail = 1e-9 -- coordinates keep away so far from 0 and 1, where normal ones are infinite
 
 --- By name: {needs = words, kind = of its coordinate in polynomials, check(a, b), value(a, b, u)} in SI.
@@ -100,6 +101,8 @@ local function check(t)
       ordered.keys(designs)), table.concat(ordered.keys(designs), ", "))
   elseif not t.list and (math.type(t.count) ~= "integer" or t.count < 2) then
     fault.script("study.sample: count = %s; a whole number of points, 2 or more, is wanted", tostring(t.count))
+  elseif not t.list and t.count > most_points then
+    fault.script("study.sample: count = %d; it is 2 to %d, each a case of its own: take fewer points", t.count, most_points)
   elseif math.type(t.seed) ~= "integer" or t.seed < 0 then
     fault.script("study.sample: seed = %s; a whole number, which is written down, is wanted", tostring(t.seed))
   end
