@@ -21,7 +21,7 @@ local tail = 1e-9 -- coordinates keep away so far from 0 and 1, where normal one
 
 --- By name: {needs = words, kind = of its coordinate in polynomials, check(a, b), value(a, b, u)} in SI.
 local distributions = {
-  uniform = { needs = "{ low, high }", kind = "uniform", check = function(a, b) return a < b end,
+  uniform = { needs = "{ low, high }, low below high", kind = "uniform", check = function(a, b) return a < b end,
     value = function(a, b, u) return a + (b - a) * u end },
   log_uniform = { needs = "{ low, high }, both above 0", kind = "uniform", check = function(a, b) return a > 0 and a < b end,
     value = function(a, b, u) return a * (b / a) ^ u end },
@@ -40,7 +40,7 @@ end
 local function axis(name, entry, standing)
   local what = "study.sample.of." .. name
   local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
-  local own = distributions[word]
+  local own = type(word) == "string" and distributions[word]
   if not own or #ordered.keys(entry) ~= 1 then
     fault.script("%s must be one of { uniform = { low, high } }, { log_uniform = ... }, { normal = ... }, { log_normal = ... }%s", what,
       fault.meant(tostring(word), ordered.keys(distributions)))
@@ -49,7 +49,8 @@ local function axis(name, entry, standing)
   local like = own.pure and not units.is_quantity(second)
     or not own.pure and (units.same_dimension(first, second) or not units.is_quantity(first) and not units.is_quantity(second))
   if type(a) ~= "number" or type(b) ~= "number" or not like or not own.check(a, b) then
-    fault.script("%s: %s takes %s", what, word, own.needs)
+    fault.script("%s: %s takes %s%s, not { %s, %s }", what, word, own.needs, own.pure and "" or ", both of one dimension", tostring(first),
+      tostring(second))
   elseif standing == nil then
     fault.script("%s: the study has no such parameter", what)
   elseif units.is_quantity(standing) ~= units.is_quantity(first)
@@ -171,12 +172,13 @@ function spec.read(study, options)
   end
   local probe = copy(own.set)
   for _, name in ipairs(ordered.keys(t.of or {})) do
-    probe[name] = nil
-  end
-  for _, name in ipairs(ordered.keys(t.of or {})) do
     local entry = t.of[name]
+    if own.set[name] ~= nil then
+      fault.script("study.sample: '%s' stands in both of and set (%s); leave it in one of them", name, tostring(own.set[name]))
+    end
     local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
-    probe[name] = type(entry) == "table" and type(entry[word]) == "table" and entry[word][1] or nil
+    probe[name] = type(word) == "string" and type(entry[word]) == "table" and not units.is_quantity(entry[word]) and entry[word][1]
+      or type(word) == "number" and entry[1] or nil
   end
   for _, own_axis in ipairs(own.axes) do
     probe[own_axis.name] = own_axis.like
