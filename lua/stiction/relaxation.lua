@@ -17,15 +17,29 @@ local function moduli_at(rest, terms, omega)
   return storage, loss
 end
 
+--- Bad input of an angular frequency in hertz, which may be of cycles or of radians.
+local function check_angular(what, value)
+  for _, word in ipairs(units.is_quantity(value) and value.words or {}) do
+    if word.name:find("Hz$") then
+      fault.script("relaxation.%s is %s; angular frequencies are wanted, in 1/s: write 2*math.pi*f/s for f cycles a second", what,
+        tostring(value))
+    end
+  end
+end
+
 local function numbers_of(t, key, unit)
   local list = t[key]
   if type(list) ~= "table" or #list == 0 then
-    fault.script("relaxation.fit needs %s, a list of quantities in %s, not %s", key, unit, tostring(list))
+    fault.script("relaxation.fit needs %s, a list of quantities in %s, not %s", key, unit,
+      type(list) == "table" and "an empty list" or tostring(list))
   end
   local numbers = {}
   for i, value in ipairs(list) do
     if not units.is_quantity(value) then
       fault.script("relaxation.fit: %s[%d] is %s; give a quantity in %s", key, i, tostring(value), unit)
+    end
+    if key == "frequency" then
+      check_angular(("fit: %s[%d]"):format(key, i), value)
     end
     numbers[i] = value:to(unit)
     if not (numbers[i] > 0 or key == "loss" and numbers[i] == 0) then
@@ -217,6 +231,7 @@ end
 
 --- Storage and loss modulus of a fit at an angular frequency, for a figure beside what was measured.
 function relaxation.moduli(fit, frequency)
+  check_angular("moduli: the frequency", frequency)
   local plain = {}
   for i, term in ipairs(fit.terms) do
     plain[i] = { modulus = term.modulus.si, time = term.time.si }

@@ -40,6 +40,31 @@ expect 0 "8 points of sobol|depend on each other" "$stiction" sample soft/fitted
 sed -i 's/"best": /"bets": /' out/fitted/fit/fit.json
 expect 2 "fit.json is damaged; run the fit again" "$stiction" sample soft/fitted.lua --no-figures
 
+# parameters of one curve alone: whose is to be said; those that `against` alone reads belong to no case
+cat >soft/own.json <<'END'
+{ "parameters": [
+  { "name": "young", "key": "young", "unit": "Pa", "log": true, "best": 1e6, "error": 1e4, "relative_error": 0.01 },
+  { "name": "one.zero", "key": "zero", "curve": "one", "unit": "m", "log": false, "best": 1e-6, "error": 1e-7, "relative_error": 0.1 },
+  { "name": "one.mu", "key": "mu", "curve": "one", "unit": "1", "log": false, "best": 0.1, "error": 1e-4, "relative_error": 1e-3 },
+  { "name": "two.mu", "key": "mu", "curve": "two", "unit": "1", "log": false, "best": 0.2, "error": 1e-4, "relative_error": 1e-3 } ],
+"curves": [ { "name": "one" }, { "name": "two" } ], "free": [ "young", "one.zero", "one.mu", "two.mu" ],
+"covariance": [ [ 1e-4, 9e-4, 0, 0 ], [ 9e-4, 1e-2, 0, 0 ], [ 0, 0, 1e-6, 0 ], [ 0, 0, 0, 1e-6 ] ] }
+END
+of_curve() { # WHAT study.sample.fit IS: the study in soft/curve.lua
+  sed "s/sample = { of = .*/sample = { fit = $1, count = 4 },/" soft/study.lua >soft/curve.lua
+}
+of_curve '"own.json"'
+expect 2 'each of the curves one, two has a '"'mu'"' of its own; say whose: fit = { curve = "one" }' "$stiction" sample soft/curve.lua --no-figures
+of_curve '{ file = "own.json", curve = "too" }'
+expect 2 "has no curve 'too'; did you mean 'two'?; its curves: one, two" "$stiction" sample soft/curve.lua --no-figures
+of_curve '{ file = "own.json", curve = "two" }'
+expect 0 "left out, as no case has it (the fit's \`against\` alone reads it): one.zero" "$stiction" sample soft/curve.lua --no-figures
+holds "mu is that of the curve" [ "$(awk -F, 'NR > 1 && $2 > 0.19 && $2 < 0.21' out/curve/sample/sample.csv | wc -l)" = 4 ]
+of_curve true
+mkdir -p asked
+sed '/"name": "one\./d; s/, "one.zero", "one.mu"//; s/^"covariance.*/"covariance": [ [ 1e-4, 0 ], [ 0, 1e-6 ] ] }/' soft/own.json >asked/fit.json
+expect 0 "4 points of sobol" "$stiction" sample soft/curve.lua --no-figures --out asked
+
 # cases that fail are listed by where they lie, and the rest is told
 mkdir edge
 cp soft/* edge
@@ -53,9 +78,13 @@ refused() { # SED-EXPRESSION "PART|PART"
 }
 refused 's/uniform = { 0.02, 0.2 }/unifrom = { 0.02, 0.2 }/' "did you mean 'uniform'?"
 refused 's/uniform = { 0.02, 0.2 }/uniform = { 0.2, 0.02 }/' "uniform takes { low, high }"
+refused 's/uniform = { 0.02, 0.2 }/uniform = { 0.2, 0.02 }/' "low below high, both of one dimension, not { 0.2, 0.02 }"
+refused 's/mu = { uniform = { 0.02, 0.2 } }/mu = { 0.02, 0.2 }/' "study.sample.of.mu must be one of { uniform ="
+refused 's/count = 16/count = 16, set = { mu = 0.1 }/' "'mu' stands in both of and set (0.1); leave it in one of them"
 refused 's/of = { mu =/of = { nu =/' "the study has no parameter 'nu'; did you mean 'mu'?"
 refused 's/log_normal = { 1\*MPa, 0.2 }/log_normal = { 1*mm, 0.2 }/' "must be like"
 refused 's/count = 16/count = 1/' "2 or more, is wanted"
+refused 's/count = 16/count = 100000000/' "count = 100000000; it is 2 to 100000, each a case of its own: take fewer points"
 refused 's/count = 16/design = "sobel"/' "did you mean 'sobol'?"
 refused 's/count = 16/results = { "forse_x" }/' "no result 'forse_x'; did you mean 'force_x'?"
 refused 's/sample = { of = .*/sample = { count = 3 },/' "study.sample needs of = "

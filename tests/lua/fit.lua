@@ -89,6 +89,55 @@ test("at the ends of a profile the squares have risen by what they should, the o
   end
 end)
 
+test("along a curved ridge a profile goes as far as the others can follow", function()
+  local function hertz(values, at) -- of values[1] / (1 - values[2]^2) alone
+    return values[1] / (1 - values[2] ^ 2) * (at + values[3]) ^ 1.5
+  end
+  for _, nu in ipairs { 0.3, 0.2 } do
+    for _, logarithmic in ipairs { true, false } do
+      local own = { { name = "young", from = 0.2, to = 5, log = logarithmic, start = 1 },
+        { name = "nu", from = 0.05, to = 0.49, start = nu }, { name = "zero", from = -0.1, to = 0.1, start = 0 } }
+      local t = { parameters = own, x = x, y = measured(hertz, { 1.2, 0.45, 0 }, x, 0.05, dice(31)), sigma = 0.05, f = hertz,
+        enough = 0.04 }
+      local count = select(4, plain.fit(t)).count.evaluations
+      local found, judged, profiles, problem = plain.fit(t, 1, true)
+      assert(not profiles[2].low and not profiles[2].high and #profiles[2].lost == 0, "nu is told")
+      for _, point in ipairs(profiles[2].points) do
+        assert(math.abs(point.excess) < 0.05, ("nu = %g: %g"):format(point.value, point.excess))
+      end
+      local alone = select(3, plain.fit({ parameters = { { name = "plain", from = 0.2, to = 5, log = true, start = 1 }, own[3] }, x = x,
+        y = t.y, sigma = 0.05, enough = 1e-8, f = function(values, at) return hertz({ values[1], 0, values[2] }, at) end }, 1, true))[1]
+      local low, high = alone.low * (1 - 0.49 ^ 2), alone.high * (1 - 0.05 ^ 2) -- with nu at its bounds
+      assert(math.abs(profiles[1].low / low - 1) < 2e-3 and math.abs(profiles[1].high / high - 1) < 2e-3, ("%g .. %g, not %g .. %g"):format(
+        profiles[1].low or 0, profiles[1].high or 0, low, high))
+      assert(found.at.cost < 40 and judged.values[2] <= 0.49)
+      count = problem.count.evaluations - count
+      assert(count <= 120, count .. " evaluations")
+    end
+  end
+end)
+
+test("where the others do not settle, or points fail, a profile says so and tells no end", function()
+  local own = { { name = "a", from = 0, to = 4, start = 1.9 }, { name = "b", from = -4, to = 4, start = 0.9 } }
+  local y = measured(function(_, at) return 2 * at + 0.1 * at ^ 2 end, {}, x, 0.3, dice(41))
+  local profiles
+  for _, beyond in ipairs { function() return 0 / 0 end, function(b) return 5 * math.sqrt(math.abs(b - 1.234)) end } do -- of a = 2.1
+    local function f(values, at)
+      return values[1] * at + 0.1 * values[2] * at ^ 2 + (values[1] > 2.1 and beyond(values[2]) or 0)
+    end
+    profiles = select(3, plain.fit({ parameters = own, x = x, y = y, sigma = 0.3, f = f }, 1, true))
+    assert(profiles[1].low and not profiles[1].high and #profiles[1].lost == 1, tostring(profiles[1].high))
+    local side = profiles[1].lost[1]
+    equal(side.way, 1)
+    assert(side.value > 1.9 and side.value <= 2.1, side.value)
+  end
+  own[1].like, own[2].like = 1, 1
+  local judged = { squares = 1, degrees = 1, runs = {}, correlated = {}, free = {}, errors = { 1, 1 }, values = { 2, 1 } }
+  local lines = table.concat(verdict.lines({ parameters = own, curves = {} }, judged, { variants = {}, reason = "none" }, { lost = 0 },
+    profiles), "\n")
+  assert(lines:find("the interval of a is open above: its profile could not be followed beyond ", 1, true), lines)
+end)
+
 test("a misfit no larger than what a finer level changes rejects nothing yet", function()
   local y = measured(rising, { 2, 1.5 }, x, 0.02, dice(15))
   for i in ipairs(y) do
@@ -208,6 +257,17 @@ test("outliers draw a robust fit less", function()
   assert(off.squares > 0.15, off.squares)
   for _, name in ipairs { "huber", "cauchy", "soft" } do
     assert(off[name] < 0.25 * off.squares, name .. " " .. off[name])
+  end
+end)
+
+test("a robust loss over known errors is no reason to say that these were not given", function()
+  local y = measured(rising, { 2, 1.5 }, x, 0.05, dice(9))
+  for _, known in ipairs { true, false } do
+    local found, judged = plain.fit { parameters = parameters, x = x, y = y, sigma = known and 0.05 or nil, f = rising, loss = "huber" }
+    local fit = { parameters = parameters, curves = {}, known = known, loss = "huber" }
+    local lines = table.concat(verdict.lines(fit, judged, { variants = {}, reason = "none" }, found), "\n")
+    equal(lines:find("errors of the data were not given", 1, true) == nil, known)
+    equal(lines:find("the loss is 'huber'", 1, true) ~= nil, known)
   end
 end)
 

@@ -82,6 +82,10 @@ test("what no fit can be made of is told", function()
   fails("lists of one length, not of 21 frequencies, 21 storage and 1 loss moduli", fit,
     { frequency = data.frequency, storage = data.storage, loss = { 1*Pa } })
   fails("storage[1] is 0 Pa; it must be more than 0", fit, { frequency = data.frequency, storage = { 0*Pa }, loss = data.loss })
+  local Hz = require("stiction").units.Hz
+  fails("relaxation.fit: frequency[1] is 3 Hz; angular frequencies are wanted, in 1/s: write 2*math.pi*f/s", fit,
+    { frequency = { 3 * Hz }, storage = { 1*Pa }, loss = { 1*Pa } })
+  fails("relaxation.fit needs frequency, a list of quantities in 1/s, not an empty list", fit, { frequency = {}, storage = {}, loss = {} })
   fails("frequency[1] is 3; give a quantity in 1/s", fit, { frequency = { 3 }, storage = { 1*Pa }, loss = { 1*Pa } })
   fails("per_decade is 7; it must be in (0, 5]", fit,
     { frequency = data.frequency, storage = data.storage, loss = data.loss, per_decade = 7 })

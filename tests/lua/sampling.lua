@@ -193,3 +193,18 @@ test("failures along one axis are told with their side", function()
   assert(where[1].to < 0.2)
   equal(#spread.where(points_of(64, 2)), 0)
 end)
+
+test("what does not vary, or by rounding alone, has no shares", function()
+  local points = points_of(64, 2)
+  for _, f in ipairs { function() return 3 end, function(i) return 0.1 * (1 + 1e-16 * (i % 3)) * 3 end, function() return 0 end } do
+    local values = {}
+    for i in ipairs(points) do
+      values[i] = f(i)
+    end
+    local own = chaos.of(points, values, { "uniform", "uniform" })
+    assert(own and not own.first and not own.total)
+    equal(own.error, 0)
+  end
+  local small = chaos.of(points, numeric.map(points, function(u) return 1 + 1e-9 * u[1] end), { "uniform", "uniform" })
+  assert(small.first[1] > 0.999, small.first[1])
+end)

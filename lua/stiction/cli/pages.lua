@@ -333,9 +333,11 @@ differences along them. Noise that goes on from point to point (drift, a filter)
 length in x, for residuals that are each freed from what they share with those before; chi square, runs and intervals are of these,
 and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
 follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
-likelihood (--no-profiles: by the covariance), widened by what one finer level changes, times what claims of a trade allow for
-('stiction help trade'): less than the simulation's own error is never claimed. A parameter counts as determined up to a standard error
-of 25 % of itself (a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
+likelihood (--no-profiles: by the covariance): the other parameters are at their best at each point of it, until they would gain less
+than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said. They are widened by
+what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's own error is
+never claimed. A parameter counts as determined up to a standard error of 25 % of itself
+(a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
 product of powers that is determined is told; else not. The model is rejected where chi square, or the runs of like signs among
 residuals, have a chance below 0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json
 (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that
@@ -345,11 +347,12 @@ pages.sample = [[
 sample = {                                            -- a key of a study
   of = { mu = { uniform = { 0.1, 0.5 } },             -- uncertain parameters: uniform, log_uniform (low, high), normal (mean, standard
     w = { log_normal = { 1*J/m^2, 0.2 } } },          -- deviation), log_normal (median, standard deviation of the logarithm)
-  fit = true,                                         -- in their place or beside them: parameters of the study's fit, which depend on
-                                                      -- each other; or the path of a fit.json
+  fit = true,                                         -- in their place or beside them: parameters of the study's fit (of the same
+                                                      -- --out), which depend on each other; or the path of a fit.json; or { curve =
+                                                      -- "slow", file = "fit.json" }: with the own parameters of that curve
   list = { { mu = 0.1, w = ... }, ... },              -- alone: one's own points, or a .csv file with a column for each
   design = "sobol",                                   -- or "latin_hypercube"; "saltelli": pairs of points, count * (parameters + 2)
-  count = 64, seed = 1,                               -- --count N: more keep the points (of a hypercube: twice as many)
+  count = 64, seed = 1,                               -- --count N, at most 100000: more keep the points (a hypercube: 2 N)
   results = { "pull_off" },                           -- default: all
   set = { speed = 1*mm/s },                           -- one value for what the study sweeps
   quick = { count = 16 },

@@ -91,19 +91,20 @@ local function look(fit, model, study, options)
   end)
   local cases = #model.points.rows
   local found, judged, intervals = minima[1], nil, nil
-  for _ = 0, most_restarts do
+  for round = 0, most_restarts do
     judged = judge.of(problem, found, about(fit, model))
     if not fit.profiles or options.no_profiles or #judged.free == 0 then
       break
     end
     local lower
     intervals, lower = profile.of(problem, found, judged)
-    if not lower then
+    judged.undercut = lower ~= nil
+    if not lower or round == most_restarts then
       break
     end
     report.line("a profile met a lower point; the search goes on from there")
     minima = correlated.settle(problem, search.run(problem, { lower, found.z }, 1), fit.curves, function() model:weigh_noise() end)
-    found, intervals = minima[1], nil
+    found = minima[1]
   end
   return found, judged, intervals, minima, cases
 end
@@ -166,7 +167,7 @@ local function run(fit, model, study, options, folder)
   for k in ipairs(fit.parameters) do
     result.intervals[k] = verdict.interval(fit, judged, intervals, result.own_error, k)
   end
-  result.lines = verdict.lines(fit, judged, result.own_error, found)
+  result.lines = verdict.lines(fit, judged, result.own_error, found, intervals)
   result.cases, result.ran, result.kept = #model.points.rows, model.points.ran, model.points.known
   result.log, result.noise, result.share = model.log, model.noise, model.share
   result.best_cases = found.at.cases

@@ -52,8 +52,8 @@ local function parts(columns, list)
 end
 
 --- The step by which columns lessen the residuals most, and by how much that lessens their squares; along no singular
---- direction it goes farther than `reach`.
-function linear.step(columns, residuals, reach)
+--- direction it goes farther than `reach`, and along none that gains no more than `worth` (default 0).
+function linear.step(columns, residuals, reach, worth)
   local own, values, vectors = parts(columns, residuals)
   local step, gain = {}, 0
   for k = 1, #columns do
@@ -62,7 +62,9 @@ function linear.step(columns, residuals, reach)
   for i, value in ipairs(values) do
     if own[i] ~= 0 then
       local along = math.max(-reach, math.min(reach, -own[i] / value))
-      gain = gain - 2 * along * value * own[i] - (along * value) ^ 2
+      local won = -2 * along * value * own[i] - (along * value) ^ 2
+      along = won > (worth or 0) and along or 0
+      gain = gain + (along ~= 0 and won or 0)
       for k = 1, #columns do
         step[k] = step[k] + along * vectors[i][k]
       end

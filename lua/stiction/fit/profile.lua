@@ -1,179 +1,216 @@
--- Intervals by profile likelihood: how far a parameter may go, all others following, until the data say no.
-local linear = require "stiction.fit.linear"
-local loss_module = require "stiction.fit.loss"
+-- Intervals by profile likelihood: how far a parameter may go, all others at their best for it, until the data say no.
+local follow = require "stiction.fit.follow"
 local numeric = require "stiction.numeric"
 local space = require "stiction.fit.space"
 
 local profile = {}
 
-local near_enough = 1.3 -- by which the root of the rise of squares may miss its mark: the end is then told by a straight line
-local most_rounds, most_cut = 5, 4
-local reach = 0.5 -- of coordinates, by which the others are corrected
-local lower = 0.01 -- of the unit: a point so much lower than the best is another minimum
+local beyond, short = 1.3, 1.1 -- by which the root of the rise of squares may pass its mark, or miss it: its slope then tells the end
+local narrow = 0.05 -- of the way: places on both sides of the mark that are no farther apart tell the end, too
+local most_places, most_cut = 14, 4 -- of a side; how often its way is halved where cases fail or the others do not settle
+local farthest, least = 3, 1.1 -- times as far as the place before
+local doubtful = 0.5 -- of the root: the slope at the best that is farther off tells no end
+local margin = 0.1 -- of the way between two places, that the next one keeps from both
+local lower = 0.05 -- of the unit: a point so much lower than the best is another minimum
+local widest = 0.5 -- relative standard error of a first step: wider, and it tells little
 
---- Where the others go as the k-th parameter's relative coordinate moves by delta, linearly.
-local function moved(found, judged, i, delta)
-  local z = table.move(found.z, 1, #found.z, 1, {})
-  for j, k in ipairs(judged.free) do
-    z[k] = z[k] + delta * judged.covariance[j][i] / judged.covariance[i][i] / judged.slopes[k]
+-- A side: {k =, way = -1 | 1, limit = (how far it may go in the coordinate), places = {{t = (how far), place =, root = (of the rise of
+-- squares), slope = (of that over t)}, nearest first, the best itself first of all}}.
+
+--- Root of the rise of squares over the best at a place of a side, and its slope; the others being at their best, they tell none of it.
+local function measured(self, side, t, place)
+  local excess, sum = place.cost - self.found.at.cost, 0
+  for i, own in ipairs(place.own) do
+    sum = sum + own * place.slopes[i] * place.J[side.k][i]
   end
-  return z
+  local root = math.sqrt(math.max(excess, 0))
+  return { t = t, place = place, excess = excess, root = root, slope = root > 0 and side.way * sum / root or 0 }
 end
 
---- A point brought between the bounds; whether the k-th is at one.
-local function inside(problem, z, k)
-  local own = space.clipped(problem.parameters, z)
-  return own, own[k] ~= z[k]
+local function insert(side, entry)
+  local at = numeric.first_where(side.places, function(other) return other.t > entry.t end) or #side.places + 1
+  table.insert(side.places, at, entry)
 end
 
---- The point where all but the k-th parameter are corrected by the derivatives at the best point.
-local function corrected(problem, found, judged, side)
-  local others, columns = {}, {}
-  for _, k in ipairs(judged.free) do
-    others[#others + 1] = k ~= side.k and k or nil
+--- Where the others may be: along their tangent at the best, bent towards the nearest place, or along the line of the two nearest.
+local function guess(self, side, t)
+  local near = table.move(side.places, 1, #side.places, 1, {})
+  table.sort(near, function(a, b) return math.abs(a.t - t) < math.abs(b.t - t) end)
+  local one, other, z = near[1], near[2], {}
+  if one.t == 0 then
+    one, other = other, one
   end
-  if #others == 0 then
-    return side.z
+  for k, best in ipairs(self.found.z) do
+    local tangent = side.tangent[k] or 0
+    if not one then
+      z[k] = best + tangent * t
+    elseif other.t == 0 then
+      z[k] = best + tangent * t + (one.place.z[k] - best - tangent * one.t) * (t / one.t) ^ 2
+    else
+      z[k] = one.place.z[k] + (t - one.t) / (other.t - one.t) * (other.place.z[k] - one.place.z[k])
+    end
   end
-  local own, slopes = loss_module.of(problem.loss, side.at.r)
-  for i, k in ipairs(others) do
-    columns[i] = found.J[k]
-  end
-  local step = linear.step(linear.scaled(columns, slopes), own, reach)
-  local z = table.move(side.z, 1, #side.z, 1, {})
-  for i, k in ipairs(others) do
-    z[k] = z[k] + step[i]
-  end
-  return (space.clipped(problem.parameters, z))
+  z[side.k] = self.found.z[side.k] + side.way * t
+  return (space.clipped(self.problem.parameters, z)), near[1].place
 end
 
-local function cost_of(problem, answer)
-  return answer.r and select(3, loss_module.of(problem.loss, answer.r))
+--- The last place below the mark, and the first one above, if there is one.
+local function bracket(side, level)
+  local at = numeric.first_where(side.places, function(entry) return entry.root >= level end)
+  return side.places[at and at - 1 or #side.places], at and side.places[at]
 end
 
-local function sign(x)
-  return x < 0 and -1 or 1
-end
-
---- Evaluates the open sides where they stand, then with the others corrected.
-local function look(problem, found, judged, open)
-  local answers = problem.evaluate(numeric.map(open, function(side) return side.z end), "profile")
-  local good = {}
-  for i, side in ipairs(open) do
-    side.at, side.cost = answers[i], cost_of(problem, answers[i])
-    good[#good + 1] = side.cost and #judged.free > 1 and side or nil
+--- Where the root meets its mark, between two places or a little beyond: by the parabola that has the slope at the best, if that is one
+--- of them, else that at the outer one; by a straight line where that does not lead there.
+local function crossing(level, inner, outer)
+  local gap = outer.t - inner.t
+  local line = inner.t + gap * (level - inner.root) / (outer.root - inner.root)
+  local from, to = outer, inner
+  if inner.t == 0 and math.abs(inner.slope * gap - outer.root) <= doubtful * outer.root then
+    from, to = inner, outer
   end
-  local points = numeric.map(good, function(side) return corrected(problem, found, judged, side) end)
-  local again = #good > 0 and problem.evaluate(points, "profile") or {}
-  for i, side in ipairs(good) do
-    local cost = cost_of(problem, again[i])
-    if cost and cost < side.cost then
-      side.z, side.at, side.cost = points[i], again[i], cost
+  local way, off = to.t - from.t, level - from.root
+  local bend = (to.root - from.root - from.slope * way) / way ^ 2
+  local square = from.slope ^ 2 + 4 * bend * off
+  local t = square > 0 and from.slope > 0 and from.t + 2 * off / (from.slope + math.sqrt(square))
+  return t and t > inner.t and t <= math.max(outer.t, least * line) and t or line
+end
+
+--- The side's end where it is known (true: it is open), else how far to look next.
+local function decide(self, side)
+  local level = self.level
+  local below, above = bracket(side, level)
+  if above then
+    local gap = above.t - below.t
+    local t = crossing(level, below, above)
+    if above.root <= beyond * level or gap <= narrow * above.t then
+      return t
+    end
+    local halve = side.gap and gap > 0.5 * side.gap
+    side.gap = gap
+    return nil, halve and below.t + 0.5 * gap or math.min(math.max(t, below.t + margin * gap), above.t - margin * gap)
+  elseif below.root * short >= level then
+    return crossing(level, side.places[#side.places - 1], below)
+  elseif below.t >= side.limit then
+    return true
+  end
+  local t = below.slope > 0 and below.t + (level - below.root) / below.slope or math.huge
+  return nil, math.min(math.max(t, least * below.t), farthest * below.t, side.limit)
+end
+
+--- Follows a side to its end: side.finish (nil: open), or side.lost = {t =, reason =} where it cannot be followed any farther.
+local function walk(self, side)
+  local t, cuts = math.min(side.first, side.limit), 0
+  for _ = 1, most_places do
+    local z, from = guess(self, side, t)
+    local place, reason = follow.to(self, from, z, side.k)
+    local finish, next_t
+    if place then
+      insert(side, measured(self, side, t, place))
+      finish, next_t = decide(self, side)
+    else
+      side.wall, side.reason, next_t = t, reason, t
+    end
+    if finish then
+      side.finish = finish ~= true and finish or nil
+      return
+    end
+    local below = bracket(side, self.level)
+    local halved = side.wall and next_t >= side.wall
+    t, cuts = halved and 0.5 * (below.t + side.wall) or next_t, cuts + (halved and 1 or 0)
+    if cuts > most_cut then
+      break
+    end
+  end
+  local below, above = bracket(side, self.level)
+  side.finish = above and crossing(self.level, below, above)
+  side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise" } or nil
+end
+
+--- Runs all sides beside each other, so that what they ask for is computed in one batch.
+local function run_all(self, sides)
+  local waiting = {}
+  local function resume(thread, answers)
+    local held, points = coroutine.resume(thread, answers)
+    if not held then
+      error(points, 0)
+    end
+    waiting[#waiting + 1] = points and { thread = thread, points = points } or nil
+  end
+  for _, side in ipairs(sides) do
+    if side.limit > 0 then
+      resume(coroutine.create(function() walk(self, side) end))
+    end
+  end
+  while #waiting > 0 do
+    local batch, all = waiting, {}
+    waiting = {}
+    for _, own in ipairs(batch) do
+      table.move(own.points, 1, #own.points, #all + 1, all)
+    end
+    local answers, first = self.problem.evaluate(all, "profile"), 1
+    for _, own in ipairs(batch) do
+      resume(own.thread, table.move(answers, first, first + #own.points - 1, 1, {}))
+      first = first + #own.points
     end
   end
 end
 
---- What the last look at a side means: it is done, or where to look next.
-local function settle(problem, found, side, mark)
-  local slope = side.slope
-  if not side.cost then
-    side.cut, side.delta = side.cut + 1, side.delta / 2
-    side.done, side.fails = side.cut > most_cut, true
-    side.z = numeric.map(found.z, function(x) return x end)
-    for k, x in ipairs(found.z) do
-      side.z[k] = x + 0.5 * (side.last[k] - x)
-    end
-    return
-  end
-  side.delta = (side.z[side.k] - found.z[side.k]) * slope
-  local excess = side.cost - found.at.cost
-  side.points[#side.points + 1] = { z = side.z, delta = side.delta, excess = excess }
-  local ratio = math.sqrt(mark / math.max(excess, 1e-3 * mark))
-  if ratio <= near_enough and ratio >= 1 / near_enough then
-    side.done = true
-  elseif side.bound and ratio > 1 then
-    side.done = true
-  else
-    ratio = math.min(math.max(ratio, 0.3), 3)
-    local z = numeric.map(found.z, function(x) return x end)
-    for k, x in ipairs(found.z) do
-      z[k] = x + ratio * (side.z[k] - x)
-    end
-    side.z, side.bound = inside(problem, z, side.k)
-  end
-end
-
---- How far a side goes until the squares have risen by `mark`: by straight lines of the root of their rise; nil where they do not.
-local function finish_of(side, mark)
-  local points = table.move(side.points, 1, #side.points, 1, {})
-  table.sort(points, function(a, b) return math.abs(a.delta) < math.abs(b.delta) end)
-  local before = { delta = 0, root = 0 }
-  local level = math.sqrt(mark)
-  for _, point in ipairs(points) do
-    local own = { delta = point.delta, root = math.sqrt(math.max(point.excess, 0)) }
-    if own.root >= level then
-      return before.delta + (own.delta - before.delta) * (level - before.root) / (own.root - before.root)
-    end
-    before = own
-  end
-  return not side.bound and before.root * near_enough >= level and before.delta * level / before.root or nil
-end
-
-local function value_at(problem, found, k, z)
-  local all = table.move(found.z, 1, #found.z, 1, {})
-  all[k] = z
-  return space.values(problem.parameters, all)[k]
-end
-
---- By place of each free parameter {low =, high = (SI; nil where the data set no end), points = {{value =, excess =}}, reasons =}; and
---- a point that is lower than the best one, if any was met.
-function profile.of(problem, found, judged)
-  local unit = problem.known and problem.loss == "squares" and 1 or judged.factor
-  local mark, sides = judged.t ^ 2 * unit, {}
+--- The sides of all free parameters that are at no bound there.
+local function sides_of(self, judged)
+  local sides = {}
   for i, k in ipairs(judged.free) do
+    local own, z = self.problem.parameters[k], self.found.z[k]
+    local tangent = {}
+    for j, l in ipairs(judged.free) do
+      tangent[l] = judged.covariance[j][i] / judged.covariance[i][i] * judged.slopes[k] / judged.slopes[l]
+    end
     for _, way in ipairs { -1, 1 } do
-      local delta = way * judged.t * math.min(judged.relative[k], 1e3)
-      local side = { k = k, i = i, way = way, delta = delta, slope = judged.slopes[k], cut = 0, points = {} }
-      side.z, side.bound = inside(problem, moved(found, judged, i, delta), k)
-      side.done = side.z[k] == found.z[k]
-      side.last = side.z
+      local limit = not own.from and math.huge or way < 0 and z or 1 - z
+      local side = { k = k, way = way, limit = limit, first = judged.t * math.min(judged.relative[k], widest) / judged.slopes[k],
+        tangent = numeric.map(self.found.z, function() return 0 end) }
+      for l, x in pairs(tangent) do
+        side.tangent[l] = way * x
+      end
+      side.places = { { t = 0, place = follow.start(self, self.found), excess = 0, root = 0,
+        slope = math.sqrt(self.unit) * judged.slopes[k] / judged.relative[k] } }
       sides[#sides + 1] = side
     end
   end
-  for _ = 1, most_rounds do
-    local open = {}
-    for _, side in ipairs(sides) do
-      open[#open + 1] = not side.done and side or nil
-      side.last = side.z
-    end
-    if #open == 0 then
-      break
-    end
-    look(problem, found, judged, open)
-    for _, side in ipairs(open) do
-      settle(problem, found, side, mark)
-    end
-  end
+  return sides
+end
+
+local function value_at(self, side, t)
+  local z = table.move(self.found.z, 1, #self.found.z, 1, {})
+  z[side.k] = z[side.k] + side.way * t
+  return space.values(self.problem.parameters, z)[side.k]
+end
+
+--- By place of each free parameter {low =, high = (SI; nil where the data set no end), points = {{value =, excess =}}, lost = {{way =,
+--- value =, reason =}} of sides that could not be followed to their end, from this value on}; and a point that is lower than the best one,
+--- if any was met.
+function profile.of(problem, found, judged)
+  local unit = problem.known and problem.loss == "squares" and 1 or judged.factor
+  local self = { problem = problem, found = found, unit = unit, level = judged.t * math.sqrt(unit), weights = judged.slopes,
+    ask = coroutine.yield }
+  local sides = sides_of(self, judged)
+  run_all(self, sides)
   local intervals, best = {}, nil
   for _, side in ipairs(sides) do
-    local own = intervals[side.k] or { points = {}, k = side.k }
+    local own = intervals[side.k] or { points = {}, lost = {} }
     intervals[side.k] = own
-    for _, point in ipairs(side.points) do
-      own.points[#own.points + 1] = { value = value_at(problem, found, side.k, point.z[side.k]), excess = point.excess / unit }
-      if point.excess < -lower * unit and (not best or point.excess < best.excess) then
-        best = point
-      end
+    for i = 2, #side.places do
+      local entry = side.places[i]
+      own.points[#own.points + 1] = { value = value_at(self, side, entry.t), excess = entry.excess / unit }
+      best = entry.excess < -lower * unit and (not best or entry.excess < best.excess) and entry or best
     end
-    local finish = finish_of(side, mark)
-    if finish and sign(finish) == side.way then
-      own[side.way < 0 and "low" or "high"] = value_at(problem, found, side.k, found.z[side.k] + finish / side.slope)
-    end
-    own.fails = own.fails or side.fails
+    own[side.way < 0 and "low" or "high"] = side.finish and value_at(self, side, side.finish)
+    own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason } or nil
   end
   for _, own in pairs(intervals) do
     table.sort(own.points, function(a, b) return a.value < b.value end)
   end
-  return intervals, best and best.z
+  return intervals, best and best.place.z
 end
 
 return profile

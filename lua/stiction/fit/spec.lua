@@ -89,13 +89,24 @@ local function standing_of(values, study, name)
   return sweep_of.cases and sweep_of.cases[1] and sweep_of.cases[1][name]
 end
 
-local function all_parameters(fit, study, curves)
-  local values, list = {}, {}
+--- Values of given and chosen by name.
+local function own_values(study)
+  local values = {}
   for _, section in ipairs { study.given, study.chosen } do
     for name, entry in pairs(section) do
       values[name] = entry.value
     end
   end
+  return values
+end
+
+--- Whether the study's cases have a parameter of this name.
+function spec.has(study, name)
+  return standing_of(own_values(study), study, name) ~= nil
+end
+
+local function all_parameters(fit, study, curves)
+  local values, list = own_values(study), {}
   for _, name in ipairs(ordered.keys(fit.parameters)) do
     list[#list + 1] = read_parameter("study.fit.parameters." .. name, name, fit.parameters[name], standing_of(values, study, name))
     list[#list].key = name

@@ -90,7 +90,7 @@ local function is_coarse(judged, own_error, found)
   return chance ~= nil and chance >= judge.doubt or chance == nil and largest > blur
 end
 
-local function on_squares(judged, lines)
+local function on_squares(fit, judged, lines)
   local each = judged.squares / math.max(1, judged.degrees)
   local words = ("chi square %.4g at %d degrees of freedom (%.3g each; chance %.2g)"):format(judged.squares, judged.degrees, each,
     judged.chance or 0)
@@ -99,13 +99,16 @@ local function on_squares(judged, lines)
   elseif judged.chance then
     lines[#lines + 1] = "the model agrees with the data: " .. words
       .. (judged.chance > 1 - judge.doubt and "; so little says that the errors given are too large" or "")
+  elseif fit.known then
+    lines[#lines + 1] = fit.loss and fit.loss ~= "squares" and ("the loss is '%s': its sum has no known distribution, and chi square tells "
+      .. "nothing"):format(fit.loss) or nil
   elseif not judged.rejected then
     lines[#lines + 1] = "errors of the data were not given: they are those that the residuals show, and chi square tells nothing"
   end
 end
 
 local function on_model(fit, judged, lines)
-  on_squares(judged, lines)
+  on_squares(fit, judged, lines)
   for i, chance in ipairs(judged.runs) do
     if chance and chance < judge.doubt / #judged.runs then
       lines[#lines + 1] = ("%sthe residuals of %s keep their sign in long runs (chance %.2g)"):format(
@@ -128,8 +131,20 @@ function verdict.settle(judged, own_error, found)
   judged.misfit, judged.rejected = judged.rejected, judged.rejected and not judged.coarse
 end
 
---- Lines on the model, the parameters and the simulation's own error.
-function verdict.lines(fit, judged, own_error, found)
+--- What is said of profiles that could not be followed to their end.
+local function on_profiles(fit, judged, intervals, lines)
+  for k, own in ipairs(fit.parameters) do
+    for _, side in ipairs(intervals and intervals[k] and intervals[k].lost or {}) do
+      lines[#lines + 1] = ("the interval of %s is open %s: its profile could not be followed %s %s (%s)"):format(own.name,
+        side.way < 0 and "below" or "above", side.way < 0 and "below" or "beyond", verdict.words(own, side.value),
+        side.reason:match("^[^\n]*"))
+    end
+  end
+  lines[#lines + 1] = judged.undercut and "profiles still meet lower points: this may be no minimum; the intervals are about it" or nil
+end
+
+--- Lines on the model, the parameters and the simulation's own error; intervals: of profiles, or nil.
+function verdict.lines(fit, judged, own_error, found, intervals)
   local lines = {}
   on_model(fit, judged, lines)
   local function those(word)
@@ -166,6 +181,7 @@ function verdict.lines(fit, judged, own_error, found)
     .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
     own_error.reason) or nil
+  on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
     lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
   end

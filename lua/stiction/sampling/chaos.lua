@@ -9,6 +9,7 @@ local chaos = {}
 local most_degree, most_terms = 10, 400
 local points_per_term = 1.5
 local deviation = { normal = 1, uniform = 1 / math.sqrt(12) } -- of a coordinate
+local rounding = 1e-12 -- of the values: a deviation that is less is none, and has no shares
 local patience = 2 -- degrees without a gain
 local thinner = { 1, 0.75, 0.5 } -- exponents of hyperbolic truncations: less, and products of many parameters are left out
 
@@ -139,9 +140,18 @@ local function read(terms, coefficients, axes)
   return mean, variance, first, total
 end
 
---- {mean =, deviation =, first =, total =, degree =, terms = (how many), error = (of a point left out, over the deviation of the values),
---- at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform" (in 0 to 1) or "normal"; slopes: of the
---- values over these coordinates, lists, or nil.
+--- Whether values differ by more than rounding.
+function chaos.varies(values)
+  local size, low, high = 0, math.huge, -math.huge
+  for _, y in ipairs(values) do
+    size, low, high = math.max(size, math.abs(y)), math.min(low, y), math.max(high, y)
+  end
+  return high - low > rounding * size
+end
+
+--- {mean =, deviation =, first =, total = (nil of a result that does not vary), degree =, terms = (how many), error = (of a point left
+--- out, over the deviation of the values), at = function(point)}, or nil where there are too few points. points: lists, of kinds "uniform"
+--- (in 0 to 1) or "normal"; slopes: of the values over these coordinates, lists, or nil.
 function chaos.of(points, values, kinds, slopes)
   local best, variance, group = nil, 0, slopes and #kinds + 1 or 1
   local rows = slopes and rows_of(values, slopes, kinds) or values
@@ -170,6 +180,9 @@ function chaos.of(points, values, kinds, slopes)
   local spread
   result.mean, spread, result.first, result.total = read(best.terms, best.coefficients, #kinds)
   result.deviation = math.sqrt(spread)
+  if not chaos.varies(values) then
+    result.first, result.total, result.error = nil, nil, 0
+  end
   result.at = function(point)
     local columns = columns_of(best.terms, { point }, kinds, best.degree)
     return linear.product(columns, best.coefficients, 1)[1]

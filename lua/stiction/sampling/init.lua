@@ -134,7 +134,7 @@ local function judge(own, entry, rows)
   if own.list then
     return result
   end
-  if own.design == "saltelli" and not own.joint then
+  if own.design == "saltelli" and not own.joint and chaos.varies(list) then
     local of = saltelli_rows(values, #own.axes)
     result.indices = #of > 1 and indices.of(of, #own.axes) or nil
   end
@@ -207,6 +207,9 @@ local function show_indices(own, found)
   local rows = { { "share of variance", "parameter", "alone", "with others", "by" } }
   for _, result in ipairs(found.results) do
     local its = result.indices or result.chaos
+    if its and not its.first and not own.joint then
+      rows[#rows + 1] = { result.name, "-", "-", "-", "it does not vary" }
+    end
     for k, axis in ipairs(its and its.first and own.axes or {}) do
       local function word(values, errors)
         return ("%.3f"):format(values[k]) .. (errors and (" +- %.2g"):format(errors[k]) or "")
@@ -233,6 +236,9 @@ local function run(own, study, options, folder)
   table.sort(names)
   local points = points_module.open(study, options, folder, names)
   report.line("%d points of %s", #values, own.list and "a list" or own.design)
+  if #(own.left_out or {}) > 0 then
+    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(own.left_out, ", "))
+  end
   local found = { folder = folder, values = values, count = #values }
   found.rows = points:run(values)
   found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)

@@ -4,9 +4,9 @@ local csv_module = require "stiction.measured"
 local declared = require "stiction.declared"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
+local fitted = require "stiction.sampling.fitted"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
-local output = require "stiction.output"
 local sample = require "stiction.sample"
 local sweep = require "stiction.sweep"
 local units = require "stiction.units"
@@ -16,11 +16,12 @@ local spec = {}
 local keys = { of = "table", fit = true, list = true, design = "string", count = "number", seed = "number", results = "table",
   set = "table", quick = "table" }
 local designs = { sobol = true, latin_hypercube = true, saltelli = true }
+local most_points = 100000 -- each is a case with a folder of its own
 local tail = 1e-9 -- coordinates keep away so far from 0 and 1, where normal ones are infinite
 
 --- By name: {needs = words, kind = of its coordinate in polynomials, check(a, b), value(a, b, u)} in SI.
 local distributions = {
-  uniform = { needs = "{ low, high }", kind = "uniform", check = function(a, b) return a < b end,
+  uniform = { needs = "{ low, high }, low below high", kind = "uniform", check = function(a, b) return a < b end,
     value = function(a, b, u) return a + (b - a) * u end },
   log_uniform = { needs = "{ low, high }, both above 0", kind = "uniform", check = function(a, b) return a > 0 and a < b end,
     value = function(a, b, u) return a * (b / a) ^ u end },
@@ -39,7 +40,7 @@ end
 local function axis(name, entry, standing)
   local what = "study.sample.of." .. name
   local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
-  local own = distributions[word]
+  local own = type(word) == "string" and distributions[word]
   if not own or #ordered.keys(entry) ~= 1 then
     fault.script("%s must be one of { uniform = { low, high } }, { log_uniform = ... }, { normal = ... }, { log_normal = ... }%s", what,
       fault.meant(tostring(word), ordered.keys(distributions)))
@@ -48,7 +49,8 @@ local function axis(name, entry, standing)
   local like = own.pure and not units.is_quantity(second)
     or not own.pure and (units.same_dimension(first, second) or not units.is_quantity(first) and not units.is_quantity(second))
   if type(a) ~= "number" or type(b) ~= "number" or not like or not own.check(a, b) then
-    fault.script("%s: %s takes %s", what, word, own.needs)
+    fault.script("%s: %s takes %s%s, not { %s, %s }", what, word, own.needs, own.pure and "" or ", both of one dimension", tostring(first),
+      tostring(second))
   elseif standing == nil then
     fault.script("%s: the study has no such parameter", what)
   elseif units.is_quantity(standing) ~= units.is_quantity(first)
@@ -56,62 +58,6 @@ local function axis(name, entry, standing)
     fault.script("%s is in %s, but the study's own value is %s", what, tostring(first), tostring(standing))
   end
   return { name = name, like = first, kind = own.kind, value = function(u) return own.value(a, b, u) end }
-end
-
---- Lower factor of a positive definite matrix, as lists.
-local function factor(matrix)
-  local L = {}
-  for i, row in ipairs(matrix) do
-    L[i] = {}
-    for j = 1, i do
-      local sum = row[j]
-      for k = 1, j - 1 do
-        sum = sum - L[i][k] * L[j][k]
-      end
-      L[i][j] = i == j and math.sqrt(math.max(sum, 0)) or (L[j][j] > 0 and sum / L[j][j] or 0)
-    end
-  end
-  return L
-end
-
---- Axes of a fit's parameters that its curves share: all move together, by standard normal numbers.
-local function axes_of_fit(study, t, options)
-  local path = t.fit == true and output.default_folder(study.name, study.source.file) .. "/fit/fit.json"
-    or t.fit:sub(1, 1) == "/" and t.fit or study.source.folder .. "/" .. t.fit
-  if t.fit == true and options.out then
-    path = options.out:gsub("[^/]+/*$", "") .. "fit/fit.json"
-  end
-  local kept = engine.decode_json(engine.read_file(path) or "")
-  if type(kept) ~= "table" or type(kept.parameters) ~= "table" or type(kept.covariance) ~= "table" then
-    fault.input("study.sample.fit: there is no fit in %s; 'stiction fit' on the study makes one", path)
-  end
-  local held, L = engine.call(factor, kept.covariance)
-  local by_name, axes = {}, {}
-  for _, own in ipairs(kept.parameters) do
-    by_name[type(own) == "table" and own.name or ""] = own
-  end
-  if not held or type(kept.free) ~= "table" then
-    fault.input("study.sample.fit: %s is damaged; run the fit again", path)
-  end
-  for i, name in ipairs(kept.free) do
-    local own = by_name[name]
-    if type(own) ~= "table" or type(own.best) ~= "number" or type(L[i]) ~= "table" then
-      fault.input("study.sample.fit: %s is damaged; run the fit again", path)
-    elseif type(own.relative_error) ~= "number" or own.relative_error > 1 then
-      fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it", name,
-        path)
-    end
-    local scale = own.error / own.relative_error
-    axes[i] = { name = own.key, curve = own.curve, like = own.unit == "1" and 1 or units.units(own.unit), kind = "normal", joint = true,
-      together = function(xi)
-        local sum = 0
-        for j = 1, i do
-          sum = sum + L[i][j] * xi[j]
-        end
-        return own.log and own.best * math.exp(sum) or own.best + scale * sum
-      end }
-  end
-  return axes, path
 end
 
 --- The user's own list of points, as values by name.
@@ -156,6 +102,8 @@ local function check(t)
       ordered.keys(designs)), table.concat(ordered.keys(designs), ", "))
   elseif not t.list and (math.type(t.count) ~= "integer" or t.count < 2) then
     fault.script("study.sample: count = %s; a whole number of points, 2 or more, is wanted", tostring(t.count))
+  elseif not t.list and t.count > most_points then
+    fault.script("study.sample: count = %d; it is 2 to %d, each a case of its own: take fewer points", t.count, most_points)
   elseif math.type(t.seed) ~= "integer" or t.seed < 0 then
     fault.script("study.sample: seed = %s; a whole number, which is written down, is wanted", tostring(t.seed))
   end
@@ -207,7 +155,8 @@ function spec.values(own, u)
   return values
 end
 
---- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =}.
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =,
+--- left_out = (names of a fit's parameters that no case has)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
@@ -218,17 +167,18 @@ function spec.read(study, options)
     return own
   end
   if t.fit then
-    own.axes, own.source = axes_of_fit(study, t, options)
+    own.axes, own.source, own.left_out = fitted.axes(study, t.fit, options)
     own.joint = true
   end
   local probe = copy(own.set)
   for _, name in ipairs(ordered.keys(t.of or {})) do
-    probe[name] = nil
-  end
-  for _, name in ipairs(ordered.keys(t.of or {})) do
     local entry = t.of[name]
+    if own.set[name] ~= nil then
+      fault.script("study.sample: '%s' stands in both of and set (%s); leave it in one of them", name, tostring(own.set[name]))
+    end
     local word = type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry)[1]
-    probe[name] = type(entry) == "table" and type(entry[word]) == "table" and entry[word][1] or nil
+    probe[name] = type(word) == "string" and type(entry[word]) == "table" and not units.is_quantity(entry[word]) and entry[word][1]
+      or type(word) == "number" and entry[1] or nil
   end
   for _, own_axis in ipairs(own.axes) do
     probe[own_axis.name] = own_axis.like
