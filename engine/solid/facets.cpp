@@ -144,4 +144,72 @@ FacetTerms facet_terms(Kinematics kinematics, Matrix const& x, Point const& cent
   return sum;
 }
 
+int sides_of(std::size_t nodes, Eigen::Index dim) {
+  return dim == 2 ? 2 : nodes % 4 == 0 ? 4 : 3;
+}
+
+Indices corners_of(mesh::Facet const& facet, int side, Eigen::Index dim) {
+  auto const first = static_cast<std::size_t>(side);
+  if (dim == 2)
+    return {facet.nodes[first]};
+  return {facet.nodes[first],
+          facet.nodes[(first + 1) % static_cast<std::size_t>(sides_of(facet.nodes.size(), dim))]};
+}
+
+namespace {
+
+/// Of an end: the strip down to the plane goes on with the facet after its second node, before its first.
+void add_end(Kinematics kinematics, Vector const& x, int side, Plane const& plane, FacetTerms& terms) {
+  bool const revolved = kinematics == Kinematics::axisymmetric;
+  Eigen::Vector2d const n = plane.normal.head<2>(), off = x - plane.point.head<2>();
+  Eigen::Vector2d const by_height = (side == 1 ? 1 : -1) * Eigen::Vector2d(-n.y(), n.x());
+  Eigen::Vector2d const a = off.dot(n) * by_height;
+  double const ring = revolved ? turn * x[0] : 1;
+  terms.volume += 0.5 * (revolved ? ring * x[0] * a[0] : off.dot(a));
+  terms.normals.segment<2>(2 * side) += ring * a;
+  if (terms.normals_by_x.size() == 0)
+    return;
+  auto own = terms.normals_by_x.block<2, 2>(2 * side, 2 * side);
+  own += ring * by_height * n.transpose();
+  if (revolved)
+    own.col(0) += turn * a;
+}
+
+/// Of an edge, whose nodes are these of the facet's.
+void add_edge(Matrix const& x, Indices const& nodes, Plane const& plane, FacetTerms& terms) {
+  static mesh::Rule const rule = mesh::cube_rule(1, 4);
+  for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+    auto const [N, dN] = mesh::edge_shape(nodes.size(), rule.points(q, 0));
+    Eigen::Vector3d off = -plane.point, along = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      off += N[static_cast<Eigen::Index>(i)] * x.row(nodes[i]).transpose();
+      along += dN[static_cast<Eigen::Index>(i)] * x.row(nodes[i]).transpose();
+    }
+    double const height = off.dot(plane.normal);
+    Eigen::Vector3d const across = rule.weights[q] * along.cross(plane.normal);
+    terms.volume += height * off.dot(across) / 3;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      double const own = N[static_cast<Eigen::Index>(i)];
+      terms.normals.segment<3>(3 * nodes[i]) += own * height * across;
+      for (std::size_t j = 0; terms.normals_by_x.size() > 0 && j < nodes.size(); ++j)
+        terms.normals_by_x.block<3, 3>(3 * nodes[i], 3 * nodes[j]) +=
+            own * (N[static_cast<Eigen::Index>(j)] * across * plane.normal.transpose() -
+                   rule.weights[q] * height * dN[static_cast<Eigen::Index>(j)] * cross_matrix(plane.normal));
+    }
+  }
+}
+
+} // namespace
+
+void add_skirt(Kinematics kinematics, Matrix const& x, int side, Plane const& plane, FacetTerms& terms) {
+  auto const dim = x.cols();
+  if (dim == 2)
+    return add_end(kinematics, x.row(side).transpose(), side, plane, terms);
+  int const corners = sides_of(static_cast<std::size_t>(x.rows()), dim);
+  Indices nodes{side, (side + 1) % corners};
+  if (x.rows() > corners)
+    nodes.push_back(corners + side);
+  add_edge(x, nodes, plane, terms);
+}
+
 } // namespace stiction::solid

@@ -23,4 +23,18 @@ enum class FacetOrder { values, first, second }; ///< derivatives wanted: none; 
 [[nodiscard]] FacetTerms facet_terms(Kinematics kinematics, Matrix const& x, Point const& centre,
                                      FacetOrder order);
 
+/// A plane by a point and its normal of unit length.
+struct Plane {
+  Point point = Point::Zero(), normal = Point::Zero();
+};
+
+/// Sides of a facet of so many nodes: its ends in the plane, in space its edges.
+[[nodiscard]] int sides_of(std::size_t nodes, Eigen::Index dim);
+/// The corners of one of them.
+[[nodiscard]] Indices corners_of(mesh::Facet const& facet, int side, Eigen::Index dim);
+
+/// Adds to a facet's terms those of a skirt that hangs from one of its sides down to the plane along its
+/// normal, as if the facet went on there. x: as above; area is left as it is.
+void add_skirt(Kinematics kinematics, Matrix const& x, int side, Plane const& plane, FacetTerms& terms);
+
 } // namespace stiction::solid

@@ -168,3 +168,33 @@ TEST_CASE("closed surfaces: normals sum to nothing, with their moments, and are 
       CHECK(sum.normals_by_x.isApprox(sum.normals_by_x.transpose(), 1e-12));
   }
 }
+
+TEST_CASE(
+    "a facet with skirts at its sides: its volume over the plane has the derivatives that are claimed") {
+  for (auto const& kind : kinds) {
+    CAPTURE(static_cast<int>(kind.kinematics));
+    CAPTURE(kind.nodes);
+    int const dim = kind.dim();
+    solid::Plane plane{centre, Point(0, 1, 0)};
+    if (kind.kinematics != Kinematics::axisymmetric)
+      plane.normal.head(dim) = Point(0.6, -0.48, 0.64).head(dim).normalized();
+    auto const at = [&](Vector const& y) {
+      Matrix const x = shaped(y, dim);
+      auto terms = solid::facet_terms(kind.kinematics, x, centre, FacetOrder::second);
+      for (int side = 0; side < solid::sides_of(kind.nodes, dim); ++side)
+        solid::add_skirt(kind.kinematics, x, side, plane, terms);
+      return terms;
+    };
+    Vector const x = bent(kind.nodes, dim);
+    auto const terms = at(x);
+    auto const first = test::rate([&](Vector const& y) { return Vector::Constant(1, at(y).volume).eval(); },
+                                  Dense(terms.normals.transpose()), x, 1e-2);
+    INFO(first.words());
+    CHECK(first.second_order);
+    auto const second =
+        test::rate([&](Vector const& y) { return Vector(at(y).normals); }, terms.normals_by_x, x, 1e-2);
+    INFO(second.words());
+    CHECK(second.second_order);
+    CHECK(terms.normals_by_x.isApprox(terms.normals_by_x.transpose(), 1e-12));
+  }
+}

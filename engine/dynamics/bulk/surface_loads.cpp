@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solid/facets.hpp"
-
 namespace stiction::dynamics {
 
 namespace {
@@ -63,11 +61,41 @@ Vector SurfaceLoads::normals(std::vector<mesh::Facet> const& facets, Vector cons
   return sum;
 }
 
+namespace {
+
+Point centre_of(Gas const& gas, Vector const& u) {
+  Point centre = gas.centre;
+  for (auto const& [component, dof, part] : gas.carriers)
+    centre[component] += part * u[dof];
+  return centre;
+}
+
+} // namespace
+
+/// Of one facet of a cavity's wall and what goes on from it to the seal.
+solid::FacetTerms SurfaceLoads::wall_terms(Gas const& gas, std::size_t facet, Vector const& u,
+                                           solid::FacetOrder order) const {
+  Matrix const x = places(gas.facets[facet], u);
+  Point const centre = centre_of(gas, u);
+  auto terms = solid::facet_terms(model_->kinematics, x, centre, order);
+  if (gas.seal)
+    for (int const side : gas.seal->sides[facet])
+      solid::add_skirt(model_->kinematics, x, side, {centre, gas.seal->normal}, terms);
+  return terms;
+}
+
+/// int N n da over a cavity's wall, m^2: less how its volume grows.
+Vector SurfaceLoads::wall_normals(Gas const& gas, Vector const& u) const {
+  Vector sum = Vector::Zero(u.size());
+  for (std::size_t k = 0; k < gas.facets.size(); ++k)
+    add_at(gas.facets[k], 1, wall_terms(gas, k, u, solid::FacetOrder::values).normals, sum);
+  return sum;
+}
+
 double SurfaceLoads::volume(Gas const& gas, Vector const& u) const {
   double sum = 0;
-  for (auto const& facet : gas.facets)
-    sum -= solid::facet_terms(model_->kinematics, places(facet, u), gas.centre, solid::FacetOrder::values)
-               .volume;
+  for (std::size_t k = 0; k < gas.facets.size(); ++k)
+    sum -= wall_terms(gas, k, u, solid::FacetOrder::values).volume;
   return sum;
 }
 
@@ -126,7 +154,7 @@ void SurfaceLoads::add_pressures(Vector const& u, double t, Gases const& gas, Ve
   for (auto const& pressure : model_->pressures)
     force -= pressure.path.value(t) * normals(pressure.facets, u);
   for (std::size_t k = 0; k < model_->gases.size(); ++k)
-    force -= gas[k].pressure * normals(model_->gases[k].facets, u);
+    force -= gas[k].pressure * wall_normals(model_->gases[k], u);
 }
 
 /// -dp/dV, Pa/m^3.
@@ -156,16 +184,17 @@ void SurfaceLoads::each_stiffness(Vector const& u, double t, Gases const& gas, V
   auto const terms = [&](mesh::Facet const& facet) {
     return solid::facet_terms(model_->kinematics, places(facet, u), Point::Zero(), solid::FacetOrder::second);
   };
-  auto const press = [&](std::vector<mesh::Facet> const& facets, double p) {
-    for (auto const& facet : facets) {
-      Dense const whole = terms(facet).normals_by_x;
-      visit(facet, Dense((0.5 * p) * (whole + whole.transpose())));
-    }
+  auto const press = [&](mesh::Facet const& facet, double p, Dense const& whole) {
+    visit(facet, Dense((0.5 * p) * (whole + whole.transpose())));
   };
   for (auto const& pressure : model_->pressures)
-    press(pressure.facets, pressure.path.value(t));
-  for (std::size_t k = 0; k < model_->gases.size(); ++k)
-    press(model_->gases[k].facets, gas[k].pressure);
+    for (auto const& facet : pressure.facets)
+      press(facet, pressure.path.value(t), terms(facet).normals_by_x);
+  for (std::size_t k = 0; k < model_->gases.size(); ++k) {
+    auto const& one = model_->gases[k];
+    for (std::size_t i = 0; i < one.facets.size(); ++i)
+      press(one.facets[i], gas[k].pressure, wall_terms(one, i, u, solid::FacetOrder::second).normals_by_x);
+  }
   for (auto const& stress : model_->surface_stresses)
     for (auto const& facet : stress.facets)
       visit(facet, Dense(stress.gamma * terms(facet).area_by_x2));
@@ -222,7 +251,7 @@ void SurfaceLoads::add_stiffness(Vector const& u, double t, Gases const& gas, do
   });
   for (std::size_t k = 0; k < model_->gases.size(); ++k) {
     auto const& one = model_->gases[k];
-    Vector const g = normals(one.facets, u);
+    Vector const g = wall_normals(one, u);
     double const more = factor * resistance(one, gas[k], volume(one, u));
     auto const dofs = dofs_of(one.nodes, model_->dim());
     auto at = walls_[k].begin();
@@ -241,7 +270,7 @@ double SurfaceLoads::stiffest(Vector const& u, double t, Vector const& inverse_m
     add_at(facet, 1, K.cwiseAbs().rowwise().sum(), rows);
   });
   for (std::size_t k = 0; k < model_->gases.size(); ++k) {
-    Vector const g = normals(model_->gases[k].facets, u).cwiseAbs();
+    Vector const g = wall_normals(model_->gases[k], u).cwiseAbs();
     rows += resistance(model_->gases[k], gas[k], volume(model_->gases[k], u)) * g.sum() * g;
   }
   return rows.cwiseProduct(inverse_mass).maxCoeff();

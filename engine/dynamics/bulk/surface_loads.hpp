@@ -4,6 +4,7 @@
 
 #include "dynamics/bulk/links.hpp"
 #include "dynamics/model/model.hpp"
+#include "solid/facets.hpp"
 
 namespace stiction::dynamics {
 
@@ -50,6 +51,9 @@ public:
 private:
   [[nodiscard]] Matrix places(mesh::Facet const& facet, Vector const& u) const;
   [[nodiscard]] Vector normals(std::vector<mesh::Facet> const& facets, Vector const& u) const;
+  [[nodiscard]] Vector wall_normals(Gas const& gas, Vector const& u) const;
+  [[nodiscard]] solid::FacetTerms wall_terms(Gas const& gas, std::size_t facet, Vector const& u,
+                                             solid::FacetOrder order) const;
   [[nodiscard]] double thicker(Gas const& gas, Vector const& u) const;
   [[nodiscard]] double resistance(Gas const& gas, GasState const& now, double volume) const;
   template<class Visit>

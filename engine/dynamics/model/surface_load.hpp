@@ -21,11 +21,20 @@ struct SurfaceStress {
   double gamma = 0;                ///< J/m^2 = N/m
 };
 
-/// A plane through a cavity's centre that its wall stands on without being held there.
+/// A plane through a cavity's centre that its wall stands on without being held there. Where the wall has
+/// been lifted the cavity reaches down to the plane along its normal.
 struct Seal {
-  Indices rim;                  ///< nodes of the wall's end
-  Point normal = Point::Zero(); ///< of unit length
-  double leaks_at = 0;          ///< m off the plane, from which on gas leaks for good
+  Indices rim;                           ///< nodes of the wall's end
+  std::vector<std::vector<int>> sides{}; ///< [facets]: those of each that are on it
+  Point normal = Point::Zero();          ///< of unit length
+  double leaks_at = 0;                   ///< m off the plane, from which on gas leaks for good
+};
+
+/// A displacement of a node and its part in how a point that is carried moves in a component.
+struct Carrier {
+  int component = 0;
+  Index dof = -1;
+  double part = 1;
 };
 
 /// Gas in a cavity: p (V / V0)^n = P along a path of P, over the pressure outside; or whatever pressure gives
@@ -35,6 +44,7 @@ struct Gas {
   std::vector<mesh::Facet> facets; ///< of model nodes, outward from the body: into the cavity
   Indices nodes;                   ///< of these
   Point centre = Point::Zero();    ///< planes of symmetry that the wall ends at go through it, m
+  std::vector<Carrier> carriers;   ///< of the centre, where the motions that hold the wall's end move
   Path path;                       ///< P over the pressure outside, Pa; or V / V0
   bool by_volume = false;
   double outside = 0, exponent = 1; ///< Pa, n

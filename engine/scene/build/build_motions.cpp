@@ -92,24 +92,31 @@ constexpr std::array between{0.3819660112501051, 0.6180339887498949};
 /// rounding, s.
 std::optional<double> first_difference(dynamics::Motion const& one, dynamics::Motion const& other,
                                        double end) {
-  std::set<double> knots{end};
-  for (auto const* motion : {&one, &other}) {
-    knots.insert(motion->path.times.begin(), motion->path.times.end());
-    if (motion->turn)
-      knots.insert(motion->turn->angle->times.begin(), motion->turn->angle->times.end());
-  }
-  std::set<double> times = knots;
-  for (auto knot = knots.begin(); std::next(knot) != knots.end() && (one.turn || other.turn); ++knot)
-    for (double const part : between)
-      times.insert(*knot + part * (*std::next(knot) - *knot));
   double const largest = std::max(one.farthest(), other.farthest());
-  for (double const t : times)
-    if (t <= end && std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)
+  for (double const t : compared_at({&one, &other}, end))
+    if (std::abs(one.value(t) - other.value(t)) > 1e-12 * largest)
       return t;
   return {};
 }
 
 } // namespace
+
+std::set<double> compared_at(std::vector<dynamics::Motion const*> const& motions, double end) {
+  std::set<double> knots{end};
+  bool turns = false;
+  for (auto const* motion : motions) {
+    knots.insert(motion->path.times.begin(), motion->path.times.end());
+    if (motion->turn)
+      knots.insert(motion->turn->angle->times.begin(), motion->turn->angle->times.end());
+    turns = turns || motion->turn;
+  }
+  std::set<double> times = knots;
+  for (auto knot = knots.begin(); std::next(knot) != knots.end() && turns; ++knot)
+    for (double const part : between)
+      times.insert(*knot + part * (*std::next(knot) - *knot));
+  times.erase(times.upper_bound(end), times.end());
+  return times;
+}
 
 /// Two motions may drive a node alike, as where a held and a driven set share a corner.
 void Builder::check_driven_twice() {

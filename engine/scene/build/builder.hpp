@@ -1,5 +1,6 @@
 // The making of a Scene from a script's table, step by step; complaints are gathered before any is thrown.
 #pragma once
+#include <array>
 #include <map>
 #include <set>
 
@@ -17,6 +18,9 @@ using Where = std::vector<std::string>; ///< keys from the scene's table down, "
 
 /// An empty path where no values are given.
 [[nodiscard]] dynamics::Path path(Numbers const& times, Numbers const& values);
+
+/// Times up to `end` at which motions are compared, s.
+[[nodiscard]] std::set<double> compared_at(std::vector<dynamics::Motion const*> const& motions, double end);
 
 /// Mean place of nodes; a place in words, "(1, 0) m".
 [[nodiscard]] Vec3 middle_of(dynamics::Model const& model, Indices const& nodes);
@@ -113,9 +117,14 @@ private:
   void add_load(Where const& where, PressurePart const& part);
   void add_load(Where const& where, GasPart const& part);
   void add_load(Where const& where, SurfaceStressPart const& part);
-  void add_seal(Where const& where, GasPart const& part, dynamics::Gas& gas);
-  void check_cavity(Where const& where, dynamics::Gas const& gas);
   void add_components(Where const& where, LoadPath const& load, Vector const& shares);
+
+  // build_cavities.cpp
+  void add_seal(Where const& where, GasPart const& part, dynamics::Gas& gas);
+  void check_cavity(Where const& where, dynamics::Gas& gas);
+  void carry_centre(Where const& where, dynamics::Gas& gas, std::map<Index, std::size_t> const& motions);
+  [[nodiscard]] std::optional<std::pair<Vec3, std::array<Index, 2>>>
+  turning_arm(std::map<Index, std::size_t> const& motions) const;
 
   // build_springs.cpp
   void add_springs();

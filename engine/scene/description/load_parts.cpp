@@ -42,9 +42,9 @@ core::Schema const& GasPart::schema() {
           "physics.md 4"}
           .text("set", &GasPart::set, Need::required,
                 "the cavity's whole wall, \"body.set\", closed or ending at planes of symmetry through "
-                "`centre` that "
-                "motions keep it in, at the axis, or where motions hold it: the rest is then a cone up to "
-                "`centre`")
+                "`centre` that motions keep it in, at the axis, or where motions hold it: the rest is then a "
+                "cone up to `centre`, which goes with those motions; they move all of the end as one rigid "
+                "body")
           .numbers("times", &GasPart::times, "s", Need::required, "times of the path, ascending")
           .numbers("pressure", &GasPart::pressure, "Pa", Need::optional,
                    "the amount: pressure over `outside` that it would have in the cavity of the start")
@@ -62,7 +62,8 @@ core::Schema const& GasPart::schema() {
           .numbers(
               "seal", &GasPart::seal, "1", Need::optional,
               "normal {x, y [, z]} of a plane through `centre` that the wall's end stands on and may leave, "
-              "as a suction cup does; under it gas goes out whenever its pressure is over that outside")
+              "as a suction cup does: the cavity reaches down to the plane along the normal, as by a skirt, "
+              "whose pull the rim bears; under it gas goes out whenever its pressure is over that outside")
           .number("leaks_at", &GasPart::leaks_at, "m", core::non_negative, Need::optional,
                   "how far off the seal any of that end may be; farther off the gas leaks, for good, to the "
                   "pressure "

@@ -240,8 +240,10 @@ TEST_CASE("gas goes out under a seal, does not come back, and leaks in where its
   double const stretch = 1 + radial(scene, end.state, "tube.left"), left = 0.5 * 0.5 / 0.8;
   CHECK(stretch < 0.99);
   CHECK(!end.state.gas[0].leaking);
-  CHECK((end.state.gas[0].pressure + 0.5) * std::pow(stretch, 2 * 1.4) ==
-        doctest::Approx(left).epsilon(1e-9));
+  double const grown =
+      dynamics::SurfaceLoads(*scene.model).volume(scene.model->gases[0], end.state.u) / (pi * 0.2);
+  CHECK(grown == doctest::Approx(stretch * stretch * 1.045).epsilon(5e-3)); // the skirt draws the rim in
+  CHECK((end.state.gas[0].pressure + 0.5) * std::pow(grown, 1.4) == doctest::Approx(left).epsilon(1e-9));
   lift(0.012);
   auto const off = scene::build(table);
   auto const after = inflate(off, 8);

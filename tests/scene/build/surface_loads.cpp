@@ -127,6 +127,34 @@ TEST_CASE("in space too a cavity's wall is closed, or ends where it is held") {
   CHECK(room(true).empty());
 }
 
+TEST_CASE("a cavity whose ends move apart, or off its seal, is told, and where") {
+  auto const ended = [](test::Input left, test::Input right, core::Table more) {
+    auto table = test::foot_on_floor(); // what is under its top is as good as a cavity
+    more["times"] = values({0, 2}, "s");
+    more["centre"] = values({0.5, 3}, "m");
+    more["pressure"] = values({0, 0}, "Pa");
+    test::at(table, "loads") = test::list({load("gas", "foot.top", std::move(more))});
+    test::at(table, "motions") = test::list({std::move(left), std::move(right)});
+    test::remove(table, "pairs");
+    return table;
+  };
+  auto const moved = [](char const* set, double x) { return test::drive(set, {0, 2}, {0, x}, {0, 0}); };
+  CHECK(test::complaints(ended(moved("foot.left", 0.1), moved("foot.right", 0.1), {})).empty());
+  wrong(ended(moved("foot.left", 0.1), moved("foot.right", 0.2), {}),
+        "ends where motions do not move it as one rigid body: at t = 2 s they take (1, 1) m by 0.1 m "
+        "elsewhere");
+  auto const seal = [](std::vector<double> const& normal) {
+    return core::Table{{"seal", values(normal)}, {"leaks_at", value(0.1, "m")}};
+  };
+  auto sealed = ended(moved("foot.left", 0.1), test::fix("foot.right", false, true), seal({1, 0}));
+  test::at(sealed, "loads[1].centre") = values({1, 3}, "m");
+  wrong(sealed, "where motions take `centre` 0.1 m off it at t = 2 s");
+  auto about_axis = tube({{"pressure", values({0, 0}, "Pa")}});
+  test::at(about_axis, "loads[1].seal") = values({1, 0});
+  test::at(about_axis, "loads[1].leaks_at") = value(0.1, "m");
+  wrong(about_axis, "which about an axis is along it");
+}
+
 TEST_CASE("explain says what acts on surfaces, how large a cavity is and what surface stress rounds") {
   auto table = tube({{"volume", values({1, 2})}});
   auto& loads = std::get<core::List>(test::at(table, "loads").value);
