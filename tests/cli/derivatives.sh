@@ -39,5 +39,34 @@ sed -i 's/sweep = {/derivatives = { "word" }, sweep = {/' twice/study.lua
 expect 2 "only of a number there are derivatives" "$stiction" run twice --no-figures
 changed bare 's/run:at(2\*s, "sole", "force_x")/run:derivative("mu", function(r) return r:last("sole", "force_x") end)/'
 expect 1 "has no derivatives with respect to 'mu'; the study asks for them: derivatives" "$stiction" run bare --no-figures --jobs 1
+# a cavity of given volume: one correction is far from it
+mkdir -p filled
+cat >filled/study.lua <<'E'
+local stiction = require "stiction"
+local u = stiction.units
+local m, s = u.m, u.s
+return stiction.study { title = "A filled tube", question = "How does its pressure grow?", given = { v = 2, young = 1*u.MPa },
+  derivatives = { "v", "young" },
+  scene = function(p)
+    return stiction.scene { kinematics = "axisymmetric", bodies = { tube = stiction.body { density = 1000*u.kg/m^3,
+        mesh = stiction.mesh.block { origin = { 1*m, 0*m }, size = { 1*m, 0.2*m }, cells = { 4, 1 }, kind = "quad8" },
+        material = stiction.material.neo_hookean { young = p.young, poisson = 0.4 } } },
+      motions = { stiction.motion.fix { set = "tube.all", y = true } },
+      loads = { stiction.load.gas { set = "tube.left", times = { 0*s, 1*s }, volume = { 1, p.v } } },
+      scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 8 } } },
+      probes = { gas = stiction.probe.gas { set = "tube.left" } } }
+  end,
+  results = { { name = "p", unit = "Pa", meaning = "pressure", function(run) return run:last("gas", "pressure") end } } }
+E
+filled() { # V NAME: a number of the summary with this volume
+  rm -rf out/filled
+  "$stiction" run filled --no-figures --set v="$1" >ran 2>&1 || cat ran
+  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR == 2 { print $at[name] }' out/filled/summary.csv
+}
+less=$(filled 1.99 p) more=$(filled 2.01 p) slope=$(filled 2 d_p_d_v) own=$(filled 2 p) young=$(filled 2 d_p_d_young)
+awk -v a="$less" -v b="$more" -v d="$slope" -v p="$own" -v e="$young" 'function off(x, y) { return x > y ? x / y - 1 : 1 - x / y }
+  BEGIN { exit !(off(d, (b - a) / 0.02) < 1e-3 && off(e * 1e6, p) < 1e-4) }' ||
+  complain "derivatives of a given volume: p $less $own $more, dp/dv $slope, dp/dE $young"
 holds "a case ran where none could" [ -z "$(find out/unknown out/mesh out/flag -name series.h5 2>/dev/null)" ]
 finish

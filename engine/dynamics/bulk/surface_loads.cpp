@@ -122,6 +122,30 @@ Gases SurfaceLoads::gas_pressures(Vector const& u, double t, Gases const& known)
   return all;
 }
 
+std::vector<double> SurfaceLoads::volumes(Vector const& u) const {
+  std::vector<double> all;
+  all.reserve(model_->gases.size());
+  for (auto const& gas : model_->gases)
+    all.push_back(volume(gas, u));
+  return all;
+}
+
+Gases SurfaceLoads::balanced(Gases gas, std::vector<double> const& before,
+                             std::vector<double> const& now) const {
+  for (std::size_t k = 0; k < before.size(); ++k)
+    if (model_->gases[k].by_volume)
+      gas[k].pressure -= model_->gases[k].stiffness * (now[k] - before[k]);
+  return gas;
+}
+
+double SurfaceLoads::rounding(Vector const& u) const {
+  double most = 0;
+  for (auto const& gas : model_->gases)
+    if (gas.by_volume)
+      most += 2e-16 * gas.stiffness * volume(gas, u) * wall_normals(gas, u).lpNorm<Eigen::Infinity>();
+  return most;
+}
+
 Gases SurfaceLoads::leaked(Vector const& u, double t, Gases gas) const {
   int const dim = model_->dim();
   for (std::size_t k = 0; k < gas.size(); ++k) {

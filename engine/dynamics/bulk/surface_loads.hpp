@@ -21,6 +21,14 @@ public:
   [[nodiscard]] double volume(Gas const& gas, Vector const& u) const;
   /// Of every gas; known: at the step's start.
   [[nodiscard]] Gases gas_pressures(Vector const& u, double t, Gases const& known) const;
+  /// Of every cavity.
+  [[nodiscard]] std::vector<double> volumes(Vector const& u) const;
+  /// Where a correction has led from `before` to `now`: given volumes have then the pressure that the matrix
+  /// balanced, on which the next one adds what the volume still lacks. gas: as it was; before may be empty.
+  [[nodiscard]] Gases balanced(Gases gas, std::vector<double> const& before,
+                               std::vector<double> const& now) const;
+  /// What the rounding of given volumes alone makes of forces, N.
+  [[nodiscard]] double rounding(Vector const& u) const;
   /// At a step's end: those leak too whose wall has left its seal, and what was more than the pressure
   /// outside bears has gone out under it.
   [[nodiscard]] Gases leaked(Vector const& u, double t, Gases gas) const;

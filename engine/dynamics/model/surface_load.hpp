@@ -49,7 +49,7 @@ struct Gas {
   bool by_volume = false;
   double outside = 0, exponent = 1; ///< Pa, n
   double volume = 0;                ///< V0, m^3 (m^2 in plane strain)
-  /// Of given volumes: pressure beside that of the step's start per volume that lacks, Pa/m^3.
+  /// Of given volumes: pressure that a correction adds per volume that lacks, Pa/m^3.
   double stiffness = 0;
   std::optional<Seal> seal;
 };

@@ -162,6 +162,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
   if (bulk_.surface_loads().pressed()) {
     prescribed_ = external_;
     gas_old_ = old.gas;
+    volumes_.clear();
     add_following(old.u, old.t, gas_old_, external_old_);
   }
   if (weights_.skin)

@@ -190,9 +190,10 @@ private:
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N
-  Vector prescribed_;   ///< of external_ what does not follow surfaces, N; empty where nothing does
-  Gases gas_old_, gas_; ///< at the step's ends
-  Vector inverse_mass_; ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
+  Vector prescribed_;           ///< of external_ what does not follow surfaces, N; empty where nothing does
+  Gases gas_old_, gas_;         ///< at the step's ends
+  std::vector<double> volumes_; ///< [gases] that gas_ is of, m^3; empty at first
+  Vector inverse_mass_;         ///< explicit schemes: of the lumped mass, [dim nodes], 1/kg
   double critical_step_ = 0;
   int critical_age_ = 0;                    ///< as State::critical_age, after the step
   material::NetworkEnergy<double> relaxed_; ///< of the step that ends, J

@@ -38,7 +38,8 @@ double Stepper::imbalance() const {
 double Stepper::rounded() const {
   double const way = largest_way(u_) + largest_way(d_);
   double const beside_one = bulk_.linear_bodies() ? 0 : 1e-15 * bulk_.cell_size(); // F = 1 + grad u
-  return 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness();
+  double const gas = bulk_.surface_loads().stiff() ? bulk_.surface_loads().rounding(u_) : 0;
+  return 1e-14 * way * bulk_.stiffness_scale() + beside_one * bulk_.bodies_stiffness() + gas;
 }
 
 /// So near to the answer that a factor of here is as good as one of there.

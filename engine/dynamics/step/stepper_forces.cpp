@@ -24,13 +24,17 @@ void Stepper::follow(double t) {
   if (!bulk_.surface_loads().pressed())
     return;
   external_ = prescribed_;
-  gas_ = bulk_.surface_loads().gas_pressures(u_, t, gas_old_);
+  auto const& loads = bulk_.surface_loads();
+  auto volumes = loads.volumes(u_);
+  auto const known = loads.balanced(volumes_.empty() ? gas_old_ : gas_, volumes_, volumes);
+  gas_ = loads.gas_pressures(u_, t, known);
+  volumes_ = std::move(volumes);
   add_following(u_, t, gas_, external_);
   if (leads_)
     look_ahead(
         [&](Vector const& u, Vector& f) {
           f = prescribed_;
-          add_following(u, t, bulk_.surface_loads().gas_pressures(u, t, gas_old_), f);
+          add_following(u, t, loads.gas_pressures(u, t, known), f);
         },
         external_);
 }

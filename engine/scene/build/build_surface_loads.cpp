@@ -10,8 +10,9 @@ namespace stiction::scene {
 
 namespace {
 
-/// Pressure per part of a cavity's volume that lacks, over Young's modulus.
-constexpr double volume_held = 1e6;
+/// Pressure per part of a cavity's volume that lacks, over Young's modulus. Every correction adds it anew:
+/// the larger, the fewer are wanted, and the more the rounding of the volume makes of thin walls.
+constexpr double volume_held = 1e3;
 
 } // namespace
 

@@ -53,8 +53,8 @@ core::Schema const& GasPart::schema() {
           .number("exponent", &GasPart::exponent, "1", {0, 10, false, false}, Need::optional,
                   "polytropic: 1 keeps its temperature, 1.4 its heat as air, 0 its pressure")
           .numbers("volume", &GasPart::volume, "1", Need::optional,
-                   "instead: volume of the cavity over that of the start, met to a millionth; the pressure "
-                   "follows")
+                   "instead: volume of the cavity over that of the start; the pressure follows. Dynamic runs "
+                   "want a scheme that damps what swings from step to step: theta = 0.6, or hht")
           .numbers("centre", &GasPart::centre, "m", Need::optional,
                    "point {x, y [, z]} of the planes of symmetry that the wall ends at, or tip of the cone "
                    "over its rim; "

@@ -377,6 +377,21 @@ void ringing(Facts const& all, Warnings& warnings) {
        "contact_inertia = \"implicit\" in the scheme, the default"});
 }
 
+/// The pressure that keeps a volume at step ends is a constraint's: means of it leave its +-1 mode undamped.
+void swinging_pressure(Facts const& all, Warnings& warnings) {
+  auto const& model = *all.scene->model;
+  auto const scheme = dynamics::weights(model.scheme);
+  if (!all.dynamic() || scheme.explicit_forces || scheme.accelerations() || scheme.rate > 0.5 ||
+      scheme.xi > 0.5)
+    return;
+  for (auto const& gas : model.gases)
+    if (gas.by_volume)
+      warnings.push_back({fmt::format("{}: a scheme that damps nothing (theta = 1/2) with a given volume: "
+                                      "its pressure swings at every step, the more the shorter steps are",
+                                      gas.set),
+                          "theta = 0.6 in the scheme, or scheme.hht{}"});
+}
+
 } // namespace
 
 void add_warnings(Facts const& all, Explanation& explanation) {
@@ -400,6 +415,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);
+  swinging_pressure(all, warnings);
 }
 
 void add_advice(Facts const& all, Explanation& explanation) {

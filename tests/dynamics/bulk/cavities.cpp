@@ -171,3 +171,35 @@ TEST_CASE("a cavity whose ends are carried or turned as a rigid body stays as it
         CHECK(std::abs(end.state.gas[0].pressure) < 1e-8 * 1e9); // Young's modulus
       }
 }
+
+TEST_CASE("a thin strip over liquid gives way by bending: pushed on one side it rises on the other") {
+  auto table = test::make("scene");
+  test::at(table, "bodies.strip") = test::block({{0, 0}, {1, 0.02}, {40, 2}}, test::linear_elastic(1, 0));
+  test::at(table, "bodies.strip.mesh.kind") = test::text("quad8");
+  test::at(table, "motions") = test::list({test::fix("strip.left"), test::fix("strip.right")});
+  double const force = 1e-9, bending = std::pow(0.02, 3) / 12;
+  test::at(table, "loads") = test::list({test::make("load.gas", {{"set", test::text("strip.bottom")},
+                                                                 {"times", test::values({0, 1}, "s")},
+                                                                 {"centre", test::values({0.5, -0.5}, "m")},
+                                                                 {"volume", test::values({1, 1})}}),
+                                         test::make("load.force", {{"set", test::text("strip.top")},
+                                                                   {"near", test::values({0.5, 0.02}, "m")},
+                                                                   {"times", test::values({0, 1}, "s")},
+                                                                   {"y", test::values({0, -force}, "N")}})});
+  test::at(table, "scheme") = test::quasi_static();
+  test::at(table, "schedule") = test::schedule({{1, 1}});
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const outcome = stepper.step(stepper.initial(), 1);
+  INFO(outcome.reason);
+  REQUIRE(outcome.converged());
+  CHECK(outcome.iterations <= 10);
+  // clamped: a force gives the volume F L^4 / (384 E I), a pressure p L^5 / (720 E I)
+  CHECK(outcome.state.gas[0].pressure == doctest::Approx(720.0 / 384 * force).epsilon(2e-3));
+  double const sag = force / bending * (1.0 / 192 - 720.0 / 384 / 384);
+  Index const middle = scene.nearest(test::nodes_of(scene, "strip.bottom"), {0.5, 0});
+  CHECK(-outcome.state.u[2 * middle + 1] == doctest::Approx(sag).epsilon(2e-2));
+  auto const& gas = scene.model->gases[0];
+  CHECK(dynamics::SurfaceLoads(*scene.model).volume(gas, outcome.state.u) / gas.volume ==
+        doctest::Approx(1).epsilon(1e-12));
+}

@@ -168,6 +168,20 @@ TEST_CASE("explain says what acts on surfaces, how large a cavity is and what su
   CHECK(words.find("surface stress 2 N/m: rounds what is finer than gamma / E = 2 mm") != std::string::npos);
 }
 
+TEST_CASE("explain warns of a given volume where the scheme damps nothing") {
+  auto const warned = [](test::Input scheme) {
+    auto table = tube({{"volume", values({1, 1.1})}});
+    test::at(table, "scheme") = std::move(scheme);
+    return std::ranges::any_of(scene::explain(scene::build(table)).warnings, [](auto const& one) {
+      return one.text.find("its pressure swings at every step") != std::string::npos;
+    });
+  };
+  CHECK(warned(test::make("scheme.theta_xi")));
+  CHECK(!warned(test::theta_xi(0.6, 0.6)));
+  CHECK(!warned(test::make("scheme.hht")));
+  CHECK(!warned(test::quasi_static()));
+}
+
 TEST_CASE("a probe shows pressure and volume of a cavity, that of energy what surfaces store") {
   auto table = tube({{"volume", values({1, 1.1})}});
   std::get<core::List>(test::at(table, "loads").value)
