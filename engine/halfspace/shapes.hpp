@@ -81,6 +81,8 @@ struct Wave {
   }
   /// What the grid cannot hold.
   [[nodiscard]] core::Complaints check(Grid const& grid) const;
+  /// Where it has a step when the grid is repeated.
+  [[nodiscard]] core::Complaints check_period(Grid const& grid) const;
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Wave>{"wave", "cosines along x, along y, or the sum of both, lowest at the origin",

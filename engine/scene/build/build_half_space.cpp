@@ -111,6 +111,9 @@ void Builder::take_height_map(std::string const& name, HeightMapPart const& part
   if (part.young > 0)
     model.counterpart = halfspace::Elastic{part.young, part.poisson, model.body.depth};
   model.heights = heights_of({"obstacles", name, "surface"}, part.surface, model.grid);
+  if (auto const* wave = std::get_if<halfspace::Wave>(&part.surface); wave != nullptr && model.grid.periodic)
+    for (auto const& one : wave->check_period(model.grid))
+      complain({"obstacles", name, "surface", one.path}, one.text);
   settle();
   check_no_z({"obstacles", name, "z"}, part.z);
   check_path_end({"obstacles", name, "times"}, part.times);

@@ -242,9 +242,6 @@ Choice Chooser::of(halfspace::Wave const& part) const {
            "\"periodic\"";
   if (!((length(0) > 0) != (along_y > 0)))
     return "waves along both axes have no formula, nor has a plane; give one wave length above 0";
-  double const waves = (along_y > 0 ? grid.Ly : grid.Lx) / one;
-  if (std::abs(waves - std::round(waves)) > 1e-9 * waves)
-    return fmt::format("the points span {:g} waves; formulas want a whole number", waves);
   if (model.law.tangential() && (changes(model.shift[0]) || changes(model.shift[1])))
     return only_spheres;
   auto const unfit = sticks() ? unfit_range(one * one / (4 * pi * pi * part.amplitude)) : "";

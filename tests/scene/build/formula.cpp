@@ -73,7 +73,7 @@ TEST_CASE("half spaces that no formula answers say why and what does") {
                 make("surface.punch", {{"radius", value(0.1, "m")}, {"clearance", value(1e-3, "m")}}),
                 "more than its clearance", sphere);
   check_refused("bodies.base.boundary", text("free"), "of one that is repeated", wave);
-  check_refused("bodies.base.size", values({0.3}, "m"), "span 1.5 waves", wave);
+  check_refused("bodies.base.size", values({0.3}, "m"), "goes 1.5 times into the period", wave);
   check_refused("pairs.joint.adhesion", test::dugdale(10, 5e-2), "no short range", wave);
   check_refused("pairs.joint.adhesion", test::dugdale(10, 5e-2), "no short range", line);
   check_refused("probes.energy", make("probe.energy"), "with the bodies' size, as their depth does", line);
