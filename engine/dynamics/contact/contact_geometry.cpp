@@ -99,9 +99,9 @@ contact::PosedObstacle<D> ContactGeometry<D>::posed(RigidSide const& side, Point
 
 template<int D> std::vector<contact::Vec3> ContactGeometry<D>::tangents(std::size_t pair) const {
   auto const& side = std::get<RigidSide>(model_->pairs[pair].primary);
-  std::vector<contact::Vec3> all;
-  for (Index i = 0; i < model_->pairs[pair].size(); ++i)
-    all.push_back(posed(side, {static_cast<int>(pair), i}).direction);
+  std::vector<contact::Vec3> all(ix(model_->pairs[pair].size()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = posed(side, {static_cast<int>(pair), static_cast<Index>(i)}).direction;
   return all;
 }
 
