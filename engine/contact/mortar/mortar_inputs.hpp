@@ -110,13 +110,15 @@ private:
 /// Where a sample's way along the primary begins, and where it ends.
 template<int D> struct WayEnd {
   CellFacet const& facet;
+  FacetNodes<D> nodes;
   FacetShape shape, hats; ///< of the facet and of its corners
   Vec<D> position, sum;   ///< the latter of averaged normals
 
   WayEnd(Faced<D> const& faced, Foot foot)
-      : facet(faced.primary.facet(foot.segment)), shape(facet_shape(facet.kind, {foot.xi, foot.eta})),
-        hats(facet_shape(linear_kind(facet.kind), {foot.xi, foot.eta})),
-        position(faced.primary.template positions<D>(foot.segment, faced.x) * shape.N),
+      : facet(faced.primary.facet(foot.segment)),
+        nodes(faced.primary.template positions<D>(foot.segment, faced.x)),
+        shape(facet_shape(facet.kind, {foot.xi, foot.eta})),
+        hats(facet_shape(linear_kind(facet.kind), {foot.xi, foot.eta})), position(nodes * shape.N),
         sum(sum_of_normals<D>(facet, hats.N, faced.opposite)) {}
   [[nodiscard]] Way<D> way_to(WayEnd const& end) const {
     return {end.position - position, sum.normalized(), end.sum.normalized(), ChordEnds::on_facets};

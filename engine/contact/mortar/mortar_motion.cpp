@@ -20,21 +20,20 @@ template<int D> struct ByWay {
 };
 
 template<int D>
-ByWay<D> add_way(Faced<D> const& faced, Sample const& sample, SamplePairing<D> const& pairing,
+ByWay<D> add_way(std::array<WayEnd<D>, 2> const& ends, FanNormals<D> const& normals, Mat<D> const& frame,
                  Moving<D> const& moving, By<D>& by) {
   ByWay<D> result;
-  WayEnd<D> const start(faced, sample.start.foot), end(faced, pairing.foot);
+  auto const& [start, end] = ends;
   auto const way = start.way_to(end);
   ByLess<D> const foot = moving.foot();
   By<D> chord = unit_input<D>(other_position), sum = By<D>::Zero();
-  auto const nodes = faced.primary.template positions<D>(pairing.foot.segment, faced.x);
   for (int b = 0; b < D - 1; ++b) {
-    chord += nodes * end.shape.by[ix(b)] * foot.row(b);
-    sum += sum_of_normals<D>(end.facet, end.hats.by[ix(b)], faced.opposite) * foot.row(b);
+    chord += end.nodes * end.shape.by[ix(b)] * foot.row(b);
+    sum += sum_of_normals<D>(end.facet, end.hats.by[ix(b)], normals) * foot.row(b);
   }
   Mat<D> const at_start = turn_of_unit<D>(start.sum), at_end = turn_of_unit<D>(end.sum);
   for (int a = 1; a < D; ++a) {
-    auto const of = way.by(pairing.frame.col(a));
+    auto const of = way.by(frame.col(a));
     result.start.row(a) = -of.chord;
     result.sum_at_start.row(a) = of.from.transpose() * at_start;
     result.sum_at_foot.row(a) = of.to.transpose() * at_end;
@@ -75,8 +74,10 @@ SampleMotion<D> sample_motion(Faced<D> const& faced, Sample const& sample, Sampl
   by.row(0) = moving.foot_and_gap.row(D - 1);
   auto const& own = faced.secondary.facet(sample.facet);
   bool const onward = sample.start.foot.found();
-  WayEnd<D> const end(faced, pairing.foot), start(faced, onward ? sample.start.foot : pairing.foot);
-  auto const on_way = onward ? add_way(faced, sample, pairing, moving, by) : ByWay<D>{};
+  std::array const ends{WayEnd<D>(faced, onward ? sample.start.foot : pairing.foot),
+                        WayEnd<D>(faced, pairing.foot)};
+  auto const& [start, end] = ends;
+  auto const on_way = onward ? add_way(ends, faced.opposite, pairing.frame, moving, by) : ByWay<D>{};
   auto const of_input = [&](int number) { return Mat<D>(by.template middleCols<D>(D * number)); };
   Blocks<D> by_nodes(own.count() + end.facet.count() + start.facet.count());
   for (int k = 0; k < own.count(); ++k) {

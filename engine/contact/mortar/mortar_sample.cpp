@@ -8,11 +8,6 @@ namespace {
 /// How far a sample may slide beyond the primary's border during a step, in parts of a facet.
 constexpr double slide = 0.5;
 
-template<int D> Vec<D> position_at(CellSurface const& surface, Foot foot, Positions x) {
-  return surface.positions<D>(foot.segment, x) *
-         facet_shape(surface.facet(foot.segment).kind, {foot.xi, foot.eta}).N;
-}
-
 template<int D> Mat<D> frame_along(Vec<D> const& n, Vec<D> const& direction) {
   Mat<D> frame;
   if constexpr (D == 2) {
@@ -86,12 +81,12 @@ template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sa
   result.foot = meet(faced.primary, ray, guess, slide, faced.x);
   if (!result.found())
     return result;
-  Vec<D> const position = position_at<D>(faced.primary, result.foot, faced.x);
-  result.gap = ray.along.dot(ray.from - position);
+  WayEnd<D> const end(faced, result.foot);
+  result.gap = ray.along.dot(ray.from - end.position);
   result.frame = frame_along<D>(ray.along, carried_direction(faced, sample));
   if (!sample.start.foot.found())
     return result;
-  auto const way = WayEnd<D>(faced, sample.start.foot).way_to(WayEnd<D>(faced, result.foot));
+  auto const way = WayEnd<D>(faced, sample.start.foot).way_to(end);
   for (int a = 0; a < D - 1; ++a)
     result.slip[a] = way.along(result.frame.col(a + 1));
   return result;
