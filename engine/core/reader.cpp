@@ -34,8 +34,10 @@ char const* kind_of(Input const& input) {
 
 Reader::Reader(Input const& input, std::string path, Complaints& complaints)
     : input_(&input), path_(std::move(path)), complaints_(&complaints) {
-  if (input.table() == nullptr && !std::holds_alternative<std::monostate>(input.value))
-    complain(fmt::format("is {}; a table is wanted", kind_of(input)));
+  bool const nothing = std::holds_alternative<std::monostate>(input.value) ||
+                       (input.list() != nullptr && input.list()->empty()); // as scripts write it: {}
+  if (input.table() == nullptr && !nothing)
+    complain(fmt::format("is {}; a table with names is wanted", kind_of(input)));
 }
 
 bool Reader::has(std::string_view key) const {

@@ -125,11 +125,11 @@ std::optional<State> Follower::follow(double drive) {
   return formula_->at(size_);
 }
 
-State largest_pull(Formula const& formula) {
+State largest_pull(Formula const& formula, double from) {
   Follower const follower(formula, Drive::force);
   auto least = formula.at(0);
   for (double const turn : follower.turns())
-    if (auto const state = formula.at(turn); state.force < least.force)
+    if (auto const state = formula.at(turn); turn <= from && state.force < least.force)
       least = state;
   return least;
 }

@@ -1,5 +1,6 @@
 // From state to state of a formula as a displacement or a force drives it: to the nearest that is stable.
 #pragma once
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,8 @@ private:
   mutable long evaluations_ = 0;
 };
 
-/// The state of the largest pull.
-[[nodiscard]] State largest_pull(Formula const& formula);
+/// The state of the largest pull on the way to where nothing touches, from the size `from` on.
+[[nodiscard]] State largest_pull(Formula const& formula,
+                                 double from = std::numeric_limits<double>::infinity());
 
 } // namespace stiction::formula

@@ -73,6 +73,8 @@ void tell_of_long_work(lua_State* lua) {
 /// After the first stop every further instruction of the user's raises again, so that no pcall of theirs
 /// holds the script alive. Our own library ends in its own, orderly way.
 void on_event(lua_State* lua, lua_Debug* event) {
+  if (event->event == LUA_HOOKRET)
+    return note_return(lua, event);
   if (event->event == LUA_HOOKLINE)
     note_line(lua, event);
   else
@@ -125,7 +127,8 @@ void follow_parent(bool at_once) {
 }
 
 void watch_script(lua_State* lua, bool lines) {
-  lua_sethook(lua, on_event, lines ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, instructions_per_look);
+  lua_sethook(lua, on_event, lines ? LUA_MASKCOUNT | LUA_MASKLINE | LUA_MASKRET : LUA_MASKCOUNT,
+              instructions_per_look);
 }
 
 void limit_script(lua_State* lua, long instructions) {

@@ -87,6 +87,16 @@ void note_line(lua_State* lua, lua_Debug* event) {
     last_line = *event;
 }
 
+void note_return(lua_State* lua, lua_Debug* event) {
+  lua_getinfo(lua, "St", event);
+  lua_Debug caller;
+  if (!(is_user_frame(*event) || event->istailcall != 0) || lua_getstack(lua, 1, &caller) == 0)
+    return;
+  lua_getinfo(lua, "Sl", &caller);
+  if (is_user_frame(caller))
+    last_line = caller;
+}
+
 std::string user_place(lua_State* lua) {
   lua_Debug frame;
   for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {

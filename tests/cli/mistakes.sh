@@ -4,6 +4,20 @@
 
 changed key 's/density = p.density/densitty = p.density/'
 expect 2 "block.lua:5: bodies.block|density: is missing|densitty: |did you mean \"density\"" "$stiction" run key
+# a table is of the line that its constructor is called in, not of the last one of a function that is called there
+changed nested ''
+cat >nested/block.lua <<'END'
+local stiction = require "stiction"
+local function shape(p)
+  local cells = { p.cells, p.cells }
+  return stiction.mesh.block { size = { p.side, p.side }, cells = cells }
+end
+local rubber = stiction.material.neo_hookean { young = 1*stiction.units.MPa, poisson = 0.3 }
+return function(p)
+  return stiction.body { mesh = shape(p), material = rubber, densitty = p.density }
+end
+END
+expect 2 "block.lua:8: bodies.block|densitty: " "$stiction" run nested
 changed unit 's/density = p.density/density = p.side/'
 expect 2 "block.lua:5: bodies.block.density|kg/m^3" "$stiction" run unit
 expect 2 "bodies.block.density: is -3 kg/m^3; it must be > 0 kg/m^3" "$stiction" run "$tiny" --set "density=-3 kg/m^3"

@@ -32,6 +32,19 @@ TEST_CASE("JKR pulls off at 3/2 pi w R, DMT at 2 pi w R, a line at its own, Hert
   CHECK(largest_pull(Wave({E, 1e-5, 1e-3, 1e-3, 0}, 0)).force == 0);
 }
 
+TEST_CASE("waves that touch in part let go at the least they bear below that, whatever full contact does") {
+  double const L = 1e-3, D = 1e-5;
+  Wave const waves({E, D, L, L, 0}, 1e-3 * w);
+  CHECK(largest_pull(waves).force < -10); // adhesion without a range holds where all touches
+  double least = 0;
+  for (int k = 0; k <= 100000; ++k)
+    least = std::min(least, waves.at(0.5e-5 * k).force);
+  CHECK(largest_pull(waves, 0.5).force == near(least, 1e-7));
+  Line const crest(E, L * L / (4 * pi * pi * D),
+                   1e-3 * w); // of which each wave is one while contacts are short
+  CHECK(largest_pull(waves, 0.5).force == near(largest_pull(crest).force, 1e-3));
+}
+
 TEST_CASE("Maugis' pull-off has the published numbers and goes over into DMT and JKR") {
   auto const over = [](double lambda) {
     return -largest_pull(Maugis(ball, w, traction(lambda))).force / (pi * w * R);

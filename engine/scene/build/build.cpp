@@ -142,7 +142,9 @@ void Builder::check_path_end(Where const& where, Numbers const& times) {
 void Builder::unknown_name(Where const& where, char const* what, std::string const& name,
                            std::vector<std::string> const& known) {
   auto const meant = core::nearest(name, known);
-  complain(where, fmt::format("there is no {} \"{}\"; known are {}{}", what, name, fmt::join(known, ", "),
+  complain(where, fmt::format("there is no {} \"{}\"; {}{}", what, name,
+                              known.empty() ? "the scene has none"
+                                            : fmt::format("known are {}", fmt::join(known, ", ")),
                               meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
 }
 
@@ -239,6 +241,7 @@ void Builder::check_spin(Where const& where, Numbers const& spin) {
 }
 
 void Builder::check_velocities(std::string const& name, BodyPart const& part) {
+  auto const before = complaints_.size();
   check_size({"bodies", name, "velocity"}, part.velocity);
   check_spin({"bodies", name, "spin"}, part.spin);
   auto const wanted = ix(scene_.part.dim() * scene_.part.dim());
@@ -246,12 +249,20 @@ void Builder::check_velocities(std::string const& name, BodyPart const& part) {
   if (given != 0 && given != wanted)
     complain({"bodies", name, "velocity_gradient"},
              fmt::format("has {} numbers; {} are wanted", given, wanted));
-  if (scene_.part.kinematics != solid::Kinematics::axisymmetric)
+  if (scene_.part.kinematics == solid::Kinematics::axisymmetric)
+    for (auto const& [key, numbers] :
+         {std::pair{"spin", &part.spin}, {"velocity_gradient", &part.velocity_gradient}})
+      if (!numbers->empty())
+        complain({"bodies", name, key}, "would leave the symmetry of an axisymmetric scene; leave it out");
+  if (complaints_.size() > before || dynamics::weights(scene_.part.scheme).inertia)
     return;
-  for (auto const& [key, numbers] :
-       {std::pair{"spin", &part.spin}, {"velocity_gradient", &part.velocity_gradient}})
-    if (!numbers->empty())
-      complain({"bodies", name, key}, "would leave the symmetry of an axisymmetric scene; leave it out");
+  for (auto const& [key, numbers] : {std::pair{"velocity", &part.velocity},
+                                     {"spin", &part.spin},
+                                     {"velocity_gradient", &part.velocity_gradient}})
+    if (std::ranges::any_of(*numbers, [](double v) { return v != 0; }))
+      complain({"bodies", name, key},
+               "does nothing in a quasi-static run, which has no inertia; leave it out "
+               "or use scheme.theta_xi");
 }
 
 /// A rigid motion and a uniform rate of deformation about the centre of mass.

@@ -69,6 +69,9 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   rigid.mass = part.mass;
   rigid.inertia = part.inertia;
   take_tensor(rigid, part);
+  if (part.mass > 0 && rigid.inertia == 0 && !spin_of(part.spin).isZero(0))
+    complain({"obstacles", name, "spin"},
+             "turns a body that has no inertia, which does not turn; give it an inertia, or leave it out");
   rigid.force = vec(part.force);
   if (part.mass > 0) {
     if (!dynamics::weights(model.scheme).inertia)

@@ -17,6 +17,7 @@ void Builder::add_components(Where const& where, LoadPath const& load, Vector co
   auto& model = *scene_.model;
   check_no_z({where[0], "z"}, load.z);
   check_path_end(where, load.times);
+  check_components(where, load);
   int component = 0;
   for (auto const* values : {&load.x, &load.y, &load.z}) {
     if (!values->empty() && component < model.dim()) {

@@ -1,8 +1,10 @@
 // Prescribed displacements of a scene: which nodes they move, and how.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <set>
+#include <span>
 
 #include "scene/build/builder.hpp"
 
@@ -35,6 +37,8 @@ template<class Part> Indices Builder::moved(Where const& where, Part const& part
 void Builder::add_motion(Where const& where, FixPart const& part) {
   auto const nodes = moved(where, part);
   std::array const held{part.x, part.y, part.z};
+  if (std::ranges::none_of(std::span(held).first(ix(scene_.part.dim())), [](bool one) { return one; }))
+    complain({where[0]}, "holds no component; name one of x, y, z as true, or leave all out to hold all");
   for (int c = 0; c < scene_.part.dim() && !nodes.empty(); ++c)
     if (held[ix(c)])
       scene_.model->motions.push_back({nodes, c, {}, part.set});
@@ -43,6 +47,7 @@ void Builder::add_motion(Where const& where, FixPart const& part) {
 void Builder::add_motion(Where const& where, DrivePart const& part) {
   check_no_z({where[0], "z"}, part.z);
   check_path_end(where, part.times);
+  check_components(where, part);
   auto const nodes = moved(where, part);
   std::array const values{&part.x, &part.y, &part.z};
   for (int c = 0; c < scene_.part.dim() && !nodes.empty(); ++c)

@@ -38,6 +38,10 @@ private:
   void check_size(Where const& where, Numbers const& numbers);
   /// Complains about a third component in a plane scene.
   void check_no_z(Where const& where, Numbers const& values);
+  template<class Part> void check_components(Where const& where, Part const& part) {
+    if (part.x.empty() && part.y.empty() && part.z.empty())
+      complain({where[0]}, "has none of x, y, z; give the values of at least one at its times");
+  }
   void check_path_end(Where const& where, Numbers const& times);
   [[nodiscard]] std::optional<Indices> resolve(Where const& where, std::string const& name);
   void unknown_name(Where const& where, char const* what, std::string const& name,

@@ -47,6 +47,15 @@ std::pair<std::map<std::string, One>, std::map<std::string, Other>> named_of_two
   return {std::move(ones), std::move(others)};
 }
 
+/// Names stand in "body.set" and in the paths of series.h5.
+void check_names(Reader& reader, char const* key, auto const& parts) {
+  for (auto const& [name, part] : parts)
+    if (name.empty() || name.find_first_of("./") != std::string::npos)
+      reader.complain_at(key, fmt::format("has the name \"{}\"; names are wanted that are not empty and have "
+                                          "neither dots nor slashes",
+                                          name));
+}
+
 template<class Part> Part nested_record(Reader& reader, char const* key) {
   if (!reader.has(key)) {
     static_cast<void>(reader.at(key, Need::optional));
@@ -393,6 +402,13 @@ void ScenePart::read_nested(Reader& reader) {
       named<SpringPart>(reader, "springs", Need::optional, [](Reader r) { return r.record<SpringPart>(); });
   probes =
       named<ProbePart>(reader, "probes", Need::optional, [](Reader r) { return r.alternative<ProbePart>(); });
+  check_names(reader, "bodies", bodies);
+  check_names(reader, "bodies", half_spaces);
+  check_names(reader, "obstacles", obstacles);
+  check_names(reader, "obstacles", height_maps);
+  check_names(reader, "pairs", pairs);
+  check_names(reader, "springs", springs);
+  check_names(reader, "probes", probes);
   for (auto& motion : reader.children("motions", Need::optional))
     motions.push_back(motion.alternative<MotionPart>());
   for (auto& constraint : reader.children("constraints", Need::optional))

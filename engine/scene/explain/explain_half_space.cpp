@@ -207,6 +207,24 @@ void warn_of_shortest(GridFacts const& facts, std::vector<Warning>& warnings) {
                    std::ceil(grid.nx * more), human(wanted * facts.spacing(), "m"))});
 }
 
+/// Heights of a script that end other than they begin: a ramp, or a texture with an edge there.
+void warn_of_seam(GridFacts const& facts, std::vector<Warning>& warnings) {
+  auto const& [name, part] = *facts.scene.part.height_maps.begin();
+  auto const* map = std::get_if<halfspace::Map>(&part.surface);
+  auto const& grid = facts.model.grid;
+  if (map == nullptr || !grid.periodic)
+    return;
+  double const steps = halfspace::seam({grid.nx, grid.ny, map->heights, "", {}, {}});
+  if (!(steps > halfspace::Measured().seam))
+    return;
+  warnings.push_back(
+      {fmt::format("obstacle {}: where its heights are repeated their steps are {:.3g} times those "
+                   "between neighbours (rms): it is not periodic",
+                   name, steps),
+       "boundary = \"free\", or heights whose rims fit; an edge of a texture lies better within "
+       "the period"});
+}
+
 } // namespace
 
 Explanation explain_half_space(Scene const& scene) {
@@ -220,6 +238,7 @@ Explanation explain_half_space(Scene const& scene) {
   explanation.sections.push_back(grid_cost(facts));
   warn_of_range(facts, explanation.warnings);
   warn_of_shortest(facts, explanation.warnings);
+  warn_of_seam(facts, explanation.warnings);
   return explanation;
 }
 

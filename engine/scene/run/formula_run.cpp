@@ -90,12 +90,14 @@ private:
     auto const& model = *scene_.half_space;
     bool const forced = scene_.formula->drive == formula::Drive::force;
     double const drive = forced ? model.force->value(t) : -model.shift[2].value(t);
+    double const before = follower_.size();
     auto const state = follower_.follow(drive);
     if (!state) {
       result_.verdict = "not converged";
       result_.reason = fmt::format(
           "at t = {:g} s the pull of {:g} {} is more than the contact holds (pull-off {:g}): it lets go", t,
-          -drive, model.grid.line ? "N/m" : "N", -formula::largest_pull(*scene_.formula->normal).force);
+          -drive, model.grid.line ? "N/m" : "N",
+          -formula::largest_pull(*scene_.formula->normal, before).force);
       return false;
     }
     bool const first = t == 0;

@@ -41,7 +41,8 @@ std::string words_of(Scene const& scene, dynamics::ContactSystem const& contact,
 
 /// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
 char const* tamer_scheme(Scene const& scene) {
-  return dynamics::weights(scene.model->scheme).skin
+  auto const relaxes = [](auto const& body) { return !body->relaxing.empty(); };
+  return dynamics::weights(scene.model->scheme).skin || std::ranges::any_of(scene.model->bodies, relaxes)
              ? "a scheme that damps (theta = xi = 1)"
              : "scheme.theta_xi{contact_inertia = \"cells\"}, which makes none when contact ends";
 }

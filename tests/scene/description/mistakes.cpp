@@ -115,6 +115,65 @@ TEST_CASE("names that the series keeps for itself") {
   }
 }
 
+TEST_CASE("names that no path could hold") {
+  for (std::string const name : {"", "left/right", "a.b"}) {
+    auto table = test::foot_on_floor();
+    test::at(table, "probes") = {core::Table{{name, test::make("probe.energy")}}, "study.lua:7", ""};
+    check_only(table, "probes", {"\"" + name + "\"", "neither dots nor slashes"});
+  }
+}
+
+TEST_CASE("tables without entries, as {} is in a script") {
+  auto table = test::foot_on_floor();
+  for (char const* key : {"probes", "springs"})
+    test::at(table, key) = test::list({});
+  CHECK(complaints(table).empty());
+  test::at(table, "probes") = {core::List{test::make("probe.energy")}, "study.lua:7", ""};
+  check_only(table, "probes", {"is a list", "a table with names is wanted"});
+}
+
+TEST_CASE("what a scene without any of a kind says of a name") {
+  auto table = test::foot_on_floor();
+  test::at(table, "probes.link") = test::make("probe.spring", {{"spring", test::text("link")}});
+  check_only(table, "probes.link.spring", {"there is no spring \"link\"; the scene has none"});
+}
+
+TEST_CASE("loads and motions without any component") {
+  auto table = test::foot_on_floor();
+  auto const times = test::values({0, 2}, "s");
+  auto const foot = [&](char const* what) {
+    return test::list({test::make(what, {{"set", test::text("foot.top")}, {"times", times}})});
+  };
+  test::at(table, "loads") = foot("load.traction");
+  check_only(table, "loads[1]", {"has none of x, y, z"});
+  test::at(table, "loads") = test::list({});
+  test::at(table, "motions") = foot("motion.drive");
+  test::at(table, "scheme") = test::make("scheme.theta_xi"); // which need not hold the foot
+  check_only(table, "motions[1]", {"has none of x, y, z"});
+  auto fixed = test::fix("foot.top");
+  for (char const* component : {"x", "y"})
+    test::at(fixed, component) = test::flag(false);
+  test::at(table, "motions") = test::list({fixed});
+  check_only(table, "motions[1]", {"holds no component"});
+}
+
+TEST_CASE("velocities that nothing would carry") {
+  auto table = test::foot_on_floor();
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  test::at(table, "scheme") = test::quasi_static();
+  test::at(table, "bodies.foot.velocity") = test::values({0, 0}, "m/s");
+  CHECK(complaints(table).empty());
+  test::at(table, "bodies.foot.velocity") = test::values({0, -1}, "m/s");
+  check_only(table, "bodies.foot.velocity", {"does nothing in a quasi-static run", "scheme.theta_xi"});
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  CHECK(complaints(table).empty());
+  test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
+  test::at(table, "obstacles.floor.spin") = test::values({3}, "rad/s");
+  check_only(table, "obstacles.floor.spin", {"no inertia", "give it an inertia"});
+  test::at(table, "obstacles.floor.inertia") = test::value(1, "kg m^2");
+  CHECK(complaints(table).empty());
+}
+
 TEST_CASE("a node driven two ways") {
   auto table = test::foot_on_floor();
   test::at(table, "scheme") = test::make("scheme.theta_xi"); // which need not hold the foot
