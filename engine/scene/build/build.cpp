@@ -241,7 +241,6 @@ void Builder::check_spin(Where const& where, Numbers const& spin) {
 }
 
 void Builder::check_velocities(std::string const& name, BodyPart const& part) {
-  auto const before = complaints_.size();
   check_size({"bodies", name, "velocity"}, part.velocity);
   check_spin({"bodies", name, "spin"}, part.spin);
   auto const wanted = ix(scene_.part.dim() * scene_.part.dim());
@@ -254,15 +253,6 @@ void Builder::check_velocities(std::string const& name, BodyPart const& part) {
          {std::pair{"spin", &part.spin}, {"velocity_gradient", &part.velocity_gradient}})
       if (!numbers->empty())
         complain({"bodies", name, key}, "would leave the symmetry of an axisymmetric scene; leave it out");
-  if (complaints_.size() > before || dynamics::weights(scene_.part.scheme).inertia)
-    return;
-  for (auto const& [key, numbers] : {std::pair{"velocity", &part.velocity},
-                                     {"spin", &part.spin},
-                                     {"velocity_gradient", &part.velocity_gradient}})
-    if (std::ranges::any_of(*numbers, [](double v) { return v != 0; }))
-      complain({"bodies", name, key},
-               "does nothing in a quasi-static run, which has no inertia; leave it out "
-               "or use scheme.theta_xi");
 }
 
 /// A rigid motion and a uniform rate of deformation about the centre of mass.

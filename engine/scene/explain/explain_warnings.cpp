@@ -345,6 +345,10 @@ void inertia(Facts const& all, Warnings& warnings) {
   for (auto const& body : all.bodies)
     slowest = std::min(slowest, body.shear_speed());
   double const mach = all.speed / slowest;
+  if (!all.dynamic() && !all.scene->model->velocity.isZero(0))
+    warnings.push_back(
+        {"bodies are given velocities, which do nothing in a quasi-static run: it has no inertia",
+         "a dynamic scheme such as scheme.theta_xi{}, or no velocities"});
   if (!all.dynamic() && mach > fast)
     warnings.push_back(
         {fmt::format("the motions are fast: {} is {:.2g} of the shear wave speed {}, and a quasi-static run "

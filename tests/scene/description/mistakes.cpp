@@ -157,16 +157,9 @@ TEST_CASE("loads and motions without any component") {
   check_only(table, "motions[1]", {"holds no component"});
 }
 
-TEST_CASE("velocities that nothing would carry") {
+TEST_CASE("a spin that no inertia would carry") {
   auto table = test::foot_on_floor();
-  test::at(table, "motions") = test::list({test::fix("foot.top")});
-  test::at(table, "scheme") = test::quasi_static();
-  test::at(table, "bodies.foot.velocity") = test::values({0, 0}, "m/s");
-  CHECK(complaints(table).empty());
-  test::at(table, "bodies.foot.velocity") = test::values({0, -1}, "m/s");
-  check_only(table, "bodies.foot.velocity", {"does nothing in a quasi-static run", "scheme.theta_xi"});
   test::at(table, "scheme") = test::make("scheme.theta_xi");
-  CHECK(complaints(table).empty());
   test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
   test::at(table, "obstacles.floor.spin") = test::values({3}, "rad/s");
   check_only(table, "obstacles.floor.spin", {"no inertia", "give it an inertia"});

@@ -367,6 +367,9 @@ TEST_CASE("slow dynamic runs are to be quasi-static and fast quasi-static ones d
   CHECK(warns(input, "nothing is fast: the bodies as they are held swing in"));
   at(input, "bodies.foot.velocity") = values({0, -1}, "m/s");
   CHECK_FALSE(warns(input, "nothing is fast"));
+  CHECK_FALSE(warns(input, "do nothing in a quasi-static run"));
+  at(input, "scheme") = quasi_static();
+  CHECK(warns(input, "bodies are given velocities, which do nothing in a quasi-static run"));
 
   input = foot_on_floor();
   at(input, "motions") = list({drive("foot.top", {0, 0.001, 0.02}, {0, 0, 0.1}, {0, -0.01, -0.01})});
