@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "contact/solvers/complementarity.hpp"
@@ -72,23 +73,32 @@ Root root_of(Dense const& W) {
   root.sound = rows.empty();
   if (rows.empty())
     return root;
-  Vector const scale = Vector(W.diagonal()(rows)).cwiseSqrt(), inverse = scale.cwiseInverse();
-  Dense const part = W(rows, rows);
-  Dense const sound = inverse.asDiagonal() * (0.5 * (part + part.transpose())) * inverse.asDiagonal();
+  auto const count = static_cast<Index>(rows.size());
+  Vector const scale = Vector(W.diagonal()(rows)).cwiseSqrt();
   double const least = static_cast<double>(n) * std::numeric_limits<double>::epsilon();
   Root own;
-  Eigen::LLT<Dense> const factor(sound);
-  if (factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > std::sqrt(least)) {
-    own.F = factor.matrixL();
-    own.sound = true;
-    for (Index i = 0; i < static_cast<Index>(rows.size()); ++i)
-      own.pivots.push_back(i);
+  own.F.resize(count, count); // of diagonal one; below it the factor takes its place
+  for (Index j = 0; j < count; ++j)
+    for (Index i = j; i < count; ++i) {
+      Index const row = rows[ix(i)], column = rows[ix(j)];
+      own.F(i, j) = own.F(j, i) = 0.5 * (W(row, column) + W(column, row)) / (scale[i] * scale[j]);
+    }
+  Eigen::LLT<Eigen::Ref<Dense>> const factor(own.F);
+  own.sound = factor.info() == Eigen::Success && own.F.diagonal().minCoeff() > std::sqrt(least);
+  if (own.sound) {
+    own.pivots.resize(rows.size());
+    std::iota(own.pivots.begin(), own.pivots.end(), Index{0});
+    own.F.triangularView<Eigen::StrictlyUpper>().setZero();
   } else {
+    Dense sound = own.F.selfadjointView<Eigen::Upper>();
+    sound.diagonal().setOnes();
     factorize_with_pivots(sound, least, own);
   }
   root.sound = own.sound;
   root.F.setZero(n, own.F.cols());
-  root.F(rows, Eigen::all) = scale.asDiagonal() * own.F;
+  for (Index k = 0; k < own.F.cols(); ++k)
+    for (Index i = 0; i < count; ++i)
+      root.F(rows[ix(i)], k) = scale[i] * own.F(i, k);
   for (Index const pivot : own.pivots)
     root.pivots.push_back(rows[ix(pivot)]);
   return root;

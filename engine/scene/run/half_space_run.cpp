@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <fmt/format.h>
-#include <malloc.h>
 #include <optional>
 #include <utility>
 
@@ -27,14 +26,6 @@
 namespace stiction::scene {
 
 namespace {
-
-/// Vectors of all points come and go: their pages stay with the process, or the system would clear them anew
-/// each time.
-void keep_pages() {
-  constexpr int largest = 1 << 30; // bytes
-  mallopt(M_MMAP_THRESHOLD, largest);
-  mallopt(M_TRIM_THRESHOLD, largest);
-}
 
 struct HalfSpaceMark {
   record::SeriesMark series;
@@ -294,7 +285,7 @@ private:
 
 RunResult run_half_space(core::Input const& input, Scene const& scene, RunOptions const& options,
                          Checkpoint& checkpoint, Story& story) {
-  keep_pages();
+  keep_pages(1 << 30); // vectors of all points
   record::prepare_output(options.out);
   std::optional<HalfSpaceRun> running;
   try {

@@ -2,6 +2,7 @@
 #include "scene/run/resources.hpp"
 
 #include <fstream>
+#include <malloc.h>
 #include <string>
 #include <sys/resource.h>
 
@@ -22,6 +23,11 @@ double peak_memory() {
     if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes)
       return 1024 * kilobytes;
   return 0;
+}
+
+void keep_pages(int largest) {
+  mallopt(M_MMAP_THRESHOLD, largest);
+  mallopt(M_TRIM_THRESHOLD, largest);
 }
 
 } // namespace stiction::scene

@@ -7,5 +7,8 @@ namespace stiction::scene {
 [[nodiscard]] double cpu_seconds();
 /// Of this program, bytes; getrusage would count what the process held before it became this program.
 [[nodiscard]] double peak_memory();
+/// Blocks up to this size, bytes, come and go at every step: their pages stay with the process, or the system
+/// would clear them anew each time.
+void keep_pages(int largest);
 
 } // namespace stiction::scene

@@ -70,6 +70,7 @@ void validate(core::Input const& scene) {
 
 RunResult run(core::Input const& input, RunOptions const& options) {
   core::use_threads(options.threads);
+  keep_pages(1 << 25); // larger ones are few, and would leave holes behind
   Checkpoint checkpoint(options.keeping);
   auto story = checkpoint.open();
   AllRanks const ranks(options.ranks);
