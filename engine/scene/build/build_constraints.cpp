@@ -115,6 +115,8 @@ void Builder::add_constraint(Where const& where, PeriodicPart const& part) {
     return;
   auto const& model = *scene_.model;
   int const dim = model.dim();
+  if (*own == *other)
+    return complain({where[0], "to"}, fmt::format("is {} itself; name the opposite side", part.set));
   if (own->size() != other->size()) {
     complain({where[0], "to"}, fmt::format("has {} nodes, and {} has {}; give both sides the same division",
                                            other->size(), part.set, own->size()));

@@ -61,10 +61,12 @@ void Builder::add_load(Where const& where, GasPart const& part) {
     add_seal(where, part, gas);
   gas.volume = dynamics::SurfaceLoads(model).volume(gas, Vector::Zero(model.dofs()));
   if (!(gas.volume > 0))
-    return complain({where[0], "set"},
-                    fmt::format("\"{}\" encloses no cavity: its volume is {:.3g}; name the wall of a cavity, "
-                                "closed, or ending at planes of symmetry through `centre`, or at the axis",
-                                part.set, gas.volume));
+    return complain(
+        {where[0], "set"},
+        fmt::format("\"{}\" encloses no cavity: its volume is {:.3g} {}; name the wall of a cavity, "
+                    "closed, or ending at planes of symmetry through `centre`, or at the axis",
+                    part.set, gas.volume,
+                    model.kinematics == solid::Kinematics::plane_strain ? "m^2" : "m^3"));
   if (gas.by_volume && dynamics::weights(model.scheme).explicit_forces)
     complain({where[0], "volume"},
              "is kept by a pressure far stiffer than the body, which central differences "

@@ -109,7 +109,8 @@ core::Schema const& SurfaceStressPart::schema() {
               "gamma", &SurfaceStressPart::gamma, "N/m", core::positive, Need::required,
               "energy per area, J/m^2; it stretches with the surface without change. It acts from the start, "
               "at "
-              "once: what it rounds by much flows there in steps under scheme.quasi_static{stabilisation}")
+              "once: what it rounds by much flows there in steps under scheme.quasi_static{stabilisation = "
+              "0.03}, say")
           .build();
   return made;
 }

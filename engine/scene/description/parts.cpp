@@ -121,7 +121,7 @@ core::Schema const& BodyPart::schema() {
           .flag(
               "plane_stress", &BodyPart::plane_stress,
               "a thin sheet, free to change its thickness, in a scene of kinematics plane_strain; forces are "
-              "per metre of its thickness")
+              "per metre of its thickness; without damping or relaxing, which would want a history of it")
           .nested("damping", "damping", Need::optional, "viscosity beside the bulk law; none: elastic")
           .nested(
               "relaxing", "prony", Need::optional,

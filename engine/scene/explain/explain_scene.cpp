@@ -14,8 +14,8 @@ void add(Section& section, std::string name, std::string words, double value) {
 }
 
 std::string words_of(core::Value const& value, std::string const& unit) {
-  if (auto const* number = std::get_if<double>(&value))
-    return human(*number, unit);
+  if (auto const* number = std::get_if<double>(&value)) // nu = 0.4999 is not 0.5
+    return unit.empty() || unit == "1" ? fmt::format("{:.6g}", *number) : human(*number, unit);
   if (auto const* numbers = std::get_if<Numbers>(&value)) {
     std::vector<std::string> words;
     for (std::size_t i = 0; i < numbers->size() && i < 6; ++i)
@@ -139,7 +139,7 @@ void add_body(Facts const& all, BodyFacts const& facts, Explanation& explanation
   if (!laws.empty())
     add(section, "numbers", "by the most compliant of these laws");
   add(section, "at rest",
-      fmt::format("E = {}, nu = {:.3g}, G = {}, K = {}", human(facts.moduli.young, "Pa"),
+      fmt::format("E = {}, nu = {:.6g}, G = {}, K = {}", human(facts.moduli.young, "Pa"),
                   facts.moduli.poisson, human(facts.moduli.shear(), "Pa"), human(facts.moduli.bulk(), "Pa")));
   if (body.damping)
     add(section, "damping", settings("damping", &*body.damping, material::KelvinVoigt::schema()));

@@ -357,6 +357,26 @@ void inertia(Facts const& all, Warnings& warnings) {
          "scheme.theta_xi{}"});
 }
 
+/// Paths that begin elsewhere than where the bodies are.
+void leaps_at_start(Facts const& all, Warnings& warnings) {
+  constexpr double slight = 1e-3; // of the body, as a preload may be
+  double extent = 0;
+  for (auto const& body : all.bodies)
+    extent = std::max(extent, body.extent());
+  std::string last;
+  for (auto const& motion : all.scene->model->motions) {
+    double const start = motion.value(0);
+    if (std::abs(start) <= slight * extent || motion.set == last || motion.set.empty())
+      continue;
+    last = motion.set;
+    warnings.push_back(
+        {fmt::format("{}: its path in {} begins at {} where the body is at rest: the first step takes "
+                     "it there at once",
+                     motion.set, "xyz"[motion.component], human(start, "m")),
+         "a path that begins at 0 at t = 0"});
+  }
+}
+
 /// Below the critical step of single cells (dynamics/bulk/critical_step.hpp).
 void critical_steps(Facts const& all, Warnings& warnings) {
   auto const& model = *all.scene->model;
@@ -419,6 +439,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);
+  leaps_at_start(all, warnings);
   swinging_pressure(all, warnings);
 }
 

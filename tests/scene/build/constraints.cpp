@@ -60,7 +60,7 @@ TEST_CASE("constraints that cannot be are refused with the place, the reason and
   check(held(test::roller("foot.left", {0, 0})), "is no direction");
   check(held(test::roller("foot.left", {1, 0, 0})), "give 2 numbers");
   check(held(test::periodic("foot.left", "foot.all")), "give both sides the same division");
-  check(held(test::periodic("foot.left", "foot.left")), "give both sides the same division");
+  check(held(test::periodic("foot.left", "foot.left")), "is foot.left itself; name the opposite side");
   check(held(test::periodic("foot.left", "foot.bottom")), "has no node at");
   check(held(test::roller("foot.left", {1, 1})), "contact is at it");
   auto table = held(test::roller("foot.top", {1, 1}));

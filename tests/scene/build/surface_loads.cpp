@@ -95,7 +95,8 @@ TEST_CASE("what gas cannot be is told once, with the remedy") {
   wrong(tube({{"pressure", amount}, {"centre", values({0}, "m")}}), "two are wanted");
   auto table = tube({{"volume", volume}});
   test::at(table, "loads[1].set") = text("tube.right");
-  wrong(table, "encloses no cavity");
+  wrong(table, "encloses no cavity: its volume is -");
+  wrong(table, "m^3; name the wall");
   table = tube({{"volume", volume}});
   test::at(table, "motions") =
       test::list({test::make("motion.fix", {{"set", text("tube.bottom")}, {"y", flag(true)}})});

@@ -491,3 +491,21 @@ TEST_CASE("heights of a script that have a step where a periodic half space repe
   CHECK(!told(wave));
   CHECK(!told(ridge));
 }
+
+TEST_CASE("a path that begins elsewhere than where its set is") {
+  auto input = foot_on_floor();
+  at(input, "motions") = list({drive("foot.top", {0, 2}, {0, 0}, {-0.01, -0.02})});
+  CHECK(warns(input, "foot.top: its path in y begins at -10 mm where the body is at rest"));
+  at(input, "motions") = list({drive("foot.top", {1, 2}, {0, 0}, {-0.01, -0.02})});
+  CHECK(warns(input, "begins at -10 mm"));
+  at(input, "motions") = list({drive("foot.top", {0, 2}, {0, 0}, {0, -0.02})});
+  CHECK_FALSE(warns(input, "where the body is at rest"));
+}
+
+TEST_CASE("numbers of a law are those that were given") {
+  auto input = foot_on_floor();
+  at(input, "bodies.foot.material") = linear_elastic(1000, 0.4999);
+  auto const explanation = scene::explain(input);
+  CHECK(contains(line(explanation, "Body foot", "material").words, "poisson = 0.4999"));
+  CHECK(contains(line(explanation, "Body foot", "at rest").words, "nu = 0.4999,"));
+}
