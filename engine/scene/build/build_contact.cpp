@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "contact/surface/direction.hpp"
 #include "mesh/topology/hats.hpp"
 #include "mesh/topology/surface.hpp"
 #include "mesh/topology/traction.hpp"
@@ -296,20 +297,12 @@ void Builder::add_primary(PairPart const& part, mesh::Set const& set, dynamics::
   pair.primary = std::move(curve);
 }
 
-/// The direction given, or the axis that is least in line with the mean normal of a surface.
+/// The direction given, or one along the surface.
 Vec3 Builder::first_tangent(PairPart const& part, mesh::Set const& set) const {
-  if (scene_.part.dim() == 2 || !part.direction.empty())
-    return part.direction.empty() ? Vec3(Vec3::UnitX()) : vec(part.direction);
-  auto const& reference = scene_.model->reference;
-  Vec3 normal = Vec3::Zero();
-  for (auto const& facet : set.facets) {
-    Vec3 const a = reference.row(facet.nodes[0]), b = reference.row(facet.nodes[1]),
-               c = reference.row(facet.nodes[2]);
-    normal += (b - a).cross(c - a);
-  }
-  Eigen::Index axis = 0;
-  normal.cwiseAbs().minCoeff(&axis);
-  return Vec3::Unit(axis);
+  if (!part.direction.empty())
+    return vec(part.direction);
+  return scene_.part.dim() == 2 ? Vec3(Vec3::UnitX())
+                                : contact::first_direction(set.facets, scene_.model->reference);
 }
 
 } // namespace stiction::scene
