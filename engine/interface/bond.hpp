@@ -16,6 +16,9 @@ struct Bond {
   Eigen::Vector2d stretch = Eigen::Vector2d::Zero(); ///< tangential displacement since it formed, m
 };
 
+/// Gap of a point that has no counterpart, with which it has nothing to bond, m.
+inline constexpr double unreached = 1e100;
+
 /// Which friction the bond leaves: all of mu, or mu (1 - beta)^p.
 enum class BondFriction { full, damage };
 /// Whether the bond takes damage that stays, or follows a potential.

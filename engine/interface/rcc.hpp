@@ -68,7 +68,7 @@ struct Rcc {
   }
   /// Does a bond hold its point in the contact problem at any distance?
   [[nodiscard]] static bool lasts() { return true; }
-  [[nodiscard]] Bond initial(double) const { return {beta0, {0, 0}}; }
+  [[nodiscard]] Bond initial(double gap) const { return {gap < unreached ? beta0 : 0, {0, 0}}; }
   [[nodiscard]] Scales scales() const {
     return {w, std::sqrt(w * C_n), std::sqrt(w / C_n), 3 * C_n, C_t > 0 ? std::sqrt(w / C_t) : 0};
   }

@@ -5,6 +5,7 @@ local fault = require "stiction.fault"
 local ledger = require "stiction.ledger"
 local numeric = require "stiction.numeric"
 local proof = require "stiction.proof"
+local report = require "stiction.report"
 local tables = require "stiction.tables"
 local units = require "stiction.units"
 
@@ -65,7 +66,12 @@ function check.recorder()
     return record(name, held and true or false, true, 0, held and true or false)
   end
 
+  --- Nil of a single value, as where --set leaves one case of a sweep; that is told.
   local function largest_drop(name, values, sign)
+    if #values == 1 then
+      report.line("check '%s' left out: of one value nothing rises or falls", tostring(name))
+      return nil
+    end
     local drop = -math.huge
     for i = 2, #values do
       local step = sign * (units.si(values[i - 1]) - units.si(values[i]))
@@ -79,20 +85,20 @@ function check.recorder()
 
   --- No value is below the one before it by more than the tolerance; the value is the largest such drop.
   function recorder.non_decreasing(name, values, tolerance)
-    local drop, t = math.max(0, largest_drop(name, values, 1)), number(tolerance or 0)
-    return record(name, drop, 0, t, drop <= t)
+    local drop, t = largest_drop(name, values, 1), number(tolerance or 0)
+    return drop and record(name, math.max(0, drop), 0, t, drop <= t)
   end
 
   --- The same, downwards.
   function recorder.non_increasing(name, values, tolerance)
-    local rise, t = math.max(0, largest_drop(name, values, -1)), number(tolerance or 0)
-    return record(name, rise, 0, t, rise <= t)
+    local rise, t = largest_drop(name, values, -1), number(tolerance or 0)
+    return rise and record(name, math.max(0, rise), 0, t, rise <= t)
   end
 
   --- Every value exceeds the one before it; the value is the smallest rise.
   function recorder.increasing(name, values)
-    local rise = -largest_drop(name, values, 1)
-    return record(name, rise, 0, 0, rise > 0)
+    local drop = largest_drop(name, values, 1)
+    return drop and record(name, -drop, 0, 0, drop < 0)
   end
 
   --- Every step's sum of energies equals the work put in less the scheme's own loss as its formulas predict it, to

@@ -40,9 +40,15 @@ local function finished_cases(plan, rows)
   return case_module.list(list, plan.options.quick)
 end
 
-local function any_failed(rows)
+--- Has the case come to an end of its own? Where none is run (`anew`) also in an earlier run.
+local function has_ended(row, anew)
+  local before = anew and row.result and row.result.fingerprint == row.fingerprint and row.result.verdict ~= "stopped"
+  return row.fresh or row.computed or row.elsewhere or before
+end
+
+local function any_failed(rows, anew)
   for _, row in ipairs(rows) do
-    if (row.fresh or row.computed or row.elsewhere) and not row.done then
+    if has_ended(row, anew) and not row.done then
       return true
     end
   end
@@ -50,12 +56,11 @@ local function any_failed(rows)
 end
 
 --- "mu0 (to run), mu0.4 (not converged)"
-local function words_missing(rows)
+local function words_missing(rows, anew)
   local words = {}
   for _, row in ipairs(rows) do
     if not row.done then
-      words[#words + 1] = ("%s (%s)"):format(row.case.id, (row.fresh or row.elsewhere or row.computed) and row.result.verdict
-        or "to run")
+      words[#words + 1] = ("%s (%s)"):format(row.case.id, has_ended(row, anew) and row.result.verdict or "to run")
     end
   end
   local shown = table.concat(words, ", ", 1, math.min(#words, most_missing))
@@ -79,9 +84,10 @@ end
 
 --- Figures of what there is, and checks of it once all have ended, although not all finished; whether that went well.
 local function judge_part(plan, cases, rows)
-  local ended = numeric.first_where(rows, function(row) return not (row.fresh or row.elsewhere or row.computed) end) == nil
+  local anew = plan.options.anew
+  local ended = numeric.first_where(rows, function(row) return not has_ended(row, anew) end) == nil
   report.line("%d of %d cases finished: %s; missing: %s", #cases, #rows,
-    ended and "checks and figures of these" or "no checks until all are", words_missing(rows))
+    ended and "checks and figures of these" or "no checks until all are", words_missing(rows, anew))
   if #cases == 0 or plan.options.case then
     return true
   end
@@ -200,7 +206,7 @@ local function revisit(plan)
   report.cases(plan.study, known)
   local good = judge(plan, rows)
   report.line("output: %s", plan.folder)
-  return good and not any_failed(rows) and 0 or 1
+  return good and not any_failed(rows, true) and 0 or 1
 end
 
 --- Whether others may run in the folder meanwhile.

@@ -24,6 +24,7 @@ expect 0 "checks held" "$stiction" run "$tiny" --no-figures
 holds "a finished case was run again" [ "$(grep -c started output)" = 0 ]
 rm out/tiny/mu0.2/manifest.json
 sed -i 's/"finished"/"not converged"/' out/tiny/mu0.4/manifest.json
+expect 1 "mu0.2 (to run), mu0.4 (not converged)" "$stiction" results "$tiny"
 expect 0 "mu0.2  started (1 of 2)|mu0.4  started (2 of 2)" "$stiction" run "$tiny" --no-figures --jobs 1
 expect 0 "mu0  started (1 of 3)" "$stiction" run "$tiny" --no-figures --force
 

@@ -95,6 +95,12 @@ test("checks hold exactly where they should", function()
     c.increasing("f", { 1, 1 })
     c.equal("g", 5*mm, 0.005*units.m, 1e-9*units.m)
   end), "yes no yes yes yes no yes")
+  equal(verdicts(function(c) -- of one value, as --set may leave, nothing rises or falls: that is no check
+    c.non_decreasing("a", { 1 })
+    c.non_increasing("b", { 1 })
+    c.increasing("c", { 1 })
+    c.holds("d", true)
+  end), "yes")
 end)
 
 test("checks keep their numbers and refuse nonsense", function()

@@ -66,7 +66,7 @@ template<int D, int C> void ContactPoints<D, C>::follow(ContactPoints const& lea
   }
 }
 
-/// A point whose gap does not close is left to its bond, if it has one.
+/// A point whose gap does not close is left to its bond, if it has one or is within a law's range.
 template<int D, int C> void ContactPoints<D, C>::limit_rates(Point& point, double dt) const {
   auto const condition = rate_condition(before(point), weights_, dt);
   double const reach = pair_of(point).reach;
@@ -74,8 +74,9 @@ template<int D, int C> void ContactPoints<D, C>::limit_rates(Point& point, doubl
   point.data.shift = condition.shift;
   if (!point.waits)
     return;
-  point.data.shift[0] = -1e6 * reach; // the cone never closes
-  if (!(before(point).bond.beta > 0))
+  // the cone never closes; farther off it would only spoil the rounding that solvers allow for
+  point.data.shift[0] = -10 * contact::most_depth * reach;
+  if (!(before(point).bond.beta > 0 || pair_of(point).law.range() > 0))
     point.force.setZero();
 }
 
@@ -131,8 +132,8 @@ template<int D, int C> void ContactPoints<D, C>::choose_active(Point& point) con
   double const gap = point.kinematics.gap;
   // what lay deeper than that before the step is on the far side of a body, not in contact with this one
   double const deepest = std::max(gap, before(point).gap);
-  bool const near = gap < pair.reach && deepest > -contact::most_depth * pair.reach && !point.waits &&
-                    !geometry_.beneath(point.id, point.kinematics);
+  bool const near = gap < pair.reach && deepest > -contact::most_depth * pair.reach &&
+                    !(point.waits && pair.law.range() == 0) && !geometry_.beneath(point.id, point.kinematics);
   bool const was = point.active;
   point.active = point.kinematics.found && !point.led && (held || near);
   if (!point.active)

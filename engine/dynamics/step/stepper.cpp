@@ -15,7 +15,6 @@ namespace stiction::dynamics {
 namespace {
 constexpr double refactor_above = 0.2; // contraction per iteration that a kept factor must beat
 constexpr double leap = 1e-2;          // of driven nodes, over a cell's size, into which bodies are led
-constexpr double unreached = 1e100;    // gap of a point without counterpart, m
 
 /// What an attempt did not reach; imbalance of the bodies, N. A point's residual is infinite where the last
 /// problem did not hold it.
@@ -104,8 +103,10 @@ State Stepper::initial() {
       point.rate = located.contacts[p][i].rate;
       point.area = located.contacts[p][i].area;
       if (auto const& adhesion = model_->pairs[p].law.adhesion; adhesion) {
-        point.bond = interface::initial_bond(*adhesion, point.foot.found() ? point.gap : unreached);
-        state.ledger.bond += point.area * interface::bond_energy(*adhesion, point.bond, point.gap);
+        point.bond =
+            interface::initial_bond(*adhesion, point.foot.found() ? point.gap : interface::unreached);
+        if (point.foot.found())
+          state.ledger.bond += point.area * interface::bond_energy(*adhesion, point.bond, point.gap);
       }
     }
   if (weights_.inertia) {

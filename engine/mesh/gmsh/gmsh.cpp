@@ -10,6 +10,7 @@
 
 #include "mesh/files/mesh_file.hpp"
 #include "mesh/gmsh/mesh_cache.hpp"
+#include "mesh/gmsh/outline_polygon.hpp"
 #include "mesh/topology/numbers.hpp"
 #include "mesh/topology/quality.hpp"
 
@@ -150,12 +151,25 @@ void check_cell_number(Complaints& complaints, GmshGeometry const& geometry) {
                      extent, extent / most_cells_across)});
 }
 
+/// gmsh takes a hole round the region for its outline, and leaves out one beside it.
+void check_holes(Complaints& complaints, GmshGeometry const& geometry) {
+  for (std::size_t i = 0; i < geometry.holes.size(); ++i)
+    if (auto const corner = outside({geometry.start, geometry.edges}, geometry.holes[i]))
+      complaints.push_back(
+          {"", fmt::format("gmsh.holes[{}]", i + 1),
+           fmt::format("goes through ({:g}, {:g}) m, which is outside of the region; holes lie "
+                       "within it: draw what they cut off into the outline",
+                       (*corner)[0], (*corner)[1])});
+}
+
 void check(GmshGeometry const& geometry) {
   Complaints complaints;
   check_numbers(complaints, {"gmsh.size", {geometry.size}, "m", core::positive, 1});
   check_outline(complaints, "gmsh", {geometry.start, geometry.edges});
   for (std::size_t i = 0; i < geometry.holes.size(); ++i)
     check_outline(complaints, fmt::format("gmsh.holes[{}]", i + 1), geometry.holes[i]);
+  if (complaints.empty())
+    check_holes(complaints, geometry);
   for (std::size_t i = 0; i < geometry.refine.size(); ++i)
     check_refinement(complaints, fmt::format("gmsh.refine[{}]", i + 1), geometry, geometry.refine[i]);
   check_sizes(complaints, geometry);

@@ -45,6 +45,8 @@ Scene Builder::run() {
   auto& model = *scene_.model;
   model.kinematics = scene_.part.kinematics;
   model.gravity = vec(scene_.part.gravity);
+  if (model.kinematics == solid::Kinematics::axisymmetric && model.gravity.x() != 0)
+    complain({"gravity"}, "along the radius would leave the symmetry of an axisymmetric scene; give {0, y}");
   model.scheme = scene_.part.scheme;
   dynamics::set_duration(model.scheme, scene_.part.schedule.stages.back().until);
   model.solver = scene_.part.solver;

@@ -1,6 +1,7 @@
 // Obstacles and contact pairs of a scene.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <array>
 #include <fmt/format.h>
 
 #include "contact/surface/direction.hpp"
@@ -70,21 +71,52 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   rigid.mass = part.mass;
   rigid.inertia = part.inertia;
   take_tensor(rigid, part);
-  if (part.mass > 0 && rigid.inertia == 0 && !spin_of(part.spin).isZero(0))
+  if (part.mass > 0 && rigid.inertia == 0 && !axisymmetric && !spin_of(part.spin).isZero(0))
     complain({"obstacles", name, "spin"},
              "turns a body that has no inertia, which does not turn; give it an inertia, or leave it out");
   rigid.force = vec(part.force);
+  if (axisymmetric)
+    check_symmetry(name, part);
+  check_paths_alone(name, part);
   if (part.mass > 0) {
     if (!dynamics::weights(model.scheme).inertia)
       complain(where, "is free, but a quasi-static run has no inertia that could hold it; give it paths "
                       "instead of a mass, or use scheme.theta_xi");
     dynamics::add_unknowns(model, rigid, vec(part.velocity), spin_of(part.spin));
     drive_rigid(rigid, part);
+    if (axisymmetric && part.x.empty())
+      model.motions.push_back({{rigid.node}, 0, {}});
   } else {
     rigid.shift = {path(part.times, part.x), path(part.times, part.y), path(part.times, part.z)};
     rigid.angle = path(part.times, part.angle);
   }
   model.rigids.push_back(rigid);
+}
+
+/// A rigid body about an axis moves along it alone.
+void Builder::check_symmetry(std::string const& name, ObstaclePart const& part) {
+  auto const refuse = [&](bool given, char const* key, char const* remedy) {
+    if (given)
+      complain({"obstacles", name, key},
+               fmt::format("would leave the symmetry of an axisymmetric scene; {}", remedy));
+  };
+  refuse(!part.angle.empty(), "angle", "leave it out");
+  refuse(part.inertia > 0, "inertia", "leave it out, as nothing turns");
+  refuse(!spin_of(part.spin).isZero(0), "spin", "leave it out");
+  refuse(vec(part.velocity).x() != 0, "velocity", "give {0, y}");
+  refuse(vec(part.force).x() != 0, "force", "give {0, y}");
+}
+
+/// Where a path leads a free body it has no say in how it moves there.
+void Builder::check_paths_alone(std::string const& name, ObstaclePart const& part) {
+  Vec3 const velocity = vec(part.velocity);
+  std::array const paths{&part.x, &part.y, &part.z};
+  for (int c = 0; c < 3; ++c)
+    if (velocity[c] != 0 && !paths[ix(c)]->empty())
+      complain({"obstacles", name, "velocity"},
+               fmt::format("along {0} is what the path of {0} says; leave one of the two out", "xyz"[c]));
+  if (!spin_of(part.spin).isZero(0) && !part.angle.empty())
+    complain({"obstacles", name, "spin"}, "is what the path of angle says; leave one of the two out");
 }
 
 /// The inertia tensor of a free body in space.

@@ -38,6 +38,8 @@ private:
   void check_size(Where const& where, Numbers const& numbers);
   /// Complains about a third component in a plane scene.
   void check_no_z(Where const& where, Numbers const& values);
+  void check_symmetry(std::string const& name, ObstaclePart const& part);
+  void check_paths_alone(std::string const& name, ObstaclePart const& part);
   template<class Part> void check_components(Where const& where, Part const& part) {
     if (part.x.empty() && part.y.empty() && part.z.empty())
       complain({where[0]}, "has none of x, y, z; give the values of at least one at its times");

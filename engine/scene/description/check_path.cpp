@@ -2,6 +2,7 @@
 #include "scene/description/check_path.hpp"
 
 #include <fmt/format.h>
+#include <string_view>
 
 namespace stiction::scene {
 
@@ -25,6 +26,12 @@ void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers 
   for (std::size_t k = 1; k < times.size(); ++k)
     if (times[k] <= times[k - 1])
       return reader.complain_at("times", fmt::format("must grow; entry {} does not", k + 1));
+  double const rest = std::string_view(key) == "volume" ? 1 : 0;
+  if (!values.empty() && times.front() > 0 && values.front() != rest)
+    reader.complain_at(
+        "times", fmt::format("begin at {:g} s, where {} is {:g}, not {:g} as at the start; give the path a "
+                             "first point at 0 s",
+                             times.front(), key, values.front(), rest));
 }
 
 } // namespace stiction::scene

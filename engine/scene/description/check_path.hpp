@@ -4,7 +4,8 @@
 
 namespace stiction::scene {
 
-/// Complains unless both lists are of one length and the times ascend.
+/// Complains unless both lists are of one length, the times ascend, and a path that begins after the start of
+/// the run begins at rest.
 void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers const& values,
                 char const* key);
 

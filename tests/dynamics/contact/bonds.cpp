@@ -1,6 +1,7 @@
 // Bonds over whole steps: growth at rest, separation, sliding across facets.
 #include <doctest/doctest.h>
 
+#include "dynamics/all_schemes.hpp"
 #include "dynamics/marching.hpp"
 
 using namespace stiction;
@@ -133,6 +134,51 @@ TEST_CASE("bonds that grow in a gap are felt as far as the law says, whatever th
       CHECK(test::force_on(scene, state, "foot.top").y() == doctest::Approx(pull).epsilon(1e-4));
     }
   }
+}
+
+TEST_CASE("reversible attraction is felt before the surfaces touch, at the velocity level as well") {
+  double const w = 1, delta = 0.05, gap = 0.03, pull = w * gap / (delta * delta) * std::exp(-gap / delta);
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.adhesion") =
+      test::make("adhesion.potential", {{"w", test::value(w, "J/m^2")}, {"delta", test::value(delta, "m")}});
+  test::at(table, "obstacles.floor.shape.point") = test::values({0, -gap}, "m");
+  test::at(table, "motions") = test::list({test::fix("foot.all")});
+  test::at(table, "schedule") = test::schedule({{1, 1}});
+  std::vector<test::Input> const schemes{test::make("scheme.theta_xi", test::cure("implicit", "position")),
+                                         test::make("scheme.theta_xi", test::cure("implicit", "velocity")),
+                                         test::make("scheme.moreau_jean")};
+  for (auto const& scheme : schemes) {
+    test::at(table, "scheme") = scheme;
+    auto const scene = scene::build(table);
+    dynamics::Stepper stepper(*scene.model);
+    auto const state = test::march(stepper, stepper.initial(), 0.1, 2);
+    for (auto const& point : state.contacts[0]) {
+      CHECK(point.adhesion[0] == doctest::Approx(-pull).epsilon(1e-9));
+      CHECK(std::abs(point.dry[0]) < 1e-9 * pull);
+    }
+  }
+}
+
+TEST_CASE("points without a counterpart have no bond from the start, and no energy of one") {
+  auto table = test::two_blocks();
+  test::at(table, "bodies.upper.mesh.origin") = test::values({0.5, 0}, "m"); // half of it overhangs
+  test::at(table, "pairs.joint.adhesion") = test::rcc(4, 100, 1);
+  test::at(table, "pairs.joint.adhesion.beta0") = test::value(1);
+  test::at(table, "motions") = test::list({test::fix("lower.all"), test::fix("upper.all")});
+  auto const scene = scene::build(table);
+  dynamics::Stepper stepper(*scene.model);
+  auto const start = stepper.initial();
+  double bonded = 0;
+  for (auto const& point : start.contacts[0]) {
+    CHECK(point.bond.beta == (point.foot.found() ? 1 : 0));
+    bonded += point.area * point.bond.beta;
+  }
+  CHECK(bonded > 0.4);
+  CHECK(bonded < 0.7);
+  CHECK(start.ledger.bond == doctest::Approx(-4 * bonded).epsilon(1e-12));
+  auto const end = test::march(stepper, start, 0.1, 2);
+  CHECK(end.ledger.bond == doctest::Approx(start.ledger.bond).epsilon(1e-12));
+  CHECK(std::abs(end.ledger.scheme_loss()) < 1e-12);
 }
 
 TEST_CASE("the slip of a point dragged across facets is the arc it covered, and so is its bond's stretch") {

@@ -90,3 +90,30 @@ TEST_CASE("a ball pressed into a block in space meets the force of the body of r
     CHECK(solid == doctest::Approx(revolved).epsilon(0.015));
   }
 }
+
+TEST_CASE("a free ball on the axis stays there, though what it touches pushes it outwards") {
+  for (double const mu : {0.0, 0.3}) {
+    auto table = test::make("scene");
+    test::at(table, "kinematics") = test::text("axisymmetric");
+    test::at(table, "bodies.block") =
+        test::block({{0, -1}, {1, 1}, {8, 8}}, test::linear_elastic(1, 0.3), 0.02);
+    test::at(table, "obstacles.ball") = test::make(
+        "obstacle", {{"shape", test::make("rigid.circle", {{"centre", test::values({0, 1.05}, "m")},
+                                                           {"radius", test::value(1, "m")}})},
+                     {"mass", test::value(0.1, "kg")},
+                     {"velocity", test::values({0, -1}, "m/s")}});
+    test::at(table, "pairs.joint") = test::pair("block.top", "ball");
+    if (mu > 0)
+      test::at(table, "pairs.joint.friction") = test::coulomb(mu);
+    test::at(table, "motions") =
+        test::list({test::fix("block.bottom"), test::fix("block.left", true, false)});
+    test::at(table, "scheme") = test::make("scheme.theta_xi");
+    test::at(table, "schedule") = test::schedule({{1, 1}});
+    auto const scene = scene::build(table);
+    dynamics::Stepper stepper(*scene.model);
+    auto const end = test::march(stepper, stepper.initial(), 0.01, 30);
+    Index const node = scene.model->rigids[0].node;
+    CHECK(end.u[2 * node] == 0);
+    CHECK(end.v[2 * node + 1] > -0.9); // it was slowed down
+  }
+}

@@ -163,6 +163,25 @@ TEST_SUITE("mesh") {
     auto name = quarter_ring(CellKind::tri3);
     name.refine = {{"iner", 0.1, 0, 1}};
     CHECK(mentions(refusal([&] { (void)gmsh_geometry(name); }), "did you mean \"inner\"?"));
+    auto const square = [](double x, double y, double side) {
+      return Outline{{x, y},
+                     {{{x + side, y}, {}, {}, ""},
+                      {{x + side, y + side}, {}, {}, ""},
+                      {{x, y + side}, {}, {}, ""},
+                      {{x, y}, {}, {}, ""}}};
+    };
+    auto const says_outside = [&](double x, double y, double side) {
+      auto holed = quarter_ring(CellKind::tri3);
+      holed.holes = {square(1.2, 0.2, 0.1), square(x, y, side)};
+      return mentions(refusal([&] { (void)gmsh_geometry(holed); }), "gmsh.holes[2]: goes through (");
+    };
+    CHECK(says_outside(-1, -1, 4));     // round the region
+    CHECK(says_outside(0.1, 0.1, 0.2)); // in the ring's own hole, within its hull
+    CHECK(says_outside(1.9, 0.1, 0.2)); // across its rim
+    if (!no_mesher()) {
+      OwnCache const cache;
+      CHECK_FALSE(says_outside(1.38, 1.38, 0.03)); // just within
+    }
     auto fine = quarter_ring(CellKind::tri3);
     fine.size = 1e-6;
     CHECK(mentions(refusal([&] { (void)gmsh_geometry(fine); }), "gmsh.size"));

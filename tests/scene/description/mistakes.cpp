@@ -157,6 +157,38 @@ TEST_CASE("loads and motions without any component") {
   check_only(table, "motions[1]", {"holds no component"});
 }
 
+TEST_CASE("a free obstacle about an axis moves along it alone") {
+  auto table = test::foot_on_floor();
+  test::at(table, "kinematics") = test::text("axisymmetric");
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
+  CHECK(complaints(table).empty());
+  auto const refused = [&](std::string const& key, test::Input value, std::string const& word) {
+    auto other = table;
+    test::at(other, key) = std::move(value);
+    check_only(other, key, {"would leave the symmetry", word});
+  };
+  refused("obstacles.floor.spin", test::values({1}, "rad/s"), "leave it out");
+  refused("obstacles.floor.inertia", test::value(1, "kg m^2"), "nothing turns");
+  refused("obstacles.floor.velocity", test::values({1, -1}, "m/s"), "{0, y}");
+  refused("obstacles.floor.force", test::values({1, -1}, "N"), "{0, y}");
+  refused("gravity", test::values({1, 0}, "m/s^2"), "{0, y}");
+}
+
+TEST_CASE("a velocity where a path says how a free obstacle moves") {
+  auto table = test::foot_on_floor();
+  test::at(table, "scheme") = test::make("scheme.theta_xi");
+  test::at(table, "motions") = test::list({test::fix("foot.top")});
+  test::at(table, "obstacles.floor.mass") = test::value(1, "kg");
+  test::at(table, "obstacles.floor.times") = test::values({0, 2}, "s");
+  test::at(table, "obstacles.floor.x") = test::values({0, 0}, "m");
+  test::at(table, "obstacles.floor.velocity") = test::values({0, -1}, "m/s");
+  CHECK(complaints(table).empty());
+  test::at(table, "obstacles.floor.velocity") = test::values({1, -1}, "m/s");
+  check_only(table, "obstacles.floor.velocity", {"along x is what the path of x says"});
+}
+
 TEST_CASE("a spin that no inertia would carry") {
   auto table = test::foot_on_floor();
   test::at(table, "scheme") = test::make("scheme.theta_xi");
@@ -215,6 +247,10 @@ TEST_CASE("paths shorter than the run, unsorted, or of unequal length") {
   CHECK(all(complaints(table)).find("must grow; entry 3 does not") != std::string::npos);
   test::at(table, "motions") = test::list({test::drive("foot.top", {0, 2}, {}, {0, 1, 2})});
   check_only(table, "motions[1].y", {"3 values for 2 times"});
+  test::at(table, "motions") = test::list({test::drive("foot.top", {1, 2}, {0, 0}, {-0.01, -0.02})});
+  check_only(table, "motions[1].times", {"begin at 1 s, where y is -0.01, not 0", "first point at 0 s"});
+  test::at(table, "motions") = test::list({test::drive("foot.top", {1, 2}, {0, 0}, {0, -0.02})});
+  CHECK(complaints(table).empty());
 
   table = test::foot_on_floor();
   test::at(table, "obstacles.floor.times") = test::values({0, 1}, "s");

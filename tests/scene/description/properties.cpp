@@ -21,13 +21,15 @@ struct Walk {
   Outcome last;
 };
 
-/// The yardstick of the contact solver's tolerance, and of the one here.
-double traction_scale(Stepper const& stepper, State const& state) {
+/// The yardstick of the contact solver's tolerance, and of the one here: of the step's start, too, as the
+/// step's forces are made from those.
+double traction_scale(Stepper const& stepper, State const& before, State const& after) {
   auto const& problem = stepper.contact().problem();
   double scale = contact::judge(problem, Vector::Zero(problem.free.size())).scale;
-  for (auto const& pair : state.contacts)
-    for (auto const& point : pair)
-      scale = std::max({scale, point.dry.norm(), point.adhesion.norm()});
+  for (auto const* state : {&before, &after})
+    for (auto const& pair : state->contacts)
+      for (auto const& point : pair)
+        scale = std::max({scale, point.dry.norm(), point.adhesion.norm()});
   return scale;
 }
 
@@ -42,7 +44,8 @@ Walk walk(scene::Scene const& scene, test::RandomScene const& drawn, double dt) 
       break;
     result.last.state.t = dt * (k + 1);
     result.states.push_back(result.last.state);
-    result.scales.push_back(traction_scale(stepper, result.last.state));
+    result.scales.push_back(
+        traction_scale(stepper, *std::prev(result.states.end(), 2), result.states.back()));
   }
   return result;
 }
