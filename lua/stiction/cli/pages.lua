@@ -338,10 +338,10 @@ than 0.01 of a squared standard error; where cases fail or they do not settle th
 what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's own error is
 never claimed. A parameter counts as determined up to a standard error of 25 % of itself
 (a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
-product of powers that is determined is told; else not. The model is rejected where chi square, or the runs of like signs among
-residuals, have a chance below 0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json
-(all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that
-changes the mesh is refused.]]
+product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN * load"), is told; else not. The model is
+rejected where chi square, or the runs of like signs among residuals, have a chance below 0.001, unless one finer level changes the
+curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals)
+and figures; 'stiction report' makes one page. A parameter that changes the mesh is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study

@@ -1,5 +1,6 @@
 -- What data say of parameters where a fit ended: errors, correlations, what is determined and what only in combination, and whether
 -- the model is rejected. In relative coordinates: a change of 1 is by a factor e, or of a linear parameter by its own size.
+local combination = require "stiction.fit.combination"
 local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local exact = require "stiction.fit.exact"
@@ -13,7 +14,6 @@ local judge = {}
 judge.settled = 0.25 -- relative standard error up to which a parameter or a combination counts as determined
 judge.level = 0.95 -- of intervals
 local doubt = 1e-3 -- probability below which a model is rejected
-local told = 0.05 -- exponents below are not told
 local blurred = 3 -- times the noise in derivatives: singular values below are not told from 0
 
 --- By how much the relative coordinate of each parameter grows with its own one; and what a relative one is relative to.
@@ -101,18 +101,8 @@ local function combinations(judged, ks)
   return list
 end
 
---- "w * E^-0.5": a combination in words; `relative` where linear parameters are in it.
-function judge.words(parameters, powers)
-  local words, linear_too = {}, false
-  for k, own in ipairs(parameters) do
-    local x = powers[k]
-    if x and math.abs(x) >= told then
-      words[#words + 1] = math.abs(x - 1) < 0.005 and own.name or ("%s^%.2g"):format(own.name, x)
-      linear_too = linear_too or not own.log
-    end
-  end
-  return table.concat(words, " * ") .. (linear_too and " (near the best values)" or "")
-end
+--- "w * E^-0.5", or of linear ones "a - 2 * b": a combination in words.
+judge.words = combination.words
 
 local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
@@ -134,7 +124,7 @@ end
 local function leave_out(judged, mixed)
   for _, i in ipairs(#judged.combinations > 0 and mixed or {}) do
     local k = judged.free[i]
-    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= told end)
+    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= combination.told end)
     if judged.fates[k] == "only in combination" and not held then
       judged.fates[k] = "not determined"
     end

@@ -72,7 +72,7 @@ function record.table(fit, study, options, result)
     covariance = judged.covariance, correlations = judged.correlations, eigenvalues = judged.eigenvalues,
     directions = judged.directions,
     combinations = numeric.map(judged.combinations, function(own)
-      return { powers = named(fit, own.powers), words = judge.words(fit.parameters, own.powers), relative_error = own.error }
+      return { powers = named(fit, own.powers), words = judge.words(fit.parameters, own.powers, judged), relative_error = own.error }
     end),
     simulation = { known = result.own_error.known or false, reason = result.own_error.reason,
       finer = result.own_error.variants },

@@ -1,4 +1,5 @@
 -- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local combination = require "stiction.fit.combination"
 local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
@@ -156,10 +157,11 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   end
   if #mixed > 0 then
     local words = numeric.map(judged.combinations, function(own)
-      return ("%s to %.2g %%"):format(judge.words(fit.parameters, own.powers), 100 * own.error)
+      return ("%s to %s"):format(combination.words(fit.parameters, own.powers, judged),
+        combination.error_words(fit.parameters, own, judged))
     end)
     lines[#lines + 1] = ("determined only in combination: %s; what these data tell is %s"):format(list_words(mixed),
-      #words > 0 and list_words(words) or "no product of powers of them alone")
+      #words > 0 and list_words(words) or "no combination of them alone")
   end
   if #lost > 0 then
     lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)

@@ -1,0 +1,65 @@
+-- What a fit says of its parameters: combinations that are determined, as products of powers or as sums.
+local test, equal = ...
+local judge = require "stiction.fit.judge"
+local numeric = require "stiction.numeric"
+local plain = require "stiction.fit.plain"
+local u = require("stiction").units
+local verdict = require "stiction.fit.verdict"
+
+local x = {}
+for i = 1, 30 do
+  x[i] = 0.2 * i
+end
+
+--- y of f with a little that goes up and down, of 0.01.
+local function measured(f, values)
+  return numeric.map(x, function(at) return f(values, at) + 0.01 * math.sin(57 * at) end)
+end
+
+local function linear(name, from, to, start, like)
+  return { name = name, from = from, to = to, start = start, like = like or 1 }
+end
+
+local function log(name, from, to, start)
+  return { name = name, from = from, to = to, log = true, start = start, like = 1 }
+end
+
+--- What is said of the fit of f, and its judgement.
+local function said(parameters, f, values)
+  local found, judged = plain.fit { parameters = parameters, x = x, y = measured(f, values), sigma = 0.01, f = f }
+  local lines = verdict.lines({ parameters = parameters, curves = {}, known = true }, judged, { variants = {}, reason = "none" }, found)
+  return table.concat(lines, "\n"), judged
+end
+
+test("of linear parameters the sum that is determined is told, in their units", function()
+  local function f(values, at) return (values[1] / 1e-6 - 2 * values[2] / 1e-3) * at end -- zero in um, load in mN
+  local own = { linear("zero", -10e-6, 10e-6, 1e-6, 10 * u.um), linear("load", -5e-3, 5e-3, 1e-3, 5 * u.mN) }
+  local text, judged = said(own, f, { 3e-6, 1e-3 })
+  equal(judged.fates[1], "only in combination")
+  local error = 0.01 / math.sqrt(30 * 31 * 61 / 6 * 0.04) -- of the slope, um
+  assert(text:find(("zero and load; what these data tell is zero - 2 um/mN * load (near the best values) to %.2g um"):format(error), 1,
+    true) or text:find(("load - 0.5 mN/um * zero (near the best values) to %.2g mN"):format(0.5 * error), 1, true), text)
+  assert(not text:find("^", 1, true) and not text:find("powers", 1, true), text)
+end)
+
+test("a sum of like parameters has plain weights, one whose best value is 0 as well", function()
+  local function f(values, at) return (values[1] + values[2]) * at end
+  local own = { linear("a", -1, 1, 0.3), linear("b", -1, 1, -0.3) }
+  local text = said(own, f, { 0, 0 })
+  assert(text:find("a + b (near", 1, true) or text:find("b + a (near", 1, true), text)
+end)
+
+test("beside a logarithmic parameter a linear one that is above 0 is a power, another one a term beside a logarithm", function()
+  local function f(values, at) return values[1] * values[2] * at end
+  local text = said({ linear("mu", 0.02, 0.5, 0.08), log("young", 0.1, 10, 3) }, f, { 0.1, 1 })
+  assert(text:find("mu * young (near", 1, true), text)
+  local function g(values, at) return (math.log(values[1]) + 0.5 * values[2]) * at end
+  text = said({ log("young", 0.1, 10, 3), linear("zero", -2, 2, 0.1) }, g, { 2, 0.3 })
+  assert(text:find("ln(young) + 0.5 * zero (near", 1, true) or text:find("zero + 2 * ln(young) (near", 1, true), text)
+end)
+
+test("exponents of a linear parameter near 0 are of itself, not of a tenth of its range", function()
+  local own = { linear("mu", 0.01, 10, 1), log("young", 0.1, 10, 3) }
+  local judged = { values = { 0.1, 1 }, sizes = { 0.999, 1 } }
+  equal(judge.words(own, { 0.999 / 0.1 / 10, 0.1 }, judged), "mu^0.1 * young^0.1 (near the best values)")
+end)
