@@ -63,3 +63,37 @@ test("exponents of a linear parameter near 0 are of itself, not of a tenth of it
   local judged = { values = { 0.1, 1 }, sizes = { 0.999, 1 } }
   equal(judge.words(own, { 0.999 / 0.1 / 10, 0.1 }, judged), "mu^0.1 * young^0.1 (near the best values)")
 end)
+
+test("where model and data do not agree errors, intervals and verdicts are widened alike", function()
+  local function bent(values, at) return values[1] + values[2] * at + 0.15 * math.sin(6 * at) end
+  local function line(values, at) return values[1] + values[2] * at end
+  local function fitted(sigma, low)
+    local own = { log("a", low, 10, 1), linear("b", -2, 2, 0.1) }
+    local t = { parameters = own, x = x, y = measured(bent, { 0.1, 1 }), sigma = sigma, f = line, enough = 1e-10 }
+    local found, judged, profiles, problem = plain.fit(t, 1, true)
+    return judged, profiles, problem, found
+  end
+  local judged, profiles, problem, found = fitted(0.01, 0.01)
+  judge.decide(judged, judge.by_profiles(problem.parameters, judged, profiles))
+  equal(judged.fates[1], "determined")
+  verdict.settle(judged, { known = false }, found)
+  judge.stretch(problem, judged, profiles)
+  judge.decide(judged, judge.by_profiles(problem.parameters, judged, profiles))
+  assert(judged.rejected and judged.stretch > 8, judged.stretch)
+  equal(judged.fates[1], "not determined")
+  local guessed = fitted(nil, 0.01)
+  for k = 1, 2 do
+    assert(math.abs(judged.errors[k] / guessed.errors[k] - 1) < 1e-3, "those that the residuals show")
+    assert(math.abs(judged.covariance[k][k] / guessed.covariance[k][k] - 1) < 1e-3)
+  end
+  local fit = { parameters = problem.parameters, known = true, curves = {} }
+  local by_profile = verdict.interval(fit, judged, profiles, { known = false }, 2)
+  local by_errors = verdict.interval(fit, judged, nil, { known = false }, 2)
+  assert(math.abs(by_profile.low - by_errors.low) < 0.01 * judged.errors[2] and by_profile.stretch == judged.stretch)
+  assert(math.abs(by_errors.high - judged.values[2] - judged.t * judged.errors[2]) < 1e-12)
+  local text = table.concat(verdict.lines(fit, judged, { variants = {}, reason = "none" }, found, profiles), "\n")
+  assert(text:find(("data %.3g times less sure"):format(judged.stretch), 1, true), text)
+  judged = fitted(0.3, 0.01)
+  judge.stretch(problem, judged)
+  equal(judged.stretch, nil)
+end)

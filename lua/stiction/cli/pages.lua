@@ -340,8 +340,10 @@ never claimed. A parameter counts as determined up to a standard error of 25 % o
 (a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
 product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN * load"), is told; else not. The model is
 rejected where chi square, or the runs of like signs among residuals, have a chance below 0.001, unless one finer level changes the
-curves by as much. Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals)
-and figures; 'stiction report' makes one page. A parameter that changes the mesh is refused.]]
+curves by as much. Where it is so with errors that are known (least squares) standard errors, intervals and combinations are all
+widened by the root of chi square per degree of freedom, which is told, and verdicts are by these. Exit code 1: rejected. It leaves
+fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A
+parameter that changes the mesh is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study

@@ -157,11 +157,10 @@ local function run(fit, model, study, options, folder)
   local result = { folder = folder }
   local found, judged, intervals, minima, cases = look(fit, model, study, options)
   result.found, result.judged, result.profiles, result.minima, result.search_cases = found, judged, intervals, minima, cases
-  if intervals then
-    judge.decide(judged, judge.by_profiles(fit.parameters, judged, intervals))
-  end
   result.own_error = finer.of(model, study, options, found, judged)
   verdict.settle(judged, result.own_error, found)
+  judge.stretch(fit, judged, intervals)
+  judge.decide(judged, intervals and judge.by_profiles(fit.parameters, judged, intervals) or judged.relative)
   result.advice = advice.of(model, found, judged)
   result.intervals = {}
   for k in ipairs(fit.parameters) do

@@ -155,6 +155,31 @@ function judge.decide(judged, relative)
   leave_out(judged, mixed)
 end
 
+--- Widens all that is told of parameters, here and in the profiles' intervals (nil: none), where model and data with known errors
+--- do not agree: by the root of chi square per degree of freedom, judged.stretch; nil where nothing is widened.
+function judge.stretch(problem, judged, intervals)
+  local each = judged.squares / math.max(1, judged.degrees)
+  if not (judged.misfit and problem.known and (problem.loss or "squares") == "squares" and each > 1) then
+    return
+  end
+  local by = math.sqrt(each)
+  judged.stretch, judged.factor = by, judged.factor * each
+  judged.eigenvalues = numeric.map(judged.eigenvalues, function(x) return x / each end)
+  for i, k in ipairs(judged.free) do
+    judged.errors[k], judged.relative[k], judged.alone[k] = by * judged.errors[k], by * judged.relative[k], by * judged.alone[k]
+    judged.covariance[i] = numeric.map(judged.covariance[i], function(x) return x * each end)
+    judged.spreads[i] = numeric.map(judged.spreads[i], function(x) return x * by end)
+  end
+  for k, own in pairs(intervals or {}) do
+    local parameter, value = problem.parameters[k], judged.values[k]
+    local function widened(x)
+      local far = x and (parameter.log and value * (x / value) ^ by or value + by * (x - value))
+      return far and (not parameter.from or far > parameter.from and far < parameter.to) and far or nil
+    end
+    own.low, own.high = widened(own.low), widened(own.high)
+  end
+end
+
 --- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
 function judge.by_profiles(parameters, judged, intervals)
   local relative = {}
@@ -192,7 +217,8 @@ end
 --- spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =,
 --- fates = by place,
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
---- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =}.
+--- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =,
+--- stretch = (by judge.stretch)}.
 --- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
 --- differences)}.
 function judge.of(problem, found, about)

@@ -65,7 +65,7 @@ function record.table(fit, study, options, result)
     quick = options.quick or false, set = options.set or {}, files = fit.files, level = judge.level,
     parameters = parameters_of(fit, result),
     squares = judged.squares, degrees_of_freedom = judged.degrees, errors_known = fit.known, loss = fit.loss,
-    chance_of_squares = judged.chance, runs = runs_of(fit, judged), rejected = judged.rejected,
+    chance_of_squares = judged.chance, widened_by = judged.stretch, runs = runs_of(fit, judged), rejected = judged.rejected,
     curves = curves_of(fit, judged),
     misfit_of_the_simulation = judged.coarse,
     free = numeric.map(judged.free, function(k) return fit.parameters[k].name end),

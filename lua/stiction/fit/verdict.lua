@@ -42,10 +42,8 @@ function verdict.interval(fit, judged, intervals, own_error, k)
   if profiled then
     low, high = profiled.low, profiled.high
   end
-  local stretch = judged.misfit and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
-  low, high = low and value - stretch * (value - low), high and value + stretch * (high - value)
   result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
-  result.stretch = stretch > 1 and stretch or nil
+  result.stretch = judged.stretch
   result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
   local doubt, share = result.simulation or 0, own_error.known and own_error.relative[k] or 0
   result.low, result.high = result.statistical.low, result.statistical.high
@@ -119,6 +117,8 @@ local function on_model(fit, judged, lines)
   for _, line in ipairs(correlated.lines(fit.curves, judged, judge.doubt)) do
     lines[#lines + 1] = line
   end
+  lines[#lines + 1] = judged.stretch and ("as model and data do not agree, errors, intervals and what is determined are those of "
+    .. "data %.3g times less sure, the root of chi square per degree"):format(judged.stretch) or nil
   if judged.coarse then
     lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
   elseif judged.rejected and fit.starts == 1 then
