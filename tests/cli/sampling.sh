@@ -31,6 +31,26 @@ expect 0 "3 points of a list|3 cases, 3 of them run now" "$stiction" sample soft
 printf 'mu,young [MPa]\n0.1,1\n0.15,1.1\n' >soft/values.csv
 sed 's/sample = { of = .*/sample = { list = "values.csv" },/' soft/study.lua >soft/file.lua
 expect 0 "2 points of a list" "$stiction" sample soft/file.lua --no-figures --out file
+# what is wrong in a list is told with its place: file, row and column, or the point's number
+in_file() { # HEAD ROW "PART|PART": a file of points that is refused so
+  printf '%s\n0.1,1\n%s\n' "$1" "$2" >soft/values.csv
+  expect 2 "$3" "$stiction" sample soft/file.lua --no-figures --out file
+}
+in_file 'mu,young [N]' '0.15,1.1' "values.csv: row 1, column 'young': 'young' must be like 1 MPa, not 1 N"
+in_file 'mu,young' '0.15,1.1' "values.csv: row 1, column 'young': 'young' must be like 1 MPa, not 1"
+in_file 'nu,young [MPa]' '0.15,1.1' "values.csv: row 1, column 'nu': the study has no parameter 'nu'; did you mean 'mu'?"
+in_file 'mu,young [MPa]' '0.15,soft' "row 2, column 'young': 'soft' is no number"
+in_file 'mu,young [MPa]' '# 0.15,1.1' "with as many rows; values.csv has 1"
+in_list() { # POINT "PART|PART": a second point that is refused so
+  sed "s/{ mu = 0.2, young = 2\*MPa }/$1/" soft/list.lua >soft/other.lua
+  expect 2 "$2" "$stiction" sample soft/other.lua --no-figures
+}
+in_list '{ mu = 0.2, young = 2*mm }' "study.sample.list[2]: 'young' must be like 1 MPa, not 2 mm"
+in_list '0.2' "study.sample.list[2] is 0.2; { name = value, ... } is wanted"
+in_list '{ 0.2, 2*MPa }' "study.sample.list[2] is a table that lacks names"
+sed "s/{ mu = 0.1, young = 1\*MPa }/{ mu = 0.1 }/" soft/list.lua >soft/other.lua
+expect 0 "3 points of a list" "$stiction" sample soft/other.lua --no-figures --out other
+holds "what a point leaves out is the study's own: $(cat other/sample.csv)" [ "$(grep -c '^case,mu,young,\|,0\.[123],[12]000000,' other/sample.csv)" = 4 ]
 
 sed 's/sample = { of = .*/sample = { fit = true, count = 8 },/' soft/study.lua >soft/fitted.lua
 expect 2 "there is no fit in out/fitted/fit/fit.json" "$stiction" sample soft/fitted.lua --no-figures

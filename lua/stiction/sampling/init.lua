@@ -41,6 +41,17 @@ local function values_of(own)
   return list
 end
 
+--- Names of all parameters that some point names.
+local function names_of(values)
+  local seen = {}
+  for _, point in ipairs(values) do
+    for name in pairs(point) do
+      seen[name] = true
+    end
+  end
+  return ordered.keys(seen)
+end
+
 --- What the rows give of one result, nil where a case failed.
 local function column(rows, name)
   local list = {}
@@ -229,17 +240,14 @@ local function show_indices(own, found)
 end
 
 local function run(own, study, options, folder)
-  local values, names = values_of(own), {}
-  for name in pairs(values[1]) do
-    names[#names + 1] = name
-  end
-  table.sort(names)
+  local values = values_of(own)
+  local names = names_of(values)
   local points = points_module.open(study, options, folder, names)
   report.line("%d points of %s", #values, own.list and "a list" or own.design)
   if #(own.left_out or {}) > 0 then
     report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(own.left_out, ", "))
   end
-  local found = { folder = folder, values = values, count = #values }
+  local found = { folder = folder, values = values, names = names, count = #values }
   found.rows = points:run(values)
   found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)
   found.failures, found.where = failures(own, found.rows, values)

@@ -3,7 +3,6 @@ local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local identity = require "stiction.identity"
 local numeric = require "stiction.numeric"
-local ordered = require "stiction.ordered"
 
 local record = {}
 
@@ -44,7 +43,7 @@ function record.table(own, study, options, found)
 end
 
 local function write_points(found)
-  local names = ordered.keys(found.values[1])
+  local names = found.names
   local head = table.move(names, 1, #names, 2, { "case" })
   for _, result in ipairs(found.results) do
     head[#head + 1] = result.name
@@ -54,7 +53,7 @@ local function write_points(found)
   for i, row in ipairs(found.rows) do
     local words = { row.case.id }
     for _, name in ipairs(names) do
-      words[#words + 1] = csv.word(found.values[i][name])
+      words[#words + 1] = csv.word(row.case.p[name])
     end
     for _, result in ipairs(found.results) do
       words[#words + 1] = result.values[i] and csv.word(result.values[i]) or "nan"
