@@ -18,9 +18,12 @@ local function share(value)
   return type(value) == "number" and ("%.2g %%"):format(100 * value) or "-"
 end
 
-local function ends(interval)
+local function ends(interval, bound)
   local own = list_of(interval)
-  return interval and ("%s .. %s"):format(own.low and number(own.low) or "open", own.high and number(own.high) or "open") or "-"
+  local function word(side)
+    return own[side] and number(own[side]) or bound == side and "at its bound" or "open"
+  end
+  return interval and ("%s .. %s"):format(word("low"), word("high")) or "-"
 end
 
 local function lines(list, class)
@@ -32,8 +35,8 @@ local function parameters_of(fit)
   local rows = {}
   for _, own in ipairs(numeric.map(list_of(fit.parameters), list_of)) do
     local interval = list_of(own.interval)
-    rows[#rows + 1] = { tostring(own.name), number(own.best), tostring(own.unit), ends(own.interval and interval),
-      ends(own.interval and list_of(interval.statistical)), number(own.simulation_error, 2), tostring(own.verdict) }
+    rows[#rows + 1] = { tostring(own.name), number(own.best), tostring(own.unit), ends(own.interval and interval, interval.bound),
+      ends(own.interval and list_of(interval.statistical), interval.bound), number(own.simulation_error, 2), tostring(own.verdict) }
   end
   return html.rows(rows, { "parameter", "best", "unit (SI)", "95 %, as claimed", "of the data alone", "simulation's own error", "verdict" })
 end

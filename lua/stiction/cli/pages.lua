@@ -336,14 +336,14 @@ follow); above half of the curve it cannot be told from a wrong model, which is 
 likelihood (--no-profiles: by the covariance): the other parameters are at their best at each point of it, until they would gain less
 than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said. They are widened by
 what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's own error is
-never claimed. A parameter counts as determined up to a standard error of 25 % of itself
-(a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
-product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN * load"), is told; else not. The model is
-rejected where chi square, or the runs of like signs among residuals, have a chance below 0.001, unless one finer level changes the
-curves by as much. Where it is so with errors that are known (least squares) standard errors, intervals and combinations are all
-widened by the root of chi square per degree of freedom, which is told, and verdicts are by these. Exit code 1: rejected. It leaves
-fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A
-parameter that changes the mesh is refused.]]
+never claimed. A parameter that ends at a bound has no standard error, but the end of its interval on the other side, by its profile.
+One counts as determined up to a standard error of 25 % of itself (a linear one: of at least a tenth of its range); only in combination
+if it would be so with the others known, and the product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN
+* load"), is told; else not. The model is rejected where chi square, or the runs of like signs among residuals, have a chance below
+0.001, unless one finer level changes the curves by as much. Where it is so with errors that are known (least squares) standard errors,
+intervals and combinations are all widened by the root of chi square per degree of freedom, which is told, and verdicts are by these.
+Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures;
+'stiction report' makes one page. A parameter that changes the mesh is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study

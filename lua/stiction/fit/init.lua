@@ -93,7 +93,7 @@ local function look(fit, model, study, options)
   local found, judged, intervals = minima[1], nil, nil
   for round = 0, most_restarts do
     judged = judge.of(problem, found, about(fit, model))
-    if not fit.profiles or options.no_profiles or #judged.free == 0 then
+    if not fit.profiles or options.no_profiles then
       break
     end
     local lower
@@ -113,7 +113,13 @@ local function interval_words(own, interval)
   local function end_of(value, open)
     return value and ("%.4g"):format((verdict.shown(own, value))) or open
   end
-  return interval and ("%s .. %s"):format(end_of(interval.low, "open"), end_of(interval.high, "open")) or "at its bound"
+  if not interval then
+    return "at its bound"
+  end
+  local function word(side)
+    return end_of(interval[side], interval.bound == side and "at its bound" or "open")
+  end
+  return ("%s .. %s"):format(word("low"), word("high"))
 end
 
 local function percent(value)

@@ -171,9 +171,10 @@ function judge.stretch(problem, judged, intervals)
     judged.spreads[i] = numeric.map(judged.spreads[i], function(x) return x * by end)
   end
   for k, own in pairs(intervals or {}) do
-    local parameter, value = problem.parameters[k], judged.values[k]
+    local parameter, value, straight = problem.parameters[k], judged.values[k], own.straight or 0
+    local times = 2 * each / (straight + math.sqrt(straight ^ 2 + 4 * (1 - straight) * each)) -- `by` where the squares rise as a square
     local function widened(x)
-      local far = x and (parameter.log and value * (x / value) ^ by or value + by * (x - value))
+      local far = x and (parameter.log and value * (x / value) ^ times or value + times * (x - value))
       return far and (not parameter.from or far > parameter.from and far < parameter.to) and far or nil
     end
     own.low, own.high = widened(own.low), widened(own.high)

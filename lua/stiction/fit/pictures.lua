@@ -173,8 +173,8 @@ function pictures.of(fit, result)
     list[#list + 1] = residual_figure(fit, result, group, name_of("residuals", i, #parts))
   end
   local profiles = {}
-  for _, k in ipairs(result.profiles and judged.free or {}) do
-    profiles[#profiles + 1] = profile_figure(fit, result, k)
+  for k in ipairs(fit.parameters) do
+    profiles[#profiles + 1] = result.profiles and result.profiles[k] and profile_figure(fit, result, k) or nil
   end
   if #profiles > 0 then
     list[#list + 1] = figure.panel { name = "profiles", title = "profile likelihood", columns = math.min(2, #profiles), figures = profiles }

@@ -4,7 +4,6 @@ local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
-local spec = require "stiction.fit.spec"
 local units = require "stiction.units"
 
 local verdict = {}
@@ -26,32 +25,36 @@ function verdict.words(own, value, digits)
   return ("%%.%dg%%s"):format(digits or 4):format(number, unit ~= "" and " " .. unit or "")
 end
 
+--- The ends of an interval with what the simulation may be off by on either side: a relative share, or of a linear parameter a part of it.
+local function with_simulation(own, result, share, half)
+  local function moved(x, way)
+    return x and (own.log and x * math.exp(way * share) or x + way * half)
+  end
+  result.low, result.high = moved(result.statistical.low, -1), moved(result.statistical.high, 1)
+end
+
 --- {low =, high = (SI; nil: open), statistical = {low =, high =}, simulation = (half width, SI; nil: not known), by = "profile" or
---- "covariance"}: what is claimed of the k-th parameter: never less than the simulation's own error on either side.
+--- "covariance", bound = "low" | "high" (that it is at: the interval is of the other side alone)}: what is claimed of the k-th parameter:
+--- never less than the simulation's own error on either side. nil of one at its bound that has no profile.
 function verdict.interval(fit, judged, intervals, own_error, k)
   local own, value = fit.parameters[k], judged.values[k]
-  if not judged.errors[k] then
+  local profiled = intervals and intervals[k]
+  if not judged.errors[k] and not profiled then
     return nil
   end
-  local result = { statistical = {} }
-  local profiled = intervals and intervals[k]
-  local half = judged.t * judged.relative[k]
-  local low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
-  local high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
-  result.by = profiled and "profile" or "covariance"
+  local result = { by = profiled and "profile" or "covariance", bound = profiled and profiled.bound, stretch = judged.stretch }
+  local low, high
   if profiled then
     low, high = profiled.low, profiled.high
+  else
+    local half = judged.t * judged.relative[k]
+    low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
+    high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
   end
   result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
-  result.stretch = judged.stretch
-  result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
-  local doubt, share = result.simulation or 0, own_error.known and own_error.relative[k] or 0
-  result.low, result.high = result.statistical.low, result.statistical.high
-  if own.log then
-    result.low, result.high = result.low and result.low * math.exp(-share), result.high and result.high * math.exp(share)
-  else
-    result.low, result.high = result.low and result.low - doubt, result.high and result.high + doubt
-  end
+  local share = own_error.known and own_error.relative[k]
+  result.simulation = share and share * judged.sizes[k] or nil
+  with_simulation(own, result, share or 0, result.simulation or 0)
   return result
 end
 
@@ -144,6 +147,19 @@ local function on_profiles(fit, judged, intervals, lines)
   lines[#lines + 1] = judged.undercut and "profiles still meet lower points: this may be no minimum; the intervals are about it" or nil
 end
 
+--- What is said of the k-th parameter, which is at its bound.
+local function on_bound(fit, judged, own_error, intervals, k)
+  local own, interval = fit.parameters[k], verdict.interval(fit, judged, intervals, own_error, k)
+  local words = ("%s is at its bound %s: the data would have it beyond"):format(own.name,
+    verdict.words(own, judged.values[k], 10))
+  if not interval then
+    return words .. ", and no error is told"
+  end
+  local finish = interval.low or interval.high
+  return ("%s; on the other side its interval (95 %%) %s"):format(words, not finish and "is open"
+    or ("ends at %s"):format(verdict.words(own, finish)))
+end
+
 --- Lines on the model, the parameters and the simulation's own error; intervals: of profiles, or nil.
 function verdict.lines(fit, judged, own_error, found, intervals)
   local lines = {}
@@ -166,11 +182,8 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   if #lost > 0 then
     lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)
   end
-  for k, own in ipairs(fit.parameters) do
-    if not judged.errors[k] then
-      lines[#lines + 1] = ("%s is at its bound %s: the data would have it beyond, and no error is told"):format(own.name,
-        tostring(spec.quantity(own.like, judged.values[k])))
-    end
+  for k in ipairs(fit.parameters) do
+    lines[#lines + 1] = not judged.errors[k] and on_bound(fit, judged, own_error, intervals, k) or nil
   end
   local coarse = {}
   for _, k in ipairs(judged.free) do
