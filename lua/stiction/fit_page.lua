@@ -101,6 +101,16 @@ local function shares_of(sample)
   return #rows > 0 and "<h3>Whose the variance is</h3>" .. html.rows(rows, { "result", "parameter", "alone", "with others" }) or ""
 end
 
+--- What is drawn as a fit has it.
+local function drawn_of(sample)
+  local rows = {}
+  for _, own in ipairs(numeric.map(list_of(sample.drawn), list_of)) do
+    rows[#rows + 1] = { tostring(own.name), number(own.best), own.held and "held at its bound" or share(own.relative_error),
+      own.curve and tostring(own.curve) or "all" }
+  end
+  return #rows > 0 and html.rows(rows, { "of the fit (SI)", "best", "standard error", "of the curve" }) or ""
+end
+
 --- The body of a sample's section, "" where the folder has none.
 function fit_page.sample(folder)
   local sample = output.read_file(folder .. "/sample.json")
@@ -115,7 +125,7 @@ function fit_page.sample(folder)
     failed[#failed + 1] = ("failed cases lie at %s %s"):format(tostring(place.side), tostring(place.parameter))
   end
   return ("<p>%s points of %s.</p>"):format(number(sample.points), html.plain(sample.design)) .. lines(failed, ' class="bad"')
-    .. moments_of(sample) .. shares_of(sample)
+    .. drawn_of(sample) .. moments_of(sample) .. shares_of(sample)
 end
 
 return fit_page

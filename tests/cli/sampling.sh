@@ -80,10 +80,26 @@ expect 2 "has no curve 'too'; did you mean 'two'?; its curves: one, two" "$stict
 of_curve '{ file = "own.json", curve = "two" }'
 expect 0 "left out, as no case has it (the fit's \`against\` alone reads it): one.zero" "$stiction" sample soft/curve.lua --no-figures
 holds "mu is that of the curve" [ "$(awk -F, 'NR > 1 && $2 > 0.19 && $2 < 0.21' out/curve/sample/sample.csv | wc -l)" = 4 ]
+holds "what is drawn is that of the curve" grep -q '^mu  *0.2 1 .*two$' output
+grep -q remark: output && complain "a curve that was asked for is remarked: $(cat output)"
 of_curve true
 mkdir -p asked
 sed '/"name": "one\./d; s/, "one.zero", "one.mu"//; s/^"covariance.*/"covariance": [ [ 1e-4, 0 ], [ 0, 1e-6 ] ] }/' soft/own.json >asked/fit.json
-expect 0 "4 points of sobol" "$stiction" sample soft/curve.lua --no-figures --out asked
+expect 0 "4 points of sobol|remark: mu is the curve two's own, and no other curve's; every point takes it" "$stiction" sample \
+  soft/curve.lua --no-figures --out asked
+holds "whose it is stands in the file: $(cat asked/sample.json)" grep -q '"curve": "two"' asked/sample.json
+
+# a parameter at its bound is held there, one with a distribution of its own, or one value, is not drawn as the fit has it
+sed 's/, "two.mu" ]/ ]/; s/"free": \[.*/"free": [ "young" ],/; s/^"covariance.*/"covariance": [ [ 1e-4 ] ] }/' asked/fit.json >soft/bound.json
+of_curve '"bound.json"'
+expect 0 "held at its bound  two" "$stiction" sample soft/curve.lua --no-figures --out bound
+holds "mu is that of the fit" [ "$(awk -F, 'NR > 1 && $2 == 0.2' bound/sample.csv | wc -l)" = 4 ]
+of_curve '"own.json", of = { mu = { uniform = { 0.3, 0.4 } } }'
+expect 0 "not as the fit has it, but as sample.of or sample.set say: mu" "$stiction" sample soft/curve.lua --no-figures --out otherwise
+holds "mu is that of the distribution" [ "$(awk -F, 'NR > 1 && $2 > 0.3 && $2 < 0.4' otherwise/sample.csv | wc -l)" = 4 ]
+of_curve '"own.json", set = { mu = 0.35 }'
+expect 0 "not as the fit has it, but as sample.of or sample.set say: mu" "$stiction" sample soft/curve.lua --no-figures --out otherwise
+holds "mu is that of set" [ "$(awk -F, 'NR > 1 && $2 == 0.35' otherwise/sample.csv | wc -l)" = 4 ]
 
 # cases that fail are listed by where they lie, and the rest is told
 mkdir edge

@@ -351,7 +351,8 @@ sample = {                                            -- a key of a study
     w = { log_normal = { 1*J/m^2, 0.2 } } },          -- deviation), log_normal (median, standard deviation of the logarithm)
   fit = true,                                         -- in their place or beside them: parameters of the study's fit (of the same
                                                       -- --out), which depend on each other; or the path of a fit.json; or { curve =
-                                                      -- "slow", file = "fit.json" }: with the own parameters of that curve
+                                                      -- "slow", file = "fit.json" }: with the own parameters of that curve; what
+                                                      -- `of` and `set` name is as they say, what is at a bound is held there
   list = { { mu = 0.1, w = ... }, ... },              -- alone: one's own points, or a .csv file with a column for each
   design = "sobol",                                   -- or "latin_hypercube"; "saltelli": pairs of points, count * (parameters + 2)
   count = 64, seed = 1,                               -- --count N, at most 100000: more keep the points (a hypercube: 2 N)

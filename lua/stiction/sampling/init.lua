@@ -239,14 +239,38 @@ local function show_indices(own, found)
   end
 end
 
+--- What of a fit is drawn, of which curve, and what is not.
+local function show_fit(own)
+  local fit = own.fit or { axes = {}, left_out = {}, held = {}, otherwise = {} }
+  local rows = { { "of the fit", "best", "+-/%", "of the curve" } }
+  for _, axis in ipairs(own.axes) do
+    rows[#rows + 1] = axis.joint and { axis.name, axis.shown, ("%.2g"):format(100 * axis.relative_error), axis.curve or "all" } or nil
+  end
+  for _, entry in ipairs(fit.held) do
+    rows[#rows + 1] = { entry.name, entry.shown, "held at its bound", entry.curve or "all" }
+  end
+  if #rows > 1 then
+    report.table(rows)
+  end
+  for _, axis in ipairs(fit.asked and {} or own.axes) do
+    if axis.curve then
+      report.line("remark: %s is the curve %s's own, and no other curve's; every point takes it", axis.name, axis.curve)
+    end
+  end
+  if #fit.otherwise > 0 then
+    report.line("not as the fit has it, but as sample.of or sample.set say: %s", table.concat(fit.otherwise, ", "))
+  end
+  if #fit.left_out > 0 then
+    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(fit.left_out, ", "))
+  end
+end
+
 local function run(own, study, options, folder)
   local values = values_of(own)
   local names = names_of(values)
   local points = points_module.open(study, options, folder, names)
   report.line("%d points of %s", #values, own.list and "a list" or own.design)
-  if #(own.left_out or {}) > 0 then
-    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(own.left_out, ", "))
-  end
+  show_fit(own)
   local found = { folder = folder, values = values, names = names, count = #values }
   found.rows = points:run(values)
   found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)

@@ -3,6 +3,7 @@ local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local identity = require "stiction.identity"
 local numeric = require "stiction.numeric"
+local units = require "stiction.units"
 
 local record = {}
 
@@ -28,11 +29,24 @@ local function result_table(own, result)
       deviation = polynomial.deviation, indices = indices_of(own, polynomial) } }
 end
 
+--- What is drawn as a fit has it, and whose it is.
+local function drawn(own)
+  local list = {}
+  for _, axis in ipairs(own.axes) do
+    list[#list + 1] = axis.joint and { name = axis.name, curve = axis.curve, best = axis.best, relative_error = axis.relative_error } or nil
+  end
+  for _, entry in ipairs(own.fit.held) do
+    list[#list + 1] = { name = entry.name, curve = entry.curve, best = units.si(entry.value), held = true }
+  end
+  return list
+end
+
 --- All of it as a table for JSON.
 function record.table(own, study, options, found)
   return { study = study.source.file, name = study.name, title = study.title, version = engine.version, quick = options.quick or false,
-    set = options.set or {}, design = own.design, count = own.count, seed = own.seed, points = found.count, fit = own.source,
-    parameters = numeric.map(own.axes, function(axis) return axis.name end),
+    set = options.set or {}, design = own.design, count = own.count, seed = own.seed, points = found.count,
+    fit = own.fit and own.fit.source, parameters = numeric.map(own.axes, function(axis) return axis.name end),
+    drawn = own.fit and drawn(own) or nil,
     results = numeric.map(found.results, function(result) return result_table(own, result) end),
     failed = numeric.map(found.failures, function(entry)
       return { case = entry.case, reason = entry.reason, values = identity.plain(entry.values) }

@@ -173,20 +173,27 @@ function spec.values(own, u)
   return values
 end
 
---- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =,
---- left_out = (names of a fit's parameters that no case has)}.
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, fit = (as of
+--- fitted.read)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
   check(t)
-  local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = t.set or {}, axes = {} }
+  local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = copy(t.set or {}), axes = {} }
   if t.list then
     own.list, own.design = listed(study, t, options), "list"
     return own
   end
   if t.fit then
-    own.axes, own.source, own.left_out = fitted.axes(study, t.fit, options)
-    own.joint = true
+    local others = copy(t.of or {})
+    for name, value in pairs(own.set) do
+      others[name] = value
+    end
+    own.fit = fitted.read(study, t.fit, options, others)
+    own.axes, own.joint = own.fit.axes, true
+    for _, entry in ipairs(own.fit.held) do
+      own.set[entry.name] = entry.value
+    end
   end
   local probe = copy(own.set)
   for _, name in ipairs(ordered.keys(t.of or {})) do
