@@ -101,6 +101,12 @@ of_curve '"own.json", set = { mu = 0.35 }'
 expect 0 "not as the fit has it, but as sample.of or sample.set say: mu" "$stiction" sample soft/curve.lua --no-figures --out otherwise
 holds "mu is that of set" [ "$(awk -F, 'NR > 1 && $2 == 0.35' otherwise/sample.csv | wc -l)" = 4 ]
 
+# what cannot be told is a "-", and the help says why
+sed 's/^  scene = function(p)/&\n    if p.mu > 0.1 then error("too rough") end/' soft/list.lua >soft/rough.lua
+expect 1 "2 of 3 cases failed" "$stiction" sample soft/rough.lua --no-figures --out rough
+holds "a result that one case has: $(cat output)" grep -q '^force_x/(N/m)  *-  *-  *-  *-  *-  *-$' output
+expect 0 'A "-" stands where there is|an offset of the measured height, are left out|100000 cases' "$stiction" help sample
+
 # cases that fail are listed by where they lie, and the rest is told
 mkdir edge
 cp soft/* edge
@@ -121,6 +127,7 @@ refused 's/of = { mu =/of = { nu =/' "the study has no parameter 'nu'; did you m
 refused 's/log_normal = { 1\*MPa, 0.2 }/log_normal = { 1*mm, 0.2 }/' "must be like"
 refused 's/count = 16/count = 1/' "2 or more, is wanted"
 refused 's/count = 16/count = 100000000/' "count = 100000000; it is 2 to 100000, each a case of its own: take fewer points"
+refused 's/count = 16/count = 30000, design = "saltelli"/' "30000 of saltelli's design are 120000 cases, at most 100000: take fewer points"
 refused 's/count = 16/design = "sobel"/' "did you mean 'sobol'?"
 refused 's/count = 16/results = { "forse_x" }/' "no result 'forse_x'; did you mean 'force_x'?"
 refused 's/sample = { of = .*/sample = { count = 3 },/' "study.sample needs of = "

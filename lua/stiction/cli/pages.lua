@@ -364,9 +364,14 @@ sample = {                                            -- a key of a study
 'stiction sample STUDY' runs the points, kept below out/<study>/sample, and tells of each result mean and standard deviation with their
 sampling error (as of independent points, more than Sobol's need), quantiles with intervals by order statistics, and whose its
 variance is: first (a parameter alone) and total (with all others) Sobol indices, of saltelli's pairs with errors by resampling, else
-of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. Where the study names the
-uncertain parameters in its `derivatives` slopes make the polynomial, too, of several times fewer points. Failed cases are listed,
-with the parameters along which they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
+of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. A "-" stands where there is
+nothing to tell: of shares where a result does not vary (beyond rounding), of the polynomial where there are too few points for one of
+first degree (1.5 a term) or the points are a list, of all where fewer than two cases give the result. Of a fit's parameters there are no
+shares, as they depend on each other; those that its `against` alone reads, such as an offset of the measured height, are left out, as
+no case and no result has them. The count is limited because each point is a case with a folder of its own, which stays: 100000 cases
+at most, so that saltelli's counts end at 100000 / (parameters + 2). Where the study names the uncertain parameters in its
+`derivatives` slopes make the polynomial, too, of several times fewer points. Failed cases are listed, with the parameters along which
+they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
 sample.csv and figures; 'stiction report' makes one page.]]
 
 --- What parameters do to a result, told with the kind that has them.

@@ -207,6 +207,8 @@ local function show_results(found)
         plus_minus(own.entry, own.moments.deviation, own.moments.deviation_error), report.in_unit(own.entry, q[1].value),
         report.in_unit(own.entry, q[3].value), report.in_unit(own.entry, q[5].value),
         own.chaos and ("%.2g"):format(100 * own.chaos.error) or "-" }
+    else
+      rows[#rows + 1] = { report.head(own.entry), "-", "-", "-", "-", "-", "-" }
     end
   end
   report.line()

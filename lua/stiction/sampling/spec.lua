@@ -212,6 +212,10 @@ function spec.read(study, options)
   for _, name in ipairs(ordered.keys(t.of or {})) do
     own.axes[#own.axes + 1] = axis(name, t.of[name], standing[name])
   end
+  local cases = own.design == "saltelli" and own.count * (#own.axes + 2) or own.count
+  if cases > most_points then
+    fault.script("study.sample: count = %d of saltelli's design are %d cases, at most %d: take fewer points", own.count, cases, most_points)
+  end
   return own
 end
 
