@@ -97,3 +97,20 @@ test("where model and data do not agree errors, intervals and verdicts are widen
   judge.stretch(problem, judged)
   equal(judged.stretch, nil)
 end)
+
+test("a search that derivatives would have go on, while no step gains, says that it is stuck", function()
+  local function saw(values, at) return (2 * (values[1] % 1e-3) - values[1]) * at end -- rises within each tooth, falls with the teeth
+  local own = { linear("a", -4, 4, 1.0001) }
+  local t = { parameters = own, x = x, y = measured(function(_, at) return 2 * at end, {}), sigma = 0.01, f = saw, share = 1e-6 }
+  local function said_of(f)
+    t.f = f
+    local found, judged = plain.fit(t)
+    local fit = { parameters = own, curves = {}, known = true }
+    judged.runs = {}
+    return table.concat(verdict.lines(fit, judged, { variants = {}, reason = "none" }, found), "\n"), found
+  end
+  local text = said_of(saw)
+  assert(text:find("the search is STUCK: derivatives promise a gain of", 1, true), text)
+  text = said_of(function(values, at) return values[1] * at end)
+  assert(not text:find("STUCK", 1, true), text)
+end)

@@ -78,7 +78,7 @@ function record.table(fit, study, options, result)
       finer = result.own_error.variants },
     further = advice_of(fit, result), says = result.lines, noise = result.noise, difference = result.share,
     minima = numeric.map(result.minima, function(own)
-      return { squares = own.at.cost, values = space.values(fit.parameters, own.z), ended = own.ended }
+      return { squares = own.at.cost, values = space.values(fit.parameters, own.z), ended = own.ended, gain_promised = own.promised }
     end),
     cases = result.cases, cases_of_search = result.search_cases, cases_of_best = result.best_cases, evaluations = #result.log }
 end

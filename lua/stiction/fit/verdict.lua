@@ -8,6 +8,7 @@ local units = require "stiction.units"
 
 local verdict = {}
 
+local stuck = 1 -- gain that derivatives promise, in squares of standard errors, where a search that found none is told
 local blur = 0.3 -- standard errors by which a finer level changes curves, where runs of signs may be of its making
 
 --- A value in SI in the unit that the study wrote the parameter's bounds in, and that unit.
@@ -199,6 +200,11 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
     lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
+  end
+  if found.ended == "stuck" and (found.promised or 0) > stuck then
+    lines[#lines + 1] = ("the search is STUCK: derivatives promise a gain of %.2g squared standard errors, no step along them gains. "
+      .. "Results jump or kink there, and this may be no minimum: leave out data at a jump, or try further starts (fit.starts)"):format(
+      found.promised)
   end
   if found.ended == "most" then
     lines[#lines + 1] = ("the search was ended after %d evaluations (fit.most); this may be no minimum"):format(fit.most)
