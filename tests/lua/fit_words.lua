@@ -58,6 +58,14 @@ test("beside a logarithmic parameter a linear one that is above 0 is a power, an
   assert(text:find("ln(young) + 0.5 * zero (near", 1, true) or text:find("zero + 2 * ln(young) (near", 1, true), text)
 end)
 
+test("weights are in the units of the bounds, whichever these are", function()
+  local judged = { values = { 0, 0, 0 }, sizes = { 1e-2, 1e-6, 1 } }
+  local own = { linear("rate", -1, 1, 0, 0 * u.N / u.m), linear("zero", -1, 1, 0, 10 * u.um), log("young", 0.1, 10, 1) }
+  equal(judge.words(own, { 1, -0.5, 0.25 }, judged), "rate - 0.005 (N/m)/um * zero + 0.0025 N/m * ln(young) (near the best values)")
+  equal(judge.words(own, { 0, 1, 0.25 }, judged), "zero + 0.25 um * ln(young) (near the best values)")
+  equal(judge.words(own, { 0, 0.25, 1 }, judged), "ln(young) + 0.25 1/um * zero (near the best values)")
+end)
+
 test("exponents of a linear parameter near 0 are of itself, not of a tenth of its range", function()
   local own = { linear("mu", 0.01, 10, 1), log("young", 0.1, 10, 3) }
   local judged = { values = { 0.1, 1 }, sizes = { 0.999, 1 } }

@@ -43,13 +43,21 @@ local function product(parameters, powers, judged, list)
   return table.concat(words, " * ") .. (linear and near or "")
 end
 
---- The unit in which a parameter is told, as a quantity, and its size in SI; 1 and 1 of pure numbers and of logarithms.
+--- The unit in which a parameter is told, and its size in SI; nil and 1 of pure numbers and of logarithms.
 local function unit_of(own)
-  local unit = units.is_quantity(own.like) and not own.log and select(2, own.like:display())
-  if unit then
-    return units.units(unit), engine.parse_unit(unit)
+  local unit = units.is_quantity(own.like) and not own.log and select(2, own.like:display()) or nil
+  return unit, unit and engine.parse_unit(unit) or 1
+end
+
+--- "um/mN", "(N/m)/um": one unit over another, nil where they are alike.
+local function over(one, other)
+  local function bound(unit)
+    return unit:find("[ /*]") and "(" .. unit .. ")" or unit
   end
-  return 1, 1
+  if one == other then
+    return nil
+  end
+  return (one and (other and bound(one) or one) or "1") .. (other and "/" .. bound(other) or "")
 end
 
 --- "zero - 2.5 um/mN * load": logarithmic ones by their logarithms.
@@ -58,20 +66,16 @@ local function sum(parameters, powers, judged, list)
     return powers[k] / (parameters[k].log and 1 or judged.sizes[k])
   end
   local first, text = list[1], ""
+  local whole, whole_size = unit_of(parameters[first])
   for i, k in ipairs(list) do
     local own = parameters[k]
     local unit, size = unit_of(own)
-    local of_first, size_of_first = unit_of(parameters[first])
-    local x = weight(k) / weight(first) * size / size_of_first
-    local whole = math.abs(x) * (of_first / unit)
-    local number, word = whole, nil
-    if units.is_quantity(whole) then
-      number, word = whole:display()
-    end
-    local is_one = not word and math.abs(number - 1) < 0.005
+    local x, word = weight(k) / weight(first) * size / whole_size, over(whole, unit)
     text = text .. (i > 1 and (x < 0 and " - " or " + ") or "")
-      .. (is_one and "" or ("%.2g%s * "):format(number, word and " " .. word or ""))
-      .. (own.log and ("ln(%s)"):format(own.name) or own.name)
+    if word or math.abs(math.abs(x) - 1) >= 0.005 then
+      text = text .. ("%.2g%s * "):format(math.abs(x), word and " " .. word or "")
+    end
+    text = text .. (own.log and ("ln(%s)"):format(own.name) or own.name)
   end
   return text .. near
 end
@@ -91,10 +95,8 @@ function combination.error_words(parameters, own, judged)
   if not is_sum(parameters, places(parameters, own.powers)) then
     return ("%.2g %%"):format(100 * own.error)
   end
-  local _, size = unit_of(parameters[first])
-  local like = parameters[first].like
-  local unit = units.is_quantity(like) and not parameters[first].log and " " .. select(2, like:display()) or ""
-  return ("%.2g%s"):format(own.error * (parameters[first].log and 1 or judged.sizes[first]) / size, unit)
+  local unit, size = unit_of(parameters[first])
+  return ("%.2g%s"):format(own.error * (parameters[first].log and 1 or judged.sizes[first]) / size, unit and " " .. unit or "")
 end
 
 return combination
