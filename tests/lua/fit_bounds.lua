@@ -102,10 +102,32 @@ test("what is said of it: the end on the free side; none without profiles; all a
   assert(said():find("the data would have it beyond, and no error is told", 1, true), said())
   local interval = verdict.interval(fit, judged, profiles, { known = true, relative = { 0, 0.5 }, variants = {} }, 2)
   assert(interval.bound == "low" and not interval.low and math.abs(interval.high - profiles[2].high - 0.05) < 1e-12)
+  local rough = { known = true, relative = { 0, 12 }, variants = {} }
+  local lines = table.concat(verdict.lines(fit, judged, rough, found, profiles), "\n")
+  assert(lines:find("is open by the simulation's own error, by the data it ends at", 1, true), lines)
   local tight = { { name = "a", from = 2, to = 5, start = 3 }, { name = "b", from = 0.1, to = 1, start = 0.5 } }
   judged, profiles = fitted(line, tight, y, 0.3)
   equal(#judged.free, 0)
   assert(profiles[1].high > 2 and profiles[2].high > 0.1 and not profiles[1].low)
+end)
+
+test("one of which the data tell nothing is not said to be wanted beyond its bound", function()
+  local own = { { name = "a", from = -5, to = 5, start = 1, like = 1 }, { name = "b", from = 0, to = 1, start = 0, like = 1 } }
+  local function flat(values, at) return values[1] + at + 1e-9 * values[2] end
+  local judged, profiles, found = fitted(flat, own, measured(flat, { 0.999, -1 }, 0.3, dice(5)), 0.3)
+  local fit, rough = { parameters = own, curves = {}, known = true }, { variants = {}, reason = "none" }
+  local text = table.concat(verdict.lines(fit, judged, rough, found, profiles), "\n")
+  assert(judged.errors[2] or text:find("b is at its bound 0, and NOT DETERMINED by these data", 1, true), text)
+  judged.errors[2] = nil
+  text = verdict.lines(fit, judged, rough, found, { [2] = { bound = "low", points = {} } })
+  assert(table.concat(text, "\n"):find("b is at its bound 0, and NOT DETERMINED by these data", 1, true))
+end)
+
+test("where the simulation's own error leads beyond the bounds an interval is open", function()
+  local fit = { parameters = { { name = "a", from = 0.2, to = 5, log = true, like = 1 } }, known = true }
+  local judged = { values = { 1 }, errors = { 0.05 }, relative = { 0.05 }, sizes = { 1 }, t = 1.96 }
+  local interval = verdict.interval(fit, judged, nil, { known = true, relative = { 1.7 }, variants = {} }, 1)
+  assert(interval.statistical.low and interval.statistical.high and not interval.low and not interval.high)
 end)
 
 test("where model and data do not agree the end is where the squares have risen by as much more", function()

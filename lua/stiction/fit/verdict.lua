@@ -26,10 +26,12 @@ function verdict.words(own, value, digits)
   return ("%%.%dg%%s"):format(digits or 4):format(number, unit ~= "" and " " .. unit or "")
 end
 
---- The ends of an interval with what the simulation may be off by on either side: a relative share, or of a linear parameter a part of it.
+--- The ends of an interval with what the simulation may be off by on either side: a relative share, or of a linear parameter a half width;
+--- open beyond the bounds, as there nothing was looked for.
 local function with_simulation(own, result, share, half)
   local function moved(x, way)
-    return x and (own.log and x * math.exp(way * share) or x + way * half)
+    x = x and (own.log and x * math.exp(way * share) or x + way * half)
+    return x and x > own.from and x < own.to and x or nil
   end
   result.low, result.high = moved(result.statistical.low, -1), moved(result.statistical.high, 1)
 end
@@ -156,9 +158,13 @@ local function on_bound(fit, judged, own_error, intervals, k)
   if not interval then
     return words .. ", and no error is told"
   end
-  local finish = interval.low or interval.high
-  return ("%s; on the other side its interval (95 %%) %s"):format(words, not finish and "is open"
-    or ("ends at %s"):format(verdict.words(own, finish)))
+  local finish, of_data = interval.low or interval.high, interval.statistical.low or interval.statistical.high
+  if not of_data and not (intervals[k].lost and intervals[k].lost[1]) then
+    return ("%s is at its bound %s, and NOT DETERMINED by these data: its interval is open on the other side, too"):format(own.name,
+      verdict.words(own, judged.values[k], 10))
+  end
+  return ("%s; on the other side its interval (95 %%) %s"):format(words, finish and "ends at " .. verdict.words(own, finish)
+    or of_data and "is open by the simulation's own error, by the data it ends at " .. verdict.words(own, of_data) or "is open")
 end
 
 --- Lines on the model, the parameters and the simulation's own error; intervals: of profiles, or nil.
