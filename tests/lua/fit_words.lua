@@ -122,3 +122,19 @@ test("a search that derivatives would have go on, while no step gains, says that
   text = said_of(function(values, at) return values[1] * at end)
   assert(not text:find("STUCK", 1, true), text)
 end)
+
+test("where runs fail beside the best an interval is not followed, and that is not laid to the data", function()
+  local own = { linear("a", -4, 4, 1.5), linear("b", -4, 4, 0.5) }
+  local function edgy(values, at) return values[1] > 2.0001 and 0 / 0 or values[1] + values[2] * at end
+  local t = { parameters = own, x = x, y = measured(function(_, at) return 2 + at end, {}), sigma = 0.01, f = edgy, enough = 1e-6 }
+  local found, judged, profiles = plain.fit(t, 1, true)
+  judge.decide(judged, judge.by_profiles(own, judged, profiles))
+  equal(judged.fates[1], "not followed")
+  judged.runs = {}
+  local fit = { parameters = own, curves = {}, known = true }
+  local text = table.concat(verdict.lines(fit, judged, { variants = {}, reason = "none" }, found, profiles), "\n")
+  assert(text:find("NOT FOLLOWED", 1, true) and not text:find("NOT DETERMINED", 1, true) and not text:find("combination", 1, true), text)
+  profiles[1].lost[1].flat = true
+  judge.decide(judged, judge.by_profiles(own, judged, profiles))
+  assert(judged.fates[1] ~= "not followed" and judged.fates[1] ~= "determined")
+end)

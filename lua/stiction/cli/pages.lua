@@ -334,8 +334,9 @@ length in x, for residuals that are each freed from what they share with those b
 and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
 follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
 likelihood (--no-profiles: by the covariance): the other parameters are at their best at each point of it, until they would gain less
-than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said. They are widened by
-what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's own error is
+than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said ("not followed"). They
+are widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's
+own error is
 never claimed. A parameter that ends at a bound has no standard error, but the end of its interval on the other side, by its profile.
 One counts as determined up to a standard error of 25 % of itself (a linear one: of at least a tenth of its range); only in combination
 if it would be so with the others known, and the product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN

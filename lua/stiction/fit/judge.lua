@@ -153,6 +153,9 @@ function judge.decide(judged, relative)
     judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
   end
   leave_out(judged, mixed)
+  for k in pairs(judged.lost or {}) do
+    judged.fates[k] = judged.fates[k] == "determined" and "not followed" or judged.fates[k]
+  end
 end
 
 --- Widens all that is told of parameters, here and in the profiles' intervals (nil: none), where model and data with known errors
@@ -181,13 +184,30 @@ function judge.stretch(problem, judged, intervals)
   end
 end
 
---- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
+--- Whether the open sides of an interval are those along which its profile could not be followed.
+local function is_lost(own)
+  local lost = { low = own.low ~= nil, high = own.high ~= nil }
+  for _, side in ipairs(own.lost or {}) do
+    lost[side.way < 0 and "low" or "high"] = not side.flat
+  end
+  return lost.low and lost.high
+end
+
+--- Relative standard errors as profiles have them, where these are wider: infinite where they are open; of one that could not be followed
+--- as its other side or the covariance has it, and that is noted in judged.lost.
 function judge.by_profiles(parameters, judged, intervals)
   local relative = {}
+  judged.lost = {}
   for _, k in ipairs(judged.free) do
-    local own = intervals[k]
-    local whole = own and own.low and own.high
-      and (parameters[k].log and math.log(own.high / own.low) or (own.high - own.low) / judged.sizes[k]) or math.huge
+    local own, value, whole = intervals[k], judged.values[k], math.huge
+    if own and is_lost(own) then
+      local function half(far)
+        return far and math.abs(parameters[k].log and math.log(far / value) or (far - value) / judged.sizes[k])
+      end
+      local low, high = half(own.low), half(own.high)
+      judged.lost[k] = not (low and high) or nil
+      whole = (low or high or 0) + (high or low or 0)
+    end
     relative[k] = math.max(judged.relative[k], whole / (2 * judged.t))
   end
   return relative
@@ -219,7 +239,7 @@ end
 --- fates = by place,
 --- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
 --- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =,
---- stretch = (by judge.stretch)}.
+--- stretch = (by judge.stretch), lost = {by place: whether its interval could not be followed, of judge.by_profiles}}.
 --- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
 --- differences)}.
 function judge.of(problem, found, about)

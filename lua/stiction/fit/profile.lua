@@ -139,7 +139,7 @@ local function walk(self, side)
   end
   local below, above = bracket(side, self.level)
   side.finish = above and crossing(side, self.level, below, above)
-  side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise" } or nil
+  side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise", flat = not side.reason } or nil
 end
 
 --- Runs all sides beside each other, so that what they ask for is computed in one batch.
@@ -232,9 +232,9 @@ local function value_at(self, side, t)
 end
 
 --- By place of each parameter {low =, high = (SI; nil where the data set no end), points = {{value =, excess =}}, lost = {{way =,
---- value =, reason =}} of sides that could not be followed to their end, from this value on, bound = "low" | "high" (that it is at, where
---- there is no such end) with straight = (share of the rise of squares up to the other end that goes with the way)}; and a point that is
---- lower than the best one, if any was met.
+--- value =, reason =, flat = (whether the squares hardly rose)}} of sides that could not be followed to their end, from this value on,
+--- bound = "low" | "high" (that it is at, where there is no such end) with straight = (share of the rise of squares up to the other end
+--- that goes with the way)}; and a point that is lower than the best one, if any was met.
 function profile.of(problem, found, judged)
   local unit = problem.known and problem.loss == "squares" and 1 or judged.factor
   local self = { problem = problem, found = found, unit = unit, level = judged.t * math.sqrt(unit), weights = judged.slopes,
@@ -254,7 +254,8 @@ function profile.of(problem, found, judged)
     if side.at_bound then
       own.bound, own.straight = side.way < 0 and "high" or "low", side.finish and math.min(side.rise * side.finish / self.level ^ 2, 1)
     end
-    own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason } or nil
+    own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason,
+      flat = side.lost.flat } or nil
   end
   for _, own in pairs(intervals) do
     table.sort(own.points, function(a, b) return a.value < b.value end)

@@ -189,6 +189,9 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   if #lost > 0 then
     lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)
   end
+  local cut = those("not followed")
+  lines[#lines + 1] = #cut > 0 and ("NOT FOLLOWED to the ends of their intervals, as runs fail or do not settle there, and determined by "
+    .. "the covariance alone: %s"):format(list_words(cut)) or nil
   for k in ipairs(fit.parameters) do
     lines[#lines + 1] = not judged.errors[k] and on_bound(fit, judged, own_error, intervals, k) or nil
   end
