@@ -308,7 +308,7 @@ fit = {                                               -- a key of a study
                                                       -- "probe/column" or "time", x_sign = -1, y_sign = -1, after = 1*s, before = 2*s }
       own = { zero = { -5*um, 5*um } },               -- parameters of this curve alone; a name that the study does not have is
                                                       -- there for `against` as p.zero, and costs no cases
-      weight = 1 },
+      weight = 1 },                                   -- how often its squares count; chi square, errors and intervals know of it
     rate = { file = "rate.csv", x = "speed", y = "pull_off", sigma = "scatter", each = { speed = "speed" },
       against = function(run, p) return number end }, -- each: a case a row, its parameters by column
   },

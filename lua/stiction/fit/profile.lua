@@ -92,8 +92,8 @@ local function crossing(side, level, inner, outer)
 end
 
 --- The side's end where it is known (true: it is open), else how far to look next.
-local function decide(self, side)
-  local level = self.level
+local function decide(side)
+  local level = side.level
   local below, above = bracket(side, level)
   if above then
     local gap = above.t - below.t
@@ -122,7 +122,7 @@ local function walk(self, side)
     local finish, next_t
     if place then
       insert(side, measured(self, side, t, place))
-      finish, next_t = decide(self, side)
+      finish, next_t = decide(side)
     else
       side.wall, side.reason, next_t = t, reason, t
     end
@@ -130,15 +130,15 @@ local function walk(self, side)
       side.finish = finish ~= true and finish or nil
       return
     end
-    local below = bracket(side, self.level)
+    local below = bracket(side, side.level)
     local halved = side.wall and next_t >= side.wall
     t, cuts = halved and 0.5 * (below.t + side.wall) or next_t, cuts + (halved and 1 or 0)
     if cuts > most_cut then
       break
     end
   end
-  local below, above = bracket(side, self.level)
-  side.finish = above and crossing(side, self.level, below, above)
+  local below, above = bracket(side, side.level)
+  side.finish = above and crossing(side, side.level, below, above)
   side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise", flat = not side.reason } or nil
 end
 
@@ -177,7 +177,7 @@ local function add(self, sides, side, slope)
   for l, x in pairs(side.tangent) do
     tangent[l] = side.way * x
   end
-  side.tangent = tangent
+  side.tangent, side.level = tangent, self.level * self.times[side.k]
   side.places = { { t = 0, place = follow.start(self, self.found), excess = 0, root = 0, slope = slope } }
   sides[#sides + 1] = side
 end
@@ -197,7 +197,8 @@ local function add_from_bound(self, sides, judged, k)
     tangent[l] = step[i]
   end
   local bend = math.max(linear.dot(own, own) - gain, 0)
-  local first = 2 * self.level ^ 2 / (slope + math.sqrt(slope ^ 2 + 4 * bend * self.level ^ 2))
+  local level = self.level * judged.times[k]
+  local first = 2 * level ^ 2 / (slope + math.sqrt(slope ^ 2 + 4 * bend * level ^ 2))
   add(self, sides, { k = k, way = way, limit = 1, first = first, tangent = tangent, at_bound = true, rise = slope }, 0)
 end
 
@@ -209,12 +210,12 @@ local function sides_of(self, judged)
     local tangent = {}
     is_free[k] = true
     for j, l in ipairs(judged.free) do
-      tangent[l] = judged.covariance[j][i] / judged.covariance[i][i] * judged.slopes[k] / judged.slopes[l]
+      tangent[l] = judged.inverse[j][i] / judged.inverse[i][i] * judged.slopes[k] / judged.slopes[l]
     end
     for _, way in ipairs { -1, 1 } do
       add(self, sides, { k = k, way = way, limit = not own.from and math.huge or way < 0 and z or 1 - z,
         first = judged.t * math.min(judged.relative[k], widest) / judged.slopes[k], tangent = tangent },
-        math.sqrt(self.unit) * judged.slopes[k] / judged.relative[k])
+        math.sqrt(self.unit) * judged.times[k] * judged.slopes[k] / judged.relative[k])
     end
   end
   for k, own in ipairs(self.problem.parameters) do
@@ -238,7 +239,7 @@ end
 function profile.of(problem, found, judged)
   local unit = problem.known and problem.loss == "squares" and 1 or judged.factor
   local self = { problem = problem, found = found, unit = unit, level = judged.t * math.sqrt(unit), weights = judged.slopes,
-    ask = coroutine.yield }
+    times = judged.times, ask = coroutine.yield }
   local sides = sides_of(self, judged)
   run_all(self, sides)
   local intervals, best = {}, nil
@@ -247,12 +248,12 @@ function profile.of(problem, found, judged)
     intervals[side.k] = own
     for i = 2, #side.places do
       local entry = side.places[i]
-      own.points[#own.points + 1] = { value = value_at(self, side, entry.t), excess = entry.excess / unit }
+      own.points[#own.points + 1] = { value = value_at(self, side, entry.t), excess = entry.excess / unit / judged.times[side.k] ^ 2 }
       best = entry.excess < -lower * unit and (not best or entry.excess < best.excess) and entry or best
     end
     own[side.way < 0 and "low" or "high"] = side.finish and value_at(self, side, side.finish)
     if side.at_bound then
-      own.bound, own.straight = side.way < 0 and "high" or "low", side.finish and math.min(side.rise * side.finish / self.level ^ 2, 1)
+      own.bound, own.straight = side.way < 0 and "high" or "low", side.finish and math.min(side.rise * side.finish / side.level ^ 2, 1)
     end
     own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason,
       flat = side.lost.flat } or nil
