@@ -112,6 +112,11 @@ mkdir edge
 cp soft/* edge
 sed -i 's/^  scene = function(p)/&\n    if p.mu < 0.065 then error("too slippery") end/; s/count = 16/count = 32/' edge/study.lua
 expect 1 "8 of 32 cases failed|too slippery|they lie at small mu: between" "$stiction" sample edge --no-figures
+holds "in the units of the study: $(cat output)" grep -q '^  young = 1\?[0-9.]* MPa: \|, young = [0-9.]* MPa: ' output
+sed 's/if p.mu < 0.065 then error("too slippery") end/error("never")/' edge/study.lua >edge/never.lua
+expect 2 "never" "$stiction" sample edge/never.lua --no-figures
+grep -q 'no scene reads' output && complain "scenes that cannot be made are said to read nothing: $(cat output)"
+expect 1 "8 of 32 cases failed" "$stiction" sample edge --no-figures
 holds "they are in sample.json" grep -q '"reason": "bad input: .*too slippery' out/edge/sample/sample.json
 
 refused() { # SED-EXPRESSION "PART|PART"

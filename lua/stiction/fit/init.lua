@@ -158,7 +158,8 @@ local function show_cost(result)
 end
 
 local function run(fit, model, study, options, folder)
-  report.line("%d points of %d curve%s, %d parameters", fit.count, #fit.curves, #fit.curves == 1 and "" or "s", #fit.parameters)
+  report.line("%d points of %d curve%s, %d parameter%s", fit.count, #fit.curves, #fit.curves == 1 and "" or "s", #fit.parameters,
+    #fit.parameters == 1 and "" or "s")
   provenance.keep(folder, study, fit.files)
   local result = { folder = folder }
   local found, judged, intervals, minima, cases = look(fit, model, study, options)

@@ -16,6 +16,8 @@ local report = require "stiction.report"
 local spec = require "stiction.sampling.spec"
 local spread = require "stiction.sampling.spread"
 local study_module = require "stiction.study"
+local units = require "stiction.units"
+local verdict = require "stiction.fit.verdict"
 
 local most_told = 8 -- failed points
 
@@ -170,10 +172,12 @@ local function failures(own, rows, values)
   return list, spread.where(coordinates)
 end
 
+--- A point in words, each value in the unit that the study wrote its distribution in.
 local function words_of(values, own)
   local names = own.list and ordered.keys(values) or numeric.map(own.axes, function(axis) return axis.name end)
   return table.concat(numeric.map(names, function(name)
-    return ("%s = %s"):format(name, report.value(values[name]))
+    local at = numeric.first_where(own.axes, function(axis) return axis.name == name end)
+    return ("%s = %s"):format(name, at and verdict.words(own.axes[at], units.si(values[name]), 10) or report.value(values[name]))
   end), ", ")
 end
 
@@ -281,7 +285,7 @@ local function run(own, study, options, folder)
   show_failures(own, found)
   show_results(found)
   show_indices(own, found)
-  report.line("%d cases, %d of them run now, %d kept", #points.rows, points.ran, points.known)
+  report.line("%d case%s, %d of them run now, %d kept", #points.rows, #points.rows == 1 and "" or "s", points.ran, points.known)
   local drawn = options.no_figures or drawing.draw({ figures = function() return pictures.of(own, found) end }, {}, folder)
   report.line("output: %s", folder)
   return drawn and #found.failures == 0 and 0 or 1
