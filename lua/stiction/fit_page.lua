@@ -18,9 +18,12 @@ local function share(value)
   return type(value) == "number" and ("%.2g %%"):format(100 * value) or "-"
 end
 
-local function ends(interval)
+local function ends(interval, bound)
   local own = list_of(interval)
-  return interval and ("%s .. %s"):format(own.low and number(own.low) or "open", own.high and number(own.high) or "open") or "-"
+  local function word(side)
+    return own[side] and number(own[side]) or bound == side and "at its bound" or "open"
+  end
+  return interval and ("%s .. %s"):format(word("low"), word("high")) or "-"
 end
 
 local function lines(list, class)
@@ -32,8 +35,8 @@ local function parameters_of(fit)
   local rows = {}
   for _, own in ipairs(numeric.map(list_of(fit.parameters), list_of)) do
     local interval = list_of(own.interval)
-    rows[#rows + 1] = { tostring(own.name), number(own.best), tostring(own.unit), ends(own.interval and interval),
-      ends(own.interval and list_of(interval.statistical)), number(own.simulation_error, 2), tostring(own.verdict) }
+    rows[#rows + 1] = { tostring(own.name), number(own.best), tostring(own.unit), ends(own.interval and interval, interval.bound),
+      ends(own.interval and list_of(interval.statistical), interval.bound), number(own.simulation_error, 2), tostring(own.verdict) }
   end
   return html.rows(rows, { "parameter", "best", "unit (SI)", "95 %, as claimed", "of the data alone", "simulation's own error", "verdict" })
 end
@@ -98,6 +101,16 @@ local function shares_of(sample)
   return #rows > 0 and "<h3>Whose the variance is</h3>" .. html.rows(rows, { "result", "parameter", "alone", "with others" }) or ""
 end
 
+--- What is drawn as a fit has it.
+local function drawn_of(sample)
+  local rows = {}
+  for _, own in ipairs(numeric.map(list_of(sample.drawn), list_of)) do
+    rows[#rows + 1] = { tostring(own.name), number(own.best), own.held and "held at its bound" or share(own.relative_error),
+      own.curve and tostring(own.curve) or "all" }
+  end
+  return #rows > 0 and html.rows(rows, { "of the fit (SI)", "best", "standard error", "of the curve" }) or ""
+end
+
 --- The body of a sample's section, "" where the folder has none.
 function fit_page.sample(folder)
   local sample = output.read_file(folder .. "/sample.json")
@@ -112,7 +125,7 @@ function fit_page.sample(folder)
     failed[#failed + 1] = ("failed cases lie at %s %s"):format(tostring(place.side), tostring(place.parameter))
   end
   return ("<p>%s points of %s.</p>"):format(number(sample.points), html.plain(sample.design)) .. lines(failed, ' class="bad"')
-    .. moments_of(sample) .. shares_of(sample)
+    .. drawn_of(sample) .. moments_of(sample) .. shares_of(sample)
 end
 
 return fit_page

@@ -254,11 +254,11 @@ local function watched(p, read)
   })
 end
 
---- The swept names that no scene made so far has asked for, sorted; {} before any was made.
+--- The swept names that no scene made so far has asked for, sorted; {} before one was made to its end.
 function methods.unread(self, names)
   local list = {}
   for _, name in ipairs(names) do
-    list[#list + 1] = self.read and not self.read[name] and name or nil
+    list[#list + 1] = self.made and not self.read[name] and name or nil
   end
   return list
 end
@@ -269,6 +269,7 @@ function methods.scene_of(self, case)
     engine.reseed() -- one case's scene does not depend on whether another's was made before
     self.read = self.read or {}
     case.scene = self.scene(watched(case.p, self.read))
+    self.made = true
   end
   if type(case.scene) ~= "table" then
     fault.input("study.scene must end with: return stiction.scene{ ... }; it gave %s",

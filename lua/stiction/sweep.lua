@@ -278,15 +278,15 @@ local function value_of(entry)
 end
 
 --- All values by name of a case in which those of `point` (by name) stand in for the study's own; what is swept has to have
---- one value then.
-function sweep.values_at(study, options, point, word)
+--- one value then. word: what is told of it; each(name): of one value, where that is more.
+function sweep.values_at(study, options, point, word, each)
   local plan, values = copy_plan(study.sweep), base_values(study)
   if options.quick then
     apply_quick(plan, values, study.quick)
   end
   apply_settings(plan, values, options.set or {})
   for _, name in ipairs(ordered.keys(point)) do
-    set(plan, values, name, point[name], word)
+    set(plan, values, name, point[name], each and each(name) or word)
   end
   settle(plan, values, word .. ": '%s' has several values in the study's sweep; give it one")
   return values

@@ -31,6 +31,26 @@ expect 0 "3 points of a list|3 cases, 3 of them run now" "$stiction" sample soft
 printf 'mu,young [MPa]\n0.1,1\n0.15,1.1\n' >soft/values.csv
 sed 's/sample = { of = .*/sample = { list = "values.csv" },/' soft/study.lua >soft/file.lua
 expect 0 "2 points of a list" "$stiction" sample soft/file.lua --no-figures --out file
+# what is wrong in a list is told with its place: file, row and column, or the point's number
+in_file() { # HEAD ROW "PART|PART": a file of points that is refused so
+  printf '%s\n0.1,1\n%s\n' "$1" "$2" >soft/values.csv
+  expect 2 "$3" "$stiction" sample soft/file.lua --no-figures --out file
+}
+in_file 'mu,young [N]' '0.15,1.1' "values.csv: row 1, column 'young': 'young' must be like 1 MPa, not 1 N"
+in_file 'mu,young' '0.15,1.1' "values.csv: row 1, column 'young': 'young' must be like 1 MPa, not 1"
+in_file 'nu,young [MPa]' '0.15,1.1' "values.csv: row 1, column 'nu': the study has no parameter 'nu'; did you mean 'mu'?"
+in_file 'mu,young [MPa]' '0.15,soft' "row 2, column 'young': 'soft' is no number"
+in_file 'mu,young [MPa]' '# 0.15,1.1' "with as many rows; values.csv has 1"
+in_list() { # POINT "PART|PART": a second point that is refused so
+  sed "s/{ mu = 0.2, young = 2\*MPa }/$1/" soft/list.lua >soft/other.lua
+  expect 2 "$2" "$stiction" sample soft/other.lua --no-figures
+}
+in_list '{ mu = 0.2, young = 2*mm }' "study.sample.list[2]: 'young' must be like 1 MPa, not 2 mm"
+in_list '0.2' "study.sample.list[2] is 0.2; { name = value, ... } is wanted"
+in_list '{ 0.2, 2*MPa }' "study.sample.list[2] is a table that lacks names"
+sed "s/{ mu = 0.1, young = 1\*MPa }/{ mu = 0.1 }/" soft/list.lua >soft/other.lua
+expect 0 "3 points of a list" "$stiction" sample soft/other.lua --no-figures --out other
+holds "what a point leaves out is the study's own: $(cat other/sample.csv)" [ "$(grep -c '^case,mu,young,\|,0\.[123],[12]000000,' other/sample.csv)" = 4 ]
 
 sed 's/sample = { of = .*/sample = { fit = true, count = 8 },/' soft/study.lua >soft/fitted.lua
 expect 2 "there is no fit in out/fitted/fit/fit.json" "$stiction" sample soft/fitted.lua --no-figures
@@ -60,16 +80,43 @@ expect 2 "has no curve 'too'; did you mean 'two'?; its curves: one, two" "$stict
 of_curve '{ file = "own.json", curve = "two" }'
 expect 0 "left out, as no case has it (the fit's \`against\` alone reads it): one.zero" "$stiction" sample soft/curve.lua --no-figures
 holds "mu is that of the curve" [ "$(awk -F, 'NR > 1 && $2 > 0.19 && $2 < 0.21' out/curve/sample/sample.csv | wc -l)" = 4 ]
+holds "what is drawn is that of the curve" grep -q '^mu  *0.2 1 .*two$' output
+grep -q remark: output && complain "a curve that was asked for is remarked: $(cat output)"
 of_curve true
 mkdir -p asked
 sed '/"name": "one\./d; s/, "one.zero", "one.mu"//; s/^"covariance.*/"covariance": [ [ 1e-4, 0 ], [ 0, 1e-6 ] ] }/' soft/own.json >asked/fit.json
-expect 0 "4 points of sobol" "$stiction" sample soft/curve.lua --no-figures --out asked
+expect 0 "4 points of sobol|remark: mu is the curve two's own, and no other curve's; every point takes it" "$stiction" sample \
+  soft/curve.lua --no-figures --out asked
+holds "whose it is stands in the file: $(cat asked/sample.json)" grep -q '"curve": "two"' asked/sample.json
+
+# a parameter at its bound is held there, one with a distribution of its own, or one value, is not drawn as the fit has it
+sed 's/, "two.mu" ]/ ]/; s/"free": \[.*/"free": [ "young" ],/; s/^"covariance.*/"covariance": [ [ 1e-4 ] ] }/' asked/fit.json >soft/bound.json
+of_curve '"bound.json"'
+expect 0 "held at its bound  two" "$stiction" sample soft/curve.lua --no-figures --out bound
+holds "mu is that of the fit" [ "$(awk -F, 'NR > 1 && $2 == 0.2' bound/sample.csv | wc -l)" = 4 ]
+of_curve '"own.json", of = { mu = { uniform = { 0.3, 0.4 } } }'
+expect 0 "not as the fit has it, but as sample.of or sample.set say: mu" "$stiction" sample soft/curve.lua --no-figures --out otherwise
+holds "mu is that of the distribution" [ "$(awk -F, 'NR > 1 && $2 > 0.3 && $2 < 0.4' otherwise/sample.csv | wc -l)" = 4 ]
+of_curve '"own.json", set = { mu = 0.35 }'
+expect 0 "not as the fit has it, but as sample.of or sample.set say: mu" "$stiction" sample soft/curve.lua --no-figures --out otherwise
+holds "mu is that of set" [ "$(awk -F, 'NR > 1 && $2 == 0.35' otherwise/sample.csv | wc -l)" = 4 ]
+
+# what cannot be told is a "-", and the help says why
+sed 's/^  scene = function(p)/&\n    if p.mu > 0.1 then error("too rough") end/' soft/list.lua >soft/rough.lua
+expect 1 "2 of 3 cases failed" "$stiction" sample soft/rough.lua --no-figures --out rough
+holds "a result that one case has: $(cat output)" grep -q '^force_x/(N/m)  *-  *-  *-  *-  *-  *-$' output
+expect 0 'A "-" stands where there is|an offset of the measured height, are left out|100000 cases' "$stiction" help sample
 
 # cases that fail are listed by where they lie, and the rest is told
 mkdir edge
 cp soft/* edge
 sed -i 's/^  scene = function(p)/&\n    if p.mu < 0.065 then error("too slippery") end/; s/count = 16/count = 32/' edge/study.lua
 expect 1 "8 of 32 cases failed|too slippery|they lie at small mu: between" "$stiction" sample edge --no-figures
+holds "in the units of the study: $(cat output)" grep -q '^  young = 1\?[0-9.]* MPa: \|, young = [0-9.]* MPa: ' output
+sed 's/if p.mu < 0.065 then error("too slippery") end/error("never")/' edge/study.lua >edge/never.lua
+expect 2 "never" "$stiction" sample edge/never.lua --no-figures
+grep -q 'no scene reads' output && complain "scenes that cannot be made are said to read nothing: $(cat output)"
+expect 1 "8 of 32 cases failed" "$stiction" sample edge --no-figures
 holds "they are in sample.json" grep -q '"reason": "bad input: .*too slippery' out/edge/sample/sample.json
 
 refused() { # SED-EXPRESSION "PART|PART"
@@ -85,6 +132,7 @@ refused 's/of = { mu =/of = { nu =/' "the study has no parameter 'nu'; did you m
 refused 's/log_normal = { 1\*MPa, 0.2 }/log_normal = { 1*mm, 0.2 }/' "must be like"
 refused 's/count = 16/count = 1/' "2 or more, is wanted"
 refused 's/count = 16/count = 100000000/' "count = 100000000; it is 2 to 100000, each a case of its own: take fewer points"
+refused 's/count = 16/count = 30000, design = "saltelli"/' "30000 of saltelli's design are 120000 cases, at most 100000: take fewer points"
 refused 's/count = 16/design = "sobel"/' "did you mean 'sobol'?"
 refused 's/count = 16/results = { "forse_x" }/' "no result 'forse_x'; did you mean 'force_x'?"
 refused 's/sample = { of = .*/sample = { count = 3 },/' "study.sample needs of = "

@@ -308,7 +308,7 @@ fit = {                                               -- a key of a study
                                                       -- "probe/column" or "time", x_sign = -1, y_sign = -1, after = 1*s, before = 2*s }
       own = { zero = { -5*um, 5*um } },               -- parameters of this curve alone; a name that the study does not have is
                                                       -- there for `against` as p.zero, and costs no cases
-      weight = 1 },
+      weight = 1 },                                   -- how often its squares count; chi square, errors and intervals know of it
     rate = { file = "rate.csv", x = "speed", y = "pull_off", sigma = "scatter", each = { speed = "speed" },
       against = function(run, p) return number end }, -- each: a case a row, its parameters by column
   },
@@ -334,14 +334,17 @@ length in x, for residuals that are each freed from what they share with those b
 and it is told how many independent points a curve's are worth. An estimated length is the likeliest (restricted: parameters may
 follow); above half of the curve it cannot be told from a wrong model, which is then rejected. The 95 % intervals are by profile
 likelihood (--no-profiles: by the covariance): the other parameters are at their best at each point of it, until they would gain less
-than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said. They are widened by
-what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's own error is
-never claimed. A parameter counts as determined up to a standard error of 25 % of itself
-(a linear one: of at least a tenth of its range); only in combination if it would be so with the others known, and the
-product of powers that is determined is told; else not. The model is rejected where chi square, or the runs of like signs among
-residuals, have a chance below 0.001, unless one finer level changes the curves by as much. Exit code 1: rejected. It leaves fit.json
-(all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures; 'stiction report' makes one page. A parameter that
-changes the mesh is refused.]]
+than 0.01 of a squared standard error; where cases fail or they do not settle the end is open and that is said ("not followed"). They
+are widened by what one finer level changes, times what claims of a trade allow for ('stiction help trade'): less than the simulation's
+own error is
+never claimed. A parameter that ends at a bound has no standard error, but the end of its interval on the other side, by its profile.
+One counts as determined up to a standard error of 25 % of itself (a linear one: of at least a tenth of its range); only in combination
+if it would be so with the others known, and the product of powers that is determined, of linear parameters the sum ("zero - 2.5 um/mN
+* load"), is told; else not. The model is rejected where chi square, or the runs of like signs among residuals, have a chance below
+0.001, unless one finer level changes the curves by as much. Where it is so with errors that are known (least squares) standard errors,
+intervals and combinations are all widened by the root of chi square per degree of freedom, which is told, and verdicts are by these.
+Exit code 1: rejected. It leaves fit.json (all in SI), fit.csv (evaluations), curves.csv (data, model, residuals) and figures;
+'stiction report' makes one page. A parameter that changes the mesh is refused.]]
 
 pages.sample = [[
 sample = {                                            -- a key of a study
@@ -349,7 +352,8 @@ sample = {                                            -- a key of a study
     w = { log_normal = { 1*J/m^2, 0.2 } } },          -- deviation), log_normal (median, standard deviation of the logarithm)
   fit = true,                                         -- in their place or beside them: parameters of the study's fit (of the same
                                                       -- --out), which depend on each other; or the path of a fit.json; or { curve =
-                                                      -- "slow", file = "fit.json" }: with the own parameters of that curve
+                                                      -- "slow", file = "fit.json" }: with the own parameters of that curve; what
+                                                      -- `of` and `set` name is as they say, what is at a bound is held there
   list = { { mu = 0.1, w = ... }, ... },              -- alone: one's own points, or a .csv file with a column for each
   design = "sobol",                                   -- or "latin_hypercube"; "saltelli": pairs of points, count * (parameters + 2)
   count = 64, seed = 1,                               -- --count N, at most 100000: more keep the points (a hypercube: 2 N)
@@ -361,9 +365,14 @@ sample = {                                            -- a key of a study
 'stiction sample STUDY' runs the points, kept below out/<study>/sample, and tells of each result mean and standard deviation with their
 sampling error (as of independent points, more than Sobol's need), quantiles with intervals by order statistics, and whose its
 variance is: first (a parameter alone) and total (with all others) Sobol indices, of saltelli's pairs with errors by resampling, else
-of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. Where the study names the
-uncertain parameters in its `derivatives` slopes make the polynomial, too, of several times fewer points. Failed cases are listed,
-with the parameters along which they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
+of a polynomial (chaos expansion) whose error at points left out is told: above some 10 % believe the pairs. A "-" stands where there is
+nothing to tell: of shares where a result does not vary (beyond rounding), of the polynomial where there are too few points for one of
+first degree (1.5 a term) or the points are a list, of all where fewer than two cases give the result. Of a fit's parameters there are no
+shares, as they depend on each other; those that its `against` alone reads, such as an offset of the measured height, are left out, as
+no case and no result has them. The count is limited because each point is a case with a folder of its own, which stays: 100000 cases
+at most, so that saltelli's counts end at 100000 / (parameters + 2). Where the study names the uncertain parameters in its
+`derivatives` slopes make the polynomial, too, of several times fewer points. Failed cases are listed, with the parameters along which
+they lie; the numbers are then of the others alone. Exit code 1: a case failed. It leaves sample.json,
 sample.csv and figures; 'stiction report' makes one page.]]
 
 --- What parameters do to a result, told with the kind that has them.

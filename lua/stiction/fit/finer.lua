@@ -3,6 +3,7 @@ local claim = require "stiction.trade.claim"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local linear = require "stiction.fit.linear"
+local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local space = require "stiction.fit.space"
 local spec = require "stiction.fit.spec"
@@ -54,18 +55,37 @@ function finer.variants(fit, study, options)
   return study.trade and held and #list > 0 and list or nil
 end
 
---- {known =, reason = (where not), variants = {{words =, residual = (rms change in standard errors)}}, relative = {by place of a
---- parameter}}: what the parameters' relative coordinates may be off by, as a level finer moves them, times what claims of a trade
---- allow for.
-function finer.of(model, study, options, found, judged)
-  local variants = finer.variants(model.fit, study, options)
-  if not variants then
-    return { reason = "the study has neither fit.finer nor a trade", variants = {} }
+--- Which parameters move together, and of which of them that tells what they may be off by: the free ones; each at its bound with these.
+local function sets_of(judged, count)
+  local is_free, sets = {}, {}
+  for _, k in ipairs(judged.free) do
+    is_free[k] = true
   end
-  local columns, result = {}, { known = true, variants = {}, relative = {}, changes = {} }
-  for i, k in ipairs(judged.free) do
-    columns[i], result.relative[k] = linear.scaled({ found.J[k] }, found.at.slopes)[1], 0
+  if #judged.free > 0 then
+    sets[1] = { places = judged.free, of = is_free }
   end
+  for k = 1, count do
+    if not is_free[k] then
+      sets[#sets + 1] = { places = table.move(judged.free, 1, #judged.free, 2, { k }), of = { [k] = true } }
+    end
+  end
+  return sets
+end
+
+--- Adds to the relative errors how far a change of residuals moves the parameters, this many times.
+local function add_shifts(relative, found, judged, sets, change, factor)
+  for _, set in ipairs(sets) do
+    local columns = linear.scaled(numeric.map(set.places, function(k) return found.J[k] end), found.at.slopes)
+    local step = linear.step(columns, change, farthest)
+    for i, k in ipairs(set.places) do
+      relative[k] = (relative[k] or 0) + (set.of[k] and factor * math.abs(step[i] * judged.slopes[k]) or 0)
+    end
+  end
+end
+
+--- What these variants change; as finer.of has it.
+function finer.shifts(model, found, judged, variants)
+  local result, sets = { known = true, variants = {}, relative = {}, changes = {} }, sets_of(judged, #found.z)
   for n, variant in ipairs(variants) do
     local answer = model:evaluate({ found.z }, "finer", variant.settings)[1]
     if answer.failed then
@@ -77,14 +97,22 @@ function finer.of(model, study, options, found, judged)
       sum = sum + (r - found.at.r[i]) ^ 2
       result.changes[i] = (result.changes[i] or 0) + math.abs(r - found.at.r[i])
     end
-    local step = #columns > 0 and linear.step(columns, change, farthest) or {}
-    for i, k in ipairs(judged.free) do
-      result.relative[k] = result.relative[k] + variant.factor * math.abs(step[i] * judged.slopes[k])
-    end
+    add_shifts(result.relative, found, judged, sets, change, variant.factor)
     result.variants[n] = { words = variant.words, residual = math.sqrt(sum / #answer.r) }
   end
   result.values = space.values(model.fit.parameters, found.z)
   return result
+end
+
+--- {known =, reason = (where not), variants = {{words =, residual = (rms change in standard errors)}}, relative = {by place of a
+--- parameter}}: what the parameters' relative coordinates may be off by, as a level finer moves them, times what claims of a trade
+--- allow for.
+function finer.of(model, study, options, found, judged)
+  local variants = finer.variants(model.fit, study, options)
+  if not variants then
+    return { reason = "the study has neither fit.finer nor a trade", variants = {} }
+  end
+  return finer.shifts(model, found, judged, variants)
 end
 
 return finer

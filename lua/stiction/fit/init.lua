@@ -93,7 +93,7 @@ local function look(fit, model, study, options)
   local found, judged, intervals = minima[1], nil, nil
   for round = 0, most_restarts do
     judged = judge.of(problem, found, about(fit, model))
-    if not fit.profiles or options.no_profiles or #judged.free == 0 then
+    if not fit.profiles or options.no_profiles then
       break
     end
     local lower
@@ -113,7 +113,13 @@ local function interval_words(own, interval)
   local function end_of(value, open)
     return value and ("%.4g"):format((verdict.shown(own, value))) or open
   end
-  return interval and ("%s .. %s"):format(end_of(interval.low, "open"), end_of(interval.high, "open")) or "at its bound"
+  if not interval then
+    return "at its bound"
+  end
+  local function word(side)
+    return end_of(interval[side], interval.bound == side and "at its bound" or "open")
+  end
+  return ("%s .. %s"):format(word("low"), word("high"))
 end
 
 local function percent(value)
@@ -152,16 +158,16 @@ local function show_cost(result)
 end
 
 local function run(fit, model, study, options, folder)
-  report.line("%d points of %d curve%s, %d parameters", fit.count, #fit.curves, #fit.curves == 1 and "" or "s", #fit.parameters)
+  report.line("%d points of %d curve%s, %d parameter%s", fit.count, #fit.curves, #fit.curves == 1 and "" or "s", #fit.parameters,
+    #fit.parameters == 1 and "" or "s")
   provenance.keep(folder, study, fit.files)
   local result = { folder = folder }
   local found, judged, intervals, minima, cases = look(fit, model, study, options)
   result.found, result.judged, result.profiles, result.minima, result.search_cases = found, judged, intervals, minima, cases
-  if intervals then
-    judge.decide(judged, judge.by_profiles(fit.parameters, judged, intervals))
-  end
   result.own_error = finer.of(model, study, options, found, judged)
   verdict.settle(judged, result.own_error, found)
+  judge.stretch(fit, judged, intervals)
+  judge.decide(judged, intervals and judge.by_profiles(fit.parameters, judged, intervals) or judged.relative)
   result.advice = advice.of(model, found, judged)
   result.intervals = {}
   for k in ipairs(fit.parameters) do

@@ -1,5 +1,6 @@
 -- What data say of parameters where a fit ended: errors, correlations, what is determined and what only in combination, and whether
 -- the model is rejected. In relative coordinates: a change of 1 is by a factor e, or of a linear parameter by its own size.
+local combination = require "stiction.fit.combination"
 local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local exact = require "stiction.fit.exact"
@@ -13,7 +14,6 @@ local judge = {}
 judge.settled = 0.25 -- relative standard error up to which a parameter or a combination counts as determined
 judge.level = 0.95 -- of intervals
 local doubt = 1e-3 -- probability below which a model is rejected
-local told = 0.05 -- exponents below are not told
 local blurred = 3 -- times the noise in derivatives: singular values below are not told from 0
 
 --- By how much the relative coordinate of each parameter grows with its own one; and what a relative one is relative to.
@@ -29,12 +29,13 @@ end
 
 --- What the squares of standard errors are multiplied by: 1 where errors are known, else the mean square of residuals; with a
 --- robust loss as Huber (1981) has it, 7.6.
-local function factor_of(problem, at, free)
+local function factor_of(problem, at, squares, free)
   local n, degrees = #at.r, math.max(1, #at.r - free)
   if problem.loss == "squares" then
-    return problem.known and 1 or at.cost / degrees
+    return problem.known and 1 or squares / degrees
   end
-  local squares, slope, h = 0, 0, 1e-4
+  local slope, h = 0, 1e-4
+  squares = 0
   for i, r in ipairs(at.r) do
     local own, rise = loss_module.of(problem.loss, { r, r - h, r + h })
     squares = squares + (own[1] * rise[1]) ^ 2
@@ -57,6 +58,35 @@ local function errors_of(matrix)
     end
   end
   return errors, correlations
+end
+
+--- How often each residual counts, where curves have weights other than 1 (least squares); nil else.
+local function weights_of(problem, curves, count)
+  local list, any = {}, false
+  for n = 1, count do
+    list[n] = 1
+  end
+  for _, curve in ipairs(problem.loss == "squares" and curves or {}) do
+    for n = curve.first, curve.last do
+      list[n] = curve.weights and curve.weights[n - curve.first + 1] or curve.weight or 1
+      any = any or list[n] ~= 1
+    end
+  end
+  return any and list or nil
+end
+
+--- The least sum of squares of residuals without their weights: a step of Gauss and Newton away, on which these columns move.
+local function squares_of(at, columns, weights)
+  if not weights then
+    return at.cost
+  end
+  local factors, plain, sum = numeric.map(weights, function(weight) return 1 / math.sqrt(weight) end), {}, 0
+  for n, factor in ipairs(factors) do
+    plain[n] = factor * at.r[n]
+    sum = sum + plain[n] ^ 2
+  end
+  local gain = #columns > 0 and select(2, linear.step(linear.scaled(columns, factors), plain, math.huge)) or 0
+  return math.max(sum - gain, 0)
 end
 
 --- Runs test of Wald (1940): the probability of no more runs of like signs than these
@@ -101,18 +131,8 @@ local function combinations(judged, ks)
   return list
 end
 
---- "w * E^-0.5": a combination in words; `relative` where linear parameters are in it.
-function judge.words(parameters, powers)
-  local words, linear_too = {}, false
-  for k, own in ipairs(parameters) do
-    local x = powers[k]
-    if x and math.abs(x) >= told then
-      words[#words + 1] = math.abs(x - 1) < 0.005 and own.name or ("%s^%.2g"):format(own.name, x)
-      linear_too = linear_too or not own.log
-    end
-  end
-  return table.concat(words, " * ") .. (linear_too and " (near the best values)" or "")
-end
+--- "w * E^-0.5", or of linear ones "a - 2 * b": a combination in words.
+judge.words = combination.words
 
 local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"
@@ -134,7 +154,7 @@ end
 local function leave_out(judged, mixed)
   for _, i in ipairs(#judged.combinations > 0 and mixed or {}) do
     local k = judged.free[i]
-    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= told end)
+    local held = numeric.first_where(judged.combinations, function(own) return math.abs(own.powers[k] or 0) >= combination.told end)
     if judged.fates[k] == "only in combination" and not held then
       judged.fates[k] = "not determined"
     end
@@ -163,15 +183,63 @@ function judge.decide(judged, relative)
     judged.combinations[#judged.combinations + 1] = good and { error = own.error, powers = powers } or nil
   end
   leave_out(judged, mixed)
+  for k in pairs(judged.lost or {}) do
+    judged.fates[k] = judged.fates[k] == "determined" and "not followed" or judged.fates[k]
+  end
 end
 
---- Relative standard errors as profiles have them, where these are wider: infinite where they are open.
+--- Widens all that is told of parameters, here and in the profiles' intervals (nil: none), where model and data with known errors
+--- do not agree: by the root of chi square per degree of freedom, judged.stretch; nil where nothing is widened.
+function judge.stretch(problem, judged, intervals)
+  local each = judged.squares / math.max(1, judged.degrees)
+  if not (judged.misfit and problem.known and (problem.loss or "squares") == "squares" and each > 1) then
+    return
+  end
+  local by = math.sqrt(each)
+  judged.stretch, judged.factor = by, judged.factor * each
+  judged.eigenvalues = numeric.map(judged.eigenvalues, function(x) return x / each end)
+  for i, k in ipairs(judged.free) do
+    judged.errors[k], judged.relative[k], judged.alone[k] = by * judged.errors[k], by * judged.relative[k], by * judged.alone[k]
+    judged.covariance[i] = numeric.map(judged.covariance[i], function(x) return x * each end)
+  end
+  judged.spreads = numeric.map(judged.spreads, function(spread)
+    return numeric.map(spread, function(x) return x * by end)
+  end)
+  for k, own in pairs(intervals or {}) do
+    local parameter, value, straight = problem.parameters[k], judged.values[k], own.straight or 0
+    local times = 2 * each / (straight + math.sqrt(straight ^ 2 + 4 * (1 - straight) * each)) -- `by` where the squares rise as a square
+    local function widened(x)
+      local far = x and (parameter.log and value * (x / value) ^ times or value + times * (x - value))
+      return far and (not parameter.from or far > parameter.from and far < parameter.to) and far or nil
+    end
+    own.low, own.high = widened(own.low), widened(own.high)
+  end
+end
+
+--- Whether the open sides of an interval are those along which its profile could not be followed.
+local function is_lost(own)
+  local lost = { low = own.low ~= nil, high = own.high ~= nil }
+  for _, side in ipairs(own.lost or {}) do
+    lost[side.way < 0 and "low" or "high"] = not side.flat
+  end
+  return lost.low and lost.high
+end
+
+--- Relative standard errors as profiles have them, where these are wider: infinite where they are open; of one that could not be followed
+--- as its other side or the covariance has it, and that is noted in judged.lost.
 function judge.by_profiles(parameters, judged, intervals)
   local relative = {}
+  judged.lost = {}
   for _, k in ipairs(judged.free) do
-    local own = intervals[k]
-    local whole = own and own.low and own.high
-      and (parameters[k].log and math.log(own.high / own.low) or (own.high - own.low) / judged.sizes[k]) or math.huge
+    local own, value, whole = intervals[k], judged.values[k], math.huge
+    if own and is_lost(own) then
+      local function half(far)
+        return far and math.abs(parameters[k].log and math.log(far / value) or (far - value) / judged.sizes[k])
+      end
+      local low, high = half(own.low), half(own.high)
+      judged.lost[k] = not (low and high) or nil
+      whole = (low or high or 0) + (high or low or 0)
+    end
     relative[k] = math.max(judged.relative[k], whole / (2 * judged.t))
   end
   return relative
@@ -181,7 +249,8 @@ end
 function judge.chance_with(judged, residuals, changes)
   local sum = 0
   for i, r in ipairs(residuals) do
-    sum = sum + r * r / (1 + changes[i] ^ 2)
+    local weight = judged.weights and judged.weights[i] or 1
+    sum = sum + r * r / (weight + changes[i] ^ 2)
   end
   return judged.chance and engine.beyond(sum, judged.degrees)
 end
@@ -192,19 +261,29 @@ judge.doubt = doubt
 local function longest(columns)
   local most = 0
   for _, column in ipairs(columns) do
-    most = math.max(most, linear.dot(column, column))
+    most = math.max(most, linear.length(column))
   end
-  return math.sqrt(most)
+  return most
 end
 
---- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors,
---- nil of one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones),
---- spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the largest first), directions =,
---- fates = by place,
---- combinations = {{error =, powers =}}, squares =, degrees =, factor =, t = (of 95 %), chance = (of so large squares; nil where
---- errors are not known), runs = {by curve: the chance, or false}, correlated = (of correlated.told), rejected =}.
---- about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a residual), share = (of
---- differences)}.
+--- By what weights widen the standard error of a parameter with this column, the others being known.
+local function alone_of(column, weights)
+  local sum = 0
+  for n, weight in ipairs(weights or {}) do
+    sum = sum + weight * column[n] ^ 2
+  end
+  return weights and sum > 0 and math.sqrt(sum) / linear.length(column) or 1
+end
+
+--- {values =, slopes = (of relative coordinates), sizes =, free = places of the parameters that move, errors = (standard errors, nil of
+--- one at a bound), relative = (the same of relative coordinates), covariance = (of relative coordinates of the free ones), inverse = (of
+--- the products of columns; the covariance but for factor and weights), times = {by place: how much wider weights make errors than that},
+--- weights = (of residuals, or nil), spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the
+--- largest first), directions =, fates = by place, combinations = {{error =, powers =}}, squares = (the least without weights), degrees =,
+--- factor =, t = (of 95 %), chance = (of so large squares; nil where errors are not known), runs = {by curve: the chance, or false},
+--- correlated = (of correlated.told), rejected =, stretch = (by judge.stretch), lost = {by place: whether its interval could not be
+--- followed, of judge.by_profiles}}. about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a
+--- residual), share = (of differences)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
   local slopes, sizes, values = judge.scales(problem.parameters, found.z)
@@ -212,8 +291,11 @@ function judge.of(problem, found, about)
   for i, k in ipairs(free) do
     columns[i] = numeric.map(found.J[k], function(x) return x / slopes[k] end)
   end
+  local weights = weights_of(problem, about.curves, #at.r)
+  local squares = squares_of(at, columns, weights)
   local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
-    squares = at.cost, degrees = #at.r - #free, factor = factor_of(problem, at, #free) }
+    weights = weights, squares = squares, degrees = #at.r - #free, factor = factor_of(problem, at, squares, #free), times = {},
+    alone = {} }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
   local floor = exact.are_known(at.J, #found.z) and exact.error * longest(columns)
     or blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
@@ -221,16 +303,21 @@ function judge.of(problem, found, about)
   if #free > 0 then
     matrix, singular, vectors, spreads = linear.covariance(columns, floor)
   end
-  for _, row in ipairs(matrix) do
-    for l in ipairs(row) do
-      row[l] = row[l] * judged.factor
-    end
+  judged.inverse = matrix
+  if weights and #free > 0 then
+    matrix, spreads = linear.unweighted(columns, weights, singular, vectors, spreads)
   end
+  matrix = numeric.map(matrix, function(row)
+    return numeric.map(row, function(x) return x * judged.factor end)
+  end)
   local errors, correlations = errors_of(matrix)
-  judged.alone = {}
   for i, k in ipairs(free) do
     judged.relative[k], judged.errors[k] = errors[i], errors[i] * sizes[k]
-    judged.alone[k] = math.sqrt(judged.factor) / math.max(math.sqrt(linear.dot(columns[i], columns[i])), floor, 1e-150)
+    judged.times[k] = errors[i] / math.sqrt(judged.factor * judged.inverse[i][i])
+    judged.alone[k] = alone_of(columns[i], weights) * math.sqrt(judged.factor) / math.max(linear.length(columns[i]), floor, 1e-150)
+  end
+  for k in ipairs(found.z) do
+    judged.times[k] = judged.times[k] or alone_of(found.J[k], weights) -- at a bound
   end
   judged.covariance, judged.correlations, judged.directions = matrix, correlations, vectors
   judged.eigenvalues = numeric.map(singular, function(x) return x * x / judged.factor end)
@@ -239,7 +326,7 @@ function judge.of(problem, found, about)
   end)
   judge.decide(judged, judged.relative)
   judged.chance = problem.known and problem.loss == "squares" and judged.degrees > 0
-    and engine.beyond(at.cost, judged.degrees) or nil
+    and engine.beyond(judged.squares, judged.degrees) or nil
   for i, curve in ipairs(about.curves or {}) do
     judged.runs[i] = judge.runs(table.move(at.r, curve.first, curve.last, 1, {})) or false
   end

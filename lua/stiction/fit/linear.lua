@@ -14,6 +14,10 @@ function linear.dot(a, b)
   return sum
 end
 
+function linear.length(a)
+  return math.sqrt(linear.dot(a, a))
+end
+
 --- Sum of columns times the numbers x, of so many rows.
 function linear.product(columns, x, rows)
   local sum = {}
@@ -73,25 +77,52 @@ function linear.step(columns, residuals, reach, worth)
   return step, gain
 end
 
---- Inverse of the matrix of products of the columns, a list of lists; singular values below `floor` count as that. With it singular
---- values and right vectors, and the lists whose products with themselves add up to it.
-function linear.covariance(columns, floor)
-  local values, vectors = engine.singular(columns)
-  local matrix, spreads = {}, {}
-  for i, value in ipairs(values) do
-    spreads[i] = numeric.map(vectors[i], function(x) return x / math.max(value, floor, 1e-150) end)
-  end
-  for k = 1, #columns do
+--- The sum of the products of lists with themselves.
+local function squares_of(lists, size)
+  local matrix = {}
+  for k = 1, size do
     matrix[k] = {}
-    for l = 1, #columns do
+    for l = 1, size do
       local sum = 0
-      for _, spread in ipairs(spreads) do
-        sum = sum + spread[k] * spread[l]
+      for _, list in ipairs(lists) do
+        sum = sum + list[k] * list[l]
       end
       matrix[k][l] = sum
     end
   end
-  return matrix, values, vectors, spreads
+  return matrix
+end
+
+--- Inverse of the matrix of products of the columns, a list of lists; singular values below `floor` count as that. With it singular
+--- values and right vectors, and the lists whose products with themselves add up to it.
+function linear.covariance(columns, floor)
+  local values, vectors = engine.singular(columns)
+  local spreads = {}
+  for i, value in ipairs(values) do
+    spreads[i] = numeric.map(vectors[i], function(x) return x / math.max(value, floor, 1e-150) end)
+  end
+  return squares_of(spreads, #columns), values, vectors, spreads
+end
+
+--- Where row n of the columns counts as often as weights[n] say, while it is no surer for that: the covariance of what is then at its best,
+--- and the lists whose products with themselves add up to it. values, vectors, spreads: as linear.covariance has them.
+function linear.unweighted(columns, weights, values, vectors, spreads)
+  local lists = {}
+  for n = 1, #weights do
+    lists[n] = numeric.map(columns, function() return 0 end)
+  end
+  for i, value in ipairs(values) do
+    if value > least * values[1] then
+      for n, x in ipairs(linear.product(columns, vectors[i], #weights)) do
+        for k = 1, #columns do
+          lists[n][k] = lists[n][k] + spreads[i][k] * x / value * math.sqrt(weights[n])
+        end
+      end
+    else
+      lists[#lists + 1] = spreads[i]
+    end
+  end
+  return squares_of(lists, #columns), lists
 end
 
 return linear

@@ -92,7 +92,7 @@ local function profile_figure(fit, result, k)
   local _, unit = verdict.shown(own, 1)
   local x, y = {}, {}
   local function add(value, excess)
-    local root = math.sqrt(math.max(excess, 0)) -- straight where the model is linear
+    local root = math.sqrt(math.max(excess, 0)) / (result.judged.stretch or 1) -- straight where the model is linear
     if root <= highest then
       x[#x + 1], y[#y + 1] = value, root
     end
@@ -113,10 +113,10 @@ local function profile_figure(fit, result, k)
     marks[#marks + 1] = value and { x = value, label = "" } or nil
     low, high = math.min(low, value or low), math.max(high, value or high)
   end
-  local t = result.judged.t
+  local t, over = result.judged.t, result.judged.stretch and " / root of chi square each" or ""
   return figure.lines { title = own.name, x = { label = own.name, unit = unit ~= "" and unit or "1",
     range = { low - margin * (high - low), high + margin * (high - low) } },
-    y = { label = "root of the rise of squares" }, marks = marks, legend = "none",
+    y = { label = "root of the rise of squares" .. over }, marks = marks, legend = "none",
     curves = { { x = x, y = y, style = "solid", colour = 0 }, { x = x, y = y, style = "points", colour = 0 },
       { x = { low, high }, y = { t, t }, style = "dash", colour = 6 } } }
 end
@@ -173,8 +173,8 @@ function pictures.of(fit, result)
     list[#list + 1] = residual_figure(fit, result, group, name_of("residuals", i, #parts))
   end
   local profiles = {}
-  for _, k in ipairs(result.profiles and judged.free or {}) do
-    profiles[#profiles + 1] = profile_figure(fit, result, k)
+  for k in ipairs(fit.parameters) do
+    profiles[#profiles + 1] = result.profiles and result.profiles[k] and profile_figure(fit, result, k) or nil
   end
   if #profiles > 0 then
     list[#list + 1] = figure.panel { name = "profiles", title = "profile likelihood", columns = math.min(2, #profiles), figures = profiles }

@@ -14,6 +14,7 @@ local plain = {}
 local function curve_of(t)
   local length = type(t.correlation) == "number" and t.correlation or nil
   local own = { first = 1, last = #t.x, x = t.x, name = "data", estimated = t.correlation == "estimated", shares = t.shares,
+    weights = t.weights,
     correlate = function(self, told)
       self.length, self.common = told, told and noise.along(self.x, told, self.shares)
     end }
@@ -22,7 +23,7 @@ local function curve_of(t)
   return own
 end
 
---- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), sigmas = (one each), f =
+--- A problem as search.run has it, of t = {parameters =, x =, y =, sigma = (one for all; nil: not known), sigmas, weights = (one each), f =
 --- function(values, x), correlation =, shares =, common = (as of noise), loss =, share = (of differences), enough =, ...}; where f gives no
 --- number the point fails.
 function plain.problem(t)
@@ -34,6 +35,7 @@ function plain.problem(t)
       if not numeric.is_finite(r[i]) or math.abs(r[i]) > 1e150 then
         return { failed = "no number" }
       end
+      r[i] = t.weights and math.sqrt(t.weights[i]) * r[i] or r[i]
     end
     return { r = curve.common and curve.common:whitened(r) or r }
   end

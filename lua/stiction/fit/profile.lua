@@ -1,5 +1,6 @@
 -- Intervals by profile likelihood: how far a parameter may go, all others at their best for it, until the data say no.
 local follow = require "stiction.fit.follow"
+local linear = require "stiction.fit.linear"
 local numeric = require "stiction.numeric"
 local space = require "stiction.fit.space"
 
@@ -15,7 +16,7 @@ local lower = 0.05 -- of the unit: a point so much lower than the best is anothe
 local widest = 0.5 -- relative standard error of a first step: wider, and it tells little
 
 -- A side: {k =, way = -1 | 1, limit = (how far it may go in the coordinate), places = {{t = (how far), place =, root = (of the rise of
--- squares), slope = (of that over t)}, nearest first, the best itself first of all}}.
+-- squares), slope = (of that over t)}, nearest first, the best itself first of all}, at_bound = whether it begins at a bound}.
 
 --- Root of the rise of squares over the best at a place of a side, and its slope; the others being at their best, they tell none of it.
 local function measured(self, side, t, place)
@@ -60,9 +61,23 @@ local function bracket(side, level)
   return side.places[at and at - 1 or #side.places], at and side.places[at]
 end
 
+--- Where the squares meet their mark on a side that begins at a bound, beyond which they would fall: they rise at once, and the parabola is
+--- theirs, with the slope at the outer place.
+local function crossing_from_bound(level, inner, outer)
+  local gap, off, slope = outer.t - inner.t, level ^ 2 - outer.excess, 2 * outer.root * outer.slope
+  local line = outer.t + gap * off / (outer.excess - inner.excess)
+  local bend = (inner.excess - outer.excess + slope * gap) / gap ^ 2
+  local square = slope ^ 2 + 4 * bend * off
+  local t = square > 0 and slope > 0 and outer.t + 2 * off / (slope + math.sqrt(square))
+  return t and t > inner.t and t <= math.max(outer.t, least * line) and t or line
+end
+
 --- Where the root meets its mark, between two places or a little beyond: by the parabola that has the slope at the best, if that is one
 --- of them, else that at the outer one; by a straight line where that does not lead there.
-local function crossing(level, inner, outer)
+local function crossing(side, level, inner, outer)
+  if side.at_bound then
+    return crossing_from_bound(level, inner, outer)
+  end
   local gap = outer.t - inner.t
   local line = inner.t + gap * (level - inner.root) / (outer.root - inner.root)
   local from, to = outer, inner
@@ -77,12 +92,12 @@ local function crossing(level, inner, outer)
 end
 
 --- The side's end where it is known (true: it is open), else how far to look next.
-local function decide(self, side)
-  local level = self.level
+local function decide(side)
+  local level = side.level
   local below, above = bracket(side, level)
   if above then
     local gap = above.t - below.t
-    local t = crossing(level, below, above)
+    local t = crossing(side, level, below, above)
     if above.root <= beyond * level or gap <= narrow * above.t then
       return t
     end
@@ -90,7 +105,7 @@ local function decide(self, side)
     side.gap = gap
     return nil, halve and below.t + 0.5 * gap or math.min(math.max(t, below.t + margin * gap), above.t - margin * gap)
   elseif below.root * short >= level then
-    return crossing(level, side.places[#side.places - 1], below)
+    return crossing(side, level, side.places[#side.places - 1], below)
   elseif below.t >= side.limit then
     return true
   end
@@ -107,7 +122,7 @@ local function walk(self, side)
     local finish, next_t
     if place then
       insert(side, measured(self, side, t, place))
-      finish, next_t = decide(self, side)
+      finish, next_t = decide(side)
     else
       side.wall, side.reason, next_t = t, reason, t
     end
@@ -115,16 +130,16 @@ local function walk(self, side)
       side.finish = finish ~= true and finish or nil
       return
     end
-    local below = bracket(side, self.level)
+    local below = bracket(side, side.level)
     local halved = side.wall and next_t >= side.wall
     t, cuts = halved and 0.5 * (below.t + side.wall) or next_t, cuts + (halved and 1 or 0)
     if cuts > most_cut then
       break
     end
   end
-  local below, above = bracket(side, self.level)
-  side.finish = above and crossing(self.level, below, above)
-  side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise" } or nil
+  local below, above = bracket(side, side.level)
+  side.finish = above and crossing(side, side.level, below, above)
+  side.lost = not above and { t = below.t, reason = side.reason or "the squares hardly rise", flat = not side.reason } or nil
 end
 
 --- Runs all sides beside each other, so that what they ask for is computed in one batch.
@@ -156,25 +171,56 @@ local function run_all(self, sides)
   end
 end
 
---- The sides of all free parameters that are at no bound there.
+--- Adds a side with its first place: {k =, way =, limit =, first =, tangent = (by place), at_bound =}; slope: of its root there.
+local function add(self, sides, side, slope)
+  local tangent = numeric.map(self.found.z, function() return 0 end)
+  for l, x in pairs(side.tangent) do
+    tangent[l] = side.way * x
+  end
+  side.tangent, side.level = tangent, self.level * self.times[side.k]
+  side.places = { { t = 0, place = follow.start(self, self.found), excess = 0, root = 0, slope = slope } }
+  sides[#sides + 1] = side
+end
+
+--- The side of a parameter at a bound, inwards: how far, by derivatives at the best, says a parabola of the squares.
+local function add_from_bound(self, sides, judged, k)
+  local at, J = self.found.at, self.found.J
+  local columns = linear.scaled(numeric.map(judged.free, function(l) return J[l] end), at.slopes)
+  local own = linear.scaled({ J[k] }, at.slopes)[1]
+  local way = self.found.z[k] < 0.5 and 1 or -1
+  local slope, tangent = math.max(2 * way * linear.dot(own, at.own), 0), {}
+  local step, gain = {}, 0
+  if #columns > 0 then
+    step, gain = linear.step(columns, own, math.huge)
+  end
+  for i, l in ipairs(judged.free) do
+    tangent[l] = step[i]
+  end
+  local bend = math.max(linear.dot(own, own) - gain, 0)
+  local level = self.level * judged.times[k]
+  local first = 2 * level ^ 2 / (slope + math.sqrt(slope ^ 2 + 4 * bend * level ^ 2))
+  add(self, sides, { k = k, way = way, limit = 1, first = first, tangent = tangent, at_bound = true, rise = slope }, 0)
+end
+
+--- The sides of all free parameters, and those inwards of the others, which are at a bound.
 local function sides_of(self, judged)
-  local sides = {}
+  local sides, is_free = {}, {}
   for i, k in ipairs(judged.free) do
     local own, z = self.problem.parameters[k], self.found.z[k]
     local tangent = {}
+    is_free[k] = true
     for j, l in ipairs(judged.free) do
-      tangent[l] = judged.covariance[j][i] / judged.covariance[i][i] * judged.slopes[k] / judged.slopes[l]
+      tangent[l] = judged.inverse[j][i] / judged.inverse[i][i] * judged.slopes[k] / judged.slopes[l]
     end
     for _, way in ipairs { -1, 1 } do
-      local limit = not own.from and math.huge or way < 0 and z or 1 - z
-      local side = { k = k, way = way, limit = limit, first = judged.t * math.min(judged.relative[k], widest) / judged.slopes[k],
-        tangent = numeric.map(self.found.z, function() return 0 end) }
-      for l, x in pairs(tangent) do
-        side.tangent[l] = way * x
-      end
-      side.places = { { t = 0, place = follow.start(self, self.found), excess = 0, root = 0,
-        slope = math.sqrt(self.unit) * judged.slopes[k] / judged.relative[k] } }
-      sides[#sides + 1] = side
+      add(self, sides, { k = k, way = way, limit = not own.from and math.huge or way < 0 and z or 1 - z,
+        first = judged.t * math.min(judged.relative[k], widest) / judged.slopes[k], tangent = tangent },
+        math.sqrt(self.unit) * judged.times[k] * judged.slopes[k] / judged.relative[k])
+    end
+  end
+  for k, own in ipairs(self.problem.parameters) do
+    if own.from and not is_free[k] then
+      add_from_bound(self, sides, judged, k)
     end
   end
   return sides
@@ -186,13 +232,14 @@ local function value_at(self, side, t)
   return space.values(self.problem.parameters, z)[side.k]
 end
 
---- By place of each free parameter {low =, high = (SI; nil where the data set no end), points = {{value =, excess =}}, lost = {{way =,
---- value =, reason =}} of sides that could not be followed to their end, from this value on}; and a point that is lower than the best one,
---- if any was met.
+--- By place of each parameter {low =, high = (SI; nil where the data set no end), points = {{value =, excess =}}, lost = {{way =,
+--- value =, reason =, flat = (whether the squares hardly rose)}} of sides that could not be followed to their end, from this value on,
+--- bound = "low" | "high" (that it is at, where there is no such end) with straight = (share of the rise of squares up to the other end
+--- that goes with the way)}; and a point that is lower than the best one, if any was met.
 function profile.of(problem, found, judged)
   local unit = problem.known and problem.loss == "squares" and 1 or judged.factor
   local self = { problem = problem, found = found, unit = unit, level = judged.t * math.sqrt(unit), weights = judged.slopes,
-    ask = coroutine.yield }
+    times = judged.times, ask = coroutine.yield }
   local sides = sides_of(self, judged)
   run_all(self, sides)
   local intervals, best = {}, nil
@@ -201,11 +248,15 @@ function profile.of(problem, found, judged)
     intervals[side.k] = own
     for i = 2, #side.places do
       local entry = side.places[i]
-      own.points[#own.points + 1] = { value = value_at(self, side, entry.t), excess = entry.excess / unit }
+      own.points[#own.points + 1] = { value = value_at(self, side, entry.t), excess = entry.excess / unit / judged.times[side.k] ^ 2 }
       best = entry.excess < -lower * unit and (not best or entry.excess < best.excess) and entry or best
     end
     own[side.way < 0 and "low" or "high"] = side.finish and value_at(self, side, side.finish)
-    own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason } or nil
+    if side.at_bound then
+      own.bound, own.straight = side.way < 0 and "high" or "low", side.finish and math.min(side.rise * side.finish / side.level ^ 2, 1)
+    end
+    own.lost[#own.lost + 1] = side.lost and { way = side.way, value = value_at(self, side, side.lost.t), reason = side.lost.reason,
+      flat = side.lost.flat } or nil
   end
   for _, own in pairs(intervals) do
     table.sort(own.points, function(a, b) return a.value < b.value end)

@@ -65,20 +65,20 @@ function record.table(fit, study, options, result)
     quick = options.quick or false, set = options.set or {}, files = fit.files, level = judge.level,
     parameters = parameters_of(fit, result),
     squares = judged.squares, degrees_of_freedom = judged.degrees, errors_known = fit.known, loss = fit.loss,
-    chance_of_squares = judged.chance, runs = runs_of(fit, judged), rejected = judged.rejected,
+    chance_of_squares = judged.chance, widened_by = judged.stretch, runs = runs_of(fit, judged), rejected = judged.rejected,
     curves = curves_of(fit, judged),
     misfit_of_the_simulation = judged.coarse,
     free = numeric.map(judged.free, function(k) return fit.parameters[k].name end),
     covariance = judged.covariance, correlations = judged.correlations, eigenvalues = judged.eigenvalues,
     directions = judged.directions,
     combinations = numeric.map(judged.combinations, function(own)
-      return { powers = named(fit, own.powers), words = judge.words(fit.parameters, own.powers), relative_error = own.error }
+      return { powers = named(fit, own.powers), words = judge.words(fit.parameters, own.powers, judged), relative_error = own.error }
     end),
     simulation = { known = result.own_error.known or false, reason = result.own_error.reason,
       finer = result.own_error.variants },
     further = advice_of(fit, result), says = result.lines, noise = result.noise, difference = result.share,
     minima = numeric.map(result.minima, function(own)
-      return { squares = own.at.cost, values = space.values(fit.parameters, own.z), ended = own.ended }
+      return { squares = own.at.cost, values = space.values(fit.parameters, own.z), ended = own.ended, gain_promised = own.promised }
     end),
     cases = result.cases, cases_of_search = result.search_cases, cases_of_best = result.best_cases, evaluations = #result.log }
 end

@@ -218,13 +218,14 @@ local function unit_of(self)
   return self.problem.known and math.max(1, each) or each
 end
 
---- Whether a whole step of the free parameters would gain no more than is worth it.
+--- What a whole step of the free parameters would gain.
+local function gain_of(self, free)
+  return #free > 0 and select(2, linear.step(columns_of(self, free), self.at.own, 1)) or 0
+end
+
+--- Whether that is no more than is worth it.
 local function is_there(self, free)
-  if #free == 0 then
-    return true
-  end
-  local _, gain = linear.step(columns_of(self, free), self.at.own, 1)
-  return gain <= self.problem.enough * unit_of(self)
+  return gain_of(self, free) <= self.problem.enough * unit_of(self)
 end
 
 --- Steps with these parameters free, from where the search stands, until there is reason to look anew.
@@ -293,7 +294,7 @@ local function shorten(self)
 end
 
 --- The nearest minimum from a point whose answer is known: {z =, at = (answer), J =, free =, lost = (derivatives that could
---- not be had), ended = "there" | "stuck" | "most"}.
+--- not be had), ended = "there" | "stuck" | "most", promised = (squares that derivatives still promise to gain, of standard errors)}.
 local function descend(self, z, at)
   self.z, self.at, self.J, self.last = z, at, nil, nil
   self.spent = false
@@ -321,7 +322,9 @@ local function descend(self, z, at)
   if not self.fresh then
     refresh(self)
   end
-  return { z = self.z, at = self.at, J = self.J, free = free_ones(self), lost = self.lost, ended = word or "most" }
+  local free = free_ones(self)
+  return { z = self.z, at = self.at, J = self.J, free = free, lost = self.lost, ended = word or "most",
+    promised = gain_of(self, free) / math.max(unit_of(self), 1e-300) }
 end
 
 local function same(one, other)

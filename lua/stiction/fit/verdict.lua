@@ -1,13 +1,14 @@
 -- What a fit says in words: of each parameter, of combinations, of the model; and what it claims.
+local combination = require "stiction.fit.combination"
 local correlated = require "stiction.fit.correlated"
 local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
-local spec = require "stiction.fit.spec"
 local units = require "stiction.units"
 
 local verdict = {}
 
+local stuck = 1 -- gain that derivatives promise, in squares of standard errors, where a search that found none is told
 local blur = 0.3 -- standard errors by which a finer level changes curves, where runs of signs may be of its making
 
 --- A value in SI in the unit that the study wrote the parameter's bounds in, and that unit.
@@ -25,34 +26,38 @@ function verdict.words(own, value, digits)
   return ("%%.%dg%%s"):format(digits or 4):format(number, unit ~= "" and " " .. unit or "")
 end
 
+--- The ends of an interval with what the simulation may be off by on either side: a relative share, or of a linear parameter a half width;
+--- open beyond the bounds, as there nothing was looked for.
+local function with_simulation(own, result, share, half)
+  local function moved(x, way)
+    x = x and (own.log and x * math.exp(way * share) or x + way * half)
+    return x and x > own.from and x < own.to and x or nil
+  end
+  result.low, result.high = moved(result.statistical.low, -1), moved(result.statistical.high, 1)
+end
+
 --- {low =, high = (SI; nil: open), statistical = {low =, high =}, simulation = (half width, SI; nil: not known), by = "profile" or
---- "covariance"}: what is claimed of the k-th parameter: never less than the simulation's own error on either side.
+--- "covariance", bound = "low" | "high" (that it is at: the interval is of the other side alone)}: what is claimed of the k-th parameter:
+--- never less than the simulation's own error on either side. nil of one at its bound that has no profile.
 function verdict.interval(fit, judged, intervals, own_error, k)
   local own, value = fit.parameters[k], judged.values[k]
-  if not judged.errors[k] then
+  local profiled = intervals and intervals[k]
+  if not judged.errors[k] and not profiled then
     return nil
   end
-  local result = { statistical = {} }
-  local profiled = intervals and intervals[k]
-  local half = judged.t * judged.relative[k]
-  local low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
-  local high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
-  result.by = profiled and "profile" or "covariance"
+  local result = { by = profiled and "profile" or "covariance", bound = profiled and profiled.bound, stretch = judged.stretch }
+  local low, high
   if profiled then
     low, high = profiled.low, profiled.high
-  end
-  local stretch = judged.misfit and fit.known and math.sqrt(math.max(1, judged.squares / math.max(1, judged.degrees))) or 1
-  low, high = low and value - stretch * (value - low), high and value + stretch * (high - value)
-  result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
-  result.stretch = stretch > 1 and stretch or nil
-  result.simulation = own_error.known and own_error.relative[k] * judged.sizes[k] or nil
-  local doubt, share = result.simulation or 0, own_error.known and own_error.relative[k] or 0
-  result.low, result.high = result.statistical.low, result.statistical.high
-  if own.log then
-    result.low, result.high = result.low and result.low * math.exp(-share), result.high and result.high * math.exp(share)
   else
-    result.low, result.high = result.low and result.low - doubt, result.high and result.high + doubt
+    local half = judged.t * judged.relative[k]
+    low = own.log and value * math.exp(-math.min(half, 700)) or value - judged.t * judged.errors[k]
+    high = own.log and value * math.exp(math.min(half, 700)) or value + judged.t * judged.errors[k]
   end
+  result.statistical = { low = low and low > own.from and low or nil, high = high and high < own.to and high or nil }
+  local share = own_error.known and own_error.relative[k]
+  result.simulation = share and share * judged.sizes[k] or nil
+  with_simulation(own, result, share or 0, result.simulation or 0)
   return result
 end
 
@@ -118,6 +123,8 @@ local function on_model(fit, judged, lines)
   for _, line in ipairs(correlated.lines(fit.curves, judged, judge.doubt)) do
     lines[#lines + 1] = line
   end
+  lines[#lines + 1] = judged.stretch and ("as model and data do not agree, errors, intervals and what is determined are those of "
+    .. "data %.3g times less sure, the root of chi square per degree"):format(judged.stretch) or nil
   if judged.coarse then
     lines[#lines + 1] = "one finer level of the simulation changes the curves by as much as that: refine before the model is blamed"
   elseif judged.rejected and fit.starts == 1 then
@@ -143,6 +150,23 @@ local function on_profiles(fit, judged, intervals, lines)
   lines[#lines + 1] = judged.undercut and "profiles still meet lower points: this may be no minimum; the intervals are about it" or nil
 end
 
+--- What is said of the k-th parameter, which is at its bound.
+local function on_bound(fit, judged, own_error, intervals, k)
+  local own, interval = fit.parameters[k], verdict.interval(fit, judged, intervals, own_error, k)
+  local words = ("%s is at its bound %s: the data would have it beyond"):format(own.name,
+    verdict.words(own, judged.values[k], 10))
+  if not interval then
+    return words .. ", and no error is told"
+  end
+  local finish, of_data = interval.low or interval.high, interval.statistical.low or interval.statistical.high
+  if not of_data and not (intervals[k].lost and intervals[k].lost[1]) then
+    return ("%s is at its bound %s, and NOT DETERMINED by these data: its interval is open on the other side, too"):format(own.name,
+      verdict.words(own, judged.values[k], 10))
+  end
+  return ("%s; on the other side its interval (95 %%) %s"):format(words, finish and "ends at " .. verdict.words(own, finish)
+    or of_data and "is open by the simulation's own error, by the data it ends at " .. verdict.words(own, of_data) or "is open")
+end
+
 --- Lines on the model, the parameters and the simulation's own error; intervals: of profiles, or nil.
 function verdict.lines(fit, judged, own_error, found, intervals)
   local lines = {}
@@ -156,19 +180,20 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   end
   if #mixed > 0 then
     local words = numeric.map(judged.combinations, function(own)
-      return ("%s to %.2g %%"):format(judge.words(fit.parameters, own.powers), 100 * own.error)
+      return ("%s to %s"):format(combination.words(fit.parameters, own.powers, judged),
+        combination.error_words(fit.parameters, own, judged))
     end)
     lines[#lines + 1] = ("determined only in combination: %s; what these data tell is %s"):format(list_words(mixed),
-      #words > 0 and list_words(words) or "no product of powers of them alone")
+      #words > 0 and list_words(words) or "no combination of them alone")
   end
   if #lost > 0 then
     lines[#lines + 1] = "NOT DETERMINED by these data: " .. list_words(lost)
   end
-  for k, own in ipairs(fit.parameters) do
-    if not judged.errors[k] then
-      lines[#lines + 1] = ("%s is at its bound %s: the data would have it beyond, and no error is told"):format(own.name,
-        tostring(spec.quantity(own.like, judged.values[k])))
-    end
+  local cut = those("not followed")
+  lines[#lines + 1] = #cut > 0 and ("NOT FOLLOWED to the ends of their intervals, as runs fail or do not settle there, and determined by "
+    .. "the covariance alone: %s"):format(list_words(cut)) or nil
+  for k in ipairs(fit.parameters) do
+    lines[#lines + 1] = not judged.errors[k] and on_bound(fit, judged, own_error, intervals, k) or nil
   end
   local coarse = {}
   for _, k in ipairs(judged.free) do
@@ -184,6 +209,11 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
     lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
+  end
+  if found.ended == "stuck" and (found.promised or 0) > stuck then
+    lines[#lines + 1] = ("the search is STUCK: derivatives promise a gain of %.2g squared standard errors, no step along them gains. "
+      .. "Results jump or kink there, and this may be no minimum: leave out data at a jump, or try further starts (fit.starts)"):format(
+      found.promised)
   end
   if found.ended == "most" then
     lines[#lines + 1] = ("the search was ended after %d evaluations (fit.most); this may be no minimum"):format(fit.most)

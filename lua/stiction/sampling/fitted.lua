@@ -65,8 +65,9 @@ local function read(path)
   return kept
 end
 
---- Bad input if there is no such curve, or if a parameter is one of several curves' own and none of them was chosen.
-local function check_curves(kept, study, want, path)
+--- Bad input if there is no such curve, or if a parameter is one of several curves' own, none of them was chosen,
+--- and the sample does not have it otherwise.
+local function check_curves(kept, study, want, path, others)
   local curves, by_key = {}, {}
   for _, own in ipairs(kept.parameters) do
     if own.curve then
@@ -83,7 +84,7 @@ local function check_curves(kept, study, want, path)
       fault.meant(want.curve, ordered.keys(curves)), table.concat(ordered.keys(curves), ", "))
   end
   for _, key in ipairs(ordered.keys(by_key)) do
-    if not want.curve and #by_key[key] > 1 and fit_spec.has(study, key) then
+    if not want.curve and not others[key] and #by_key[key] > 1 and fit_spec.has(study, key) then
       fault.input("study.sample.fit: each of the curves %s has a '%s' of its own; say whose: fit = { curve = \"%s\" }",
         table.concat(by_key[key], ", "), key, by_key[key][1])
     end
@@ -94,6 +95,7 @@ end
 local function axis(own, row)
   local scale = own.error / own.relative_error
   return { name = own.key, curve = own.curve, like = own.unit == "1" and 1 or units.units(own.unit), kind = "normal", joint = true,
+    best = own.best, shown = own.shown or ("%g %s"):format(own.best, own.unit), relative_error = own.relative_error,
     together = function(xi)
       local sum = 0
       for j, x in ipairs(row) do
@@ -103,24 +105,51 @@ local function axis(own, row)
     end }
 end
 
---- Axes of a fit's parameters that cases have, which move together, by standard normal numbers; the fit's file; names of those that no
---- case has, as its `against` alone takes them.
-function fitted.axes(study, entry, options)
+local function damaged(path)
+  fault.input("study.sample.fit: %s is damaged; run the fit again", path)
+end
+
+--- Whether a parameter is one of the study's cases, of the curve that is wanted.
+local function is_wanted(study, own, want)
+  return fit_spec.has(study, own.key) and not (own.curve and want.curve and own.curve ~= want.curve)
+end
+
+--- The parameters that ended at a bound: {name =, curve =, value = (a quantity), shown =}, without those that the sample has otherwise.
+local function held_ones(study, kept, want, path, others)
+  local is_free, list = {}, {}
+  for _, name in ipairs(kept.free) do
+    is_free[name] = true
+  end
+  for _, own in ipairs(kept.parameters) do
+    if type(own) ~= "table" or type(own.best) ~= "number" or type(own.key) ~= "string" then
+      damaged(path)
+    elseif not is_free[own.name] and is_wanted(study, own, want) and not others[own.key] then
+      list[#list + 1] = { name = own.key, curve = own.curve, value = own.unit == "1" and own.best or own.best * units.units(own.unit),
+        shown = own.shown or ("%g %s"):format(own.best, own.unit) }
+    end
+  end
+  return list
+end
+
+--- {axes = of a fit's parameters that cases have, which move together, by standard normal numbers; source = its file; left_out = names of
+--- those that no case has, as its `against` alone takes them; held = {those at a bound}; otherwise = names of those that the sample has
+--- otherwise, others[name]; asked = whether a curve was}.
+function fitted.read(study, entry, options, others)
   local want = wanted(entry)
   local path = path_of(study, want.file, options)
   local kept = read(path)
-  local function damaged()
-    fault.input("study.sample.fit: %s is damaged; run the fit again", path)
-  end
-  check_curves(kept, study, want, path)
-  local list, of, left_out = {}, {}, {}
-  for i, name in ipairs(type(kept.free) == "table" and kept.free or damaged()) do
+  check_curves(kept, study, want, path, others)
+  local list, of, seen = {}, {}, {}
+  local result = { axes = {}, source = path, left_out = {}, asked = want.curve ~= nil }
+  for i, name in ipairs(type(kept.free) == "table" and kept.free or damaged(path)) do
     local own = kept.by_name[name]
     if type(own) ~= "table" or type(own.best) ~= "number" or type(own.key) ~= "string" then
-      damaged()
+      damaged(path)
     elseif not fit_spec.has(study, own.key) then
-      left_out[#left_out + 1] = name
-    elseif not (own.curve and want.curve and own.curve ~= want.curve) then
+      result.left_out[#result.left_out + 1] = name
+    elseif others[own.key] then
+      seen[own.key] = is_wanted(study, own, want) or seen[own.key] or nil
+    elseif is_wanted(study, own, want) then
       if type(own.relative_error) ~= "number" or own.relative_error > 1 then
         fault.input("study.sample.fit: %s was not determined by the fit in %s; give it a distribution in sample.of, or fit without it",
           name, path)
@@ -128,18 +157,19 @@ function fitted.axes(study, entry, options)
       list[#list + 1], of[#of + 1] = own, i
     end
   end
-  local held, L = engine.call(factor, kept.covariance, of)
-  if not held then
-    damaged()
+  result.otherwise = ordered.keys(seen)
+  result.held = held_ones(study, kept, want, path, others)
+  local good, L = engine.call(factor, kept.covariance, of)
+  if not good then
+    damaged(path)
   elseif #list == 0 then
     fault.input("study.sample.fit: no parameter of the fit in %s is one of the study's cases; give distributions in sample.of",
       path)
   end
-  local axes = {}
   for n, own in ipairs(list) do
-    axes[n] = axis(own, L[n])
+    result.axes[n] = axis(own, L[n])
   end
-  return axes, path, left_out
+  return result
 end
 
 return fitted

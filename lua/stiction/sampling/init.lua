@@ -16,6 +16,8 @@ local report = require "stiction.report"
 local spec = require "stiction.sampling.spec"
 local spread = require "stiction.sampling.spread"
 local study_module = require "stiction.study"
+local units = require "stiction.units"
+local verdict = require "stiction.fit.verdict"
 
 local most_told = 8 -- failed points
 
@@ -39,6 +41,17 @@ local function values_of(own)
     end
   end
   return list
+end
+
+--- Names of all parameters that some point names.
+local function names_of(values)
+  local seen = {}
+  for _, point in ipairs(values) do
+    for name in pairs(point) do
+      seen[name] = true
+    end
+  end
+  return ordered.keys(seen)
 end
 
 --- What the rows give of one result, nil where a case failed.
@@ -159,10 +172,12 @@ local function failures(own, rows, values)
   return list, spread.where(coordinates)
 end
 
+--- A point in words, each value in the unit that the study wrote its distribution in.
 local function words_of(values, own)
   local names = own.list and ordered.keys(values) or numeric.map(own.axes, function(axis) return axis.name end)
   return table.concat(numeric.map(names, function(name)
-    return ("%s = %s"):format(name, report.value(values[name]))
+    local at = numeric.first_where(own.axes, function(axis) return axis.name == name end)
+    return ("%s = %s"):format(name, at and verdict.words(own.axes[at], units.si(values[name]), 10) or report.value(values[name]))
   end), ", ")
 end
 
@@ -196,6 +211,8 @@ local function show_results(found)
         plus_minus(own.entry, own.moments.deviation, own.moments.deviation_error), report.in_unit(own.entry, q[1].value),
         report.in_unit(own.entry, q[3].value), report.in_unit(own.entry, q[5].value),
         own.chaos and ("%.2g"):format(100 * own.chaos.error) or "-" }
+    else
+      rows[#rows + 1] = { report.head(own.entry), "-", "-", "-", "-", "-", "-" }
     end
   end
   report.line()
@@ -228,18 +245,39 @@ local function show_indices(own, found)
   end
 end
 
-local function run(own, study, options, folder)
-  local values, names = values_of(own), {}
-  for name in pairs(values[1]) do
-    names[#names + 1] = name
+--- What of a fit is drawn, of which curve, and what is not.
+local function show_fit(own)
+  local fit = own.fit or { axes = {}, left_out = {}, held = {}, otherwise = {} }
+  local rows = { { "of the fit", "best", "+-/%", "of the curve" } }
+  for _, axis in ipairs(own.axes) do
+    rows[#rows + 1] = axis.joint and { axis.name, axis.shown, ("%.2g"):format(100 * axis.relative_error), axis.curve or "all" } or nil
   end
-  table.sort(names)
+  for _, entry in ipairs(fit.held) do
+    rows[#rows + 1] = { entry.name, entry.shown, "held at its bound", entry.curve or "all" }
+  end
+  if #rows > 1 then
+    report.table(rows)
+  end
+  for _, axis in ipairs(fit.asked and {} or own.axes) do
+    if axis.curve then
+      report.line("remark: %s is the curve %s's own, and no other curve's; every point takes it", axis.name, axis.curve)
+    end
+  end
+  if #fit.otherwise > 0 then
+    report.line("not as the fit has it, but as sample.of or sample.set say: %s", table.concat(fit.otherwise, ", "))
+  end
+  if #fit.left_out > 0 then
+    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(fit.left_out, ", "))
+  end
+end
+
+local function run(own, study, options, folder)
+  local values = values_of(own)
+  local names = names_of(values)
   local points = points_module.open(study, options, folder, names)
   report.line("%d points of %s", #values, own.list and "a list" or own.design)
-  if #(own.left_out or {}) > 0 then
-    report.line("left out, as no case has it (the fit's `against` alone reads it): %s", table.concat(own.left_out, ", "))
-  end
-  local found = { folder = folder, values = values, count = #values }
+  show_fit(own)
+  local found = { folder = folder, values = values, names = names, count = #values }
   found.rows = points:run(values)
   found.results = numeric.map(own.results, function(entry) return judge(own, entry, found.rows) end)
   found.failures, found.where = failures(own, found.rows, values)
@@ -247,7 +285,7 @@ local function run(own, study, options, folder)
   show_failures(own, found)
   show_results(found)
   show_indices(own, found)
-  report.line("%d cases, %d of them run now, %d kept", #points.rows, points.ran, points.known)
+  report.line("%d case%s, %d of them run now, %d kept", #points.rows, #points.rows == 1 and "" or "s", points.ran, points.known)
   local drawn = options.no_figures or drawing.draw({ figures = function() return pictures.of(own, found) end }, {}, folder)
   report.line("output: %s", folder)
   return drawn and #found.failures == 0 and 0 or 1

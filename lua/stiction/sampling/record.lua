@@ -3,7 +3,7 @@ local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local identity = require "stiction.identity"
 local numeric = require "stiction.numeric"
-local ordered = require "stiction.ordered"
+local units = require "stiction.units"
 
 local record = {}
 
@@ -29,11 +29,24 @@ local function result_table(own, result)
       deviation = polynomial.deviation, indices = indices_of(own, polynomial) } }
 end
 
+--- What is drawn as a fit has it, and whose it is.
+local function drawn(own)
+  local list = {}
+  for _, axis in ipairs(own.axes) do
+    list[#list + 1] = axis.joint and { name = axis.name, curve = axis.curve, best = axis.best, relative_error = axis.relative_error } or nil
+  end
+  for _, entry in ipairs(own.fit.held) do
+    list[#list + 1] = { name = entry.name, curve = entry.curve, best = units.si(entry.value), held = true }
+  end
+  return list
+end
+
 --- All of it as a table for JSON.
 function record.table(own, study, options, found)
   return { study = study.source.file, name = study.name, title = study.title, version = engine.version, quick = options.quick or false,
-    set = options.set or {}, design = own.design, count = own.count, seed = own.seed, points = found.count, fit = own.source,
-    parameters = numeric.map(own.axes, function(axis) return axis.name end),
+    set = options.set or {}, design = own.design, count = own.count, seed = own.seed, points = found.count,
+    fit = own.fit and own.fit.source, parameters = numeric.map(own.axes, function(axis) return axis.name end),
+    drawn = own.fit and drawn(own) or nil,
     results = numeric.map(found.results, function(result) return result_table(own, result) end),
     failed = numeric.map(found.failures, function(entry)
       return { case = entry.case, reason = entry.reason, values = identity.plain(entry.values) }
@@ -44,7 +57,7 @@ function record.table(own, study, options, found)
 end
 
 local function write_points(found)
-  local names = ordered.keys(found.values[1])
+  local names = found.names
   local head = table.move(names, 1, #names, 2, { "case" })
   for _, result in ipairs(found.results) do
     head[#head + 1] = result.name
@@ -54,7 +67,7 @@ local function write_points(found)
   for i, row in ipairs(found.rows) do
     local words = { row.case.id }
     for _, name in ipairs(names) do
-      words[#words + 1] = csv.word(found.values[i][name])
+      words[#words + 1] = csv.word(row.case.p[name])
     end
     for _, result in ipairs(found.results) do
       words[#words + 1] = result.values[i] and csv.word(result.values[i]) or "nan"

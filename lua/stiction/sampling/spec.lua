@@ -60,21 +60,39 @@ local function axis(name, entry, standing)
   return { name = name, like = first, kind = own.kind, value = function(u) return own.value(a, b, u) end }
 end
 
---- The user's own list of points, as values by name.
-local function listed(study, t)
-  local list = t.list
-  if type(list) == "string" then
-    local columns, rows = csv_module.read(list, study.source.folder), {}
-    for name, values in pairs(columns) do
-      for i, value in ipairs(values) do
-        rows[i] = rows[i] or {}
-        rows[i][name] = value
-      end
+--- The rows of a file of points, as values by name.
+local function rows_of(file, folder)
+  local rows = {}
+  for name, values in pairs(csv_module.read(file, folder)) do
+    for i, value in ipairs(values) do
+      rows[i] = rows[i] or {}
+      rows[i][name] = value
     end
-    list = rows
   end
+  return rows
+end
+
+--- The user's own list of points, as values by name; bad input where one is none of the study.
+local function listed(study, t, options)
+  local file = type(t.list) == "string" and t.list
+  local list = file and rows_of(file, study.source.folder) or t.list
   if type(list) ~= "table" or #list < 2 then
-    fault.script("study.sample.list must be a list of two points or more, each { name = value, ... }, or the name of a .csv file")
+    fault.script("study.sample.list must be a list of two points or more, each { name = value, ... }, or the name of a .csv file%s",
+      file and (" with as many rows; %s has %d"):format(file, #list) or "")
+  end
+  for i, point in ipairs(list) do
+    local what = "study.sample.list" .. (file and (": %s: row %d"):format(file, i) or ("[%d]"):format(i))
+    if type(point) ~= "table" or units.is_quantity(point) or #ordered.keys(point) == 0 or #point > 0 then
+      fault.script("%s is %s; { name = value, ... } is wanted", what, type(point) == "table" and not units.is_quantity(point)
+        and "a table that lacks names" or tostring(point))
+    end
+    local values = copy(t.set or {})
+    for name, value in pairs(point) do
+      values[name] = value
+    end
+    sweep.values_at(study, options, values, what, file and function(name)
+      return point[name] and ("%s, column '%s'"):format(what, name) or "study.sample.set"
+    end)
   end
   return list
 end
@@ -155,20 +173,27 @@ function spec.values(own, u)
   return values
 end
 
---- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, source =,
---- left_out = (names of a fit's parameters that no case has)}.
+--- The sample of a study: {axes =, list = (of the user's own points), design =, count =, seed =, results =, set =, joint =, fit = (as of
+--- fitted.read)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
   t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
   check(t)
-  local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = t.set or {}, axes = {} }
+  local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = copy(t.set or {}), axes = {} }
   if t.list then
-    own.list, own.design = listed(study, t), "list"
+    own.list, own.design = listed(study, t, options), "list"
     return own
   end
   if t.fit then
-    own.axes, own.source, own.left_out = fitted.axes(study, t.fit, options)
-    own.joint = true
+    local others = copy(t.of or {})
+    for name, value in pairs(own.set) do
+      others[name] = value
+    end
+    own.fit = fitted.read(study, t.fit, options, others)
+    own.axes, own.joint = own.fit.axes, true
+    for _, entry in ipairs(own.fit.held) do
+      own.set[entry.name] = entry.value
+    end
   end
   local probe = copy(own.set)
   for _, name in ipairs(ordered.keys(t.of or {})) do
@@ -186,6 +211,10 @@ function spec.read(study, options)
   local standing = sweep.values_at(study, options, probe, "study.sample")
   for _, name in ipairs(ordered.keys(t.of or {})) do
     own.axes[#own.axes + 1] = axis(name, t.of[name], standing[name])
+  end
+  local cases = own.design == "saltelli" and own.count * (#own.axes + 2) or own.count
+  if cases > most_points then
+    fault.script("study.sample: count = %d of saltelli's design are %d cases, at most %d: take fewer points", own.count, cases, most_points)
   end
   return own
 end
