@@ -65,6 +65,8 @@ void Builder::add_obstacle(std::string const& name, ObstaclePart const& part) {
   check_spin({"obstacles", name, "spin"}, part.spin);
   if (!part.axis.empty() && (part.axis.size() != 3 || vec(part.axis).isZero(0)))
     complain({"obstacles", name, "axis"}, "wants three numbers, not all 0");
+  else if (scene_.part.dim() == 2 && !part.axis.empty() && !vec(part.axis).head<2>().isZero(0))
+    complain({"obstacles", name, "axis"}, "leaves the plane of a plane scene; leave it out");
   check_path_end({"obstacles", name, "times"}, part.times);
   rigid.pivot = part.pivot.empty() ? middle(part.shape) : vec(part.pivot);
   rigid.axis = part.axis.size() == 3 ? Vec3(vec(part.axis).normalized()) : Vec3::UnitZ();
@@ -205,6 +207,9 @@ void Builder::add_pairs() {
 
 void Builder::add_pair(std::string const& name, PairPart const& part) {
   check_size({"pairs", name, "direction"}, part.direction);
+  if (scene_.part.dim() == 2 && !part.direction.empty())
+    complain({"pairs", name, "direction"},
+             "is for scenes in space; a plane one has a single tangent: leave it out");
   if (part.discretisation == Discretisation::mortar && part.secondary == part.primary)
     return complain(
         {"pairs", name, "discretisation"},

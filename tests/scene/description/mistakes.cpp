@@ -189,6 +189,17 @@ TEST_CASE("a velocity where a path says how a free obstacle moves") {
   check_only(table, "obstacles.floor.velocity", {"along x is what the path of x says"});
 }
 
+TEST_CASE("directions in space that a plane scene has not") {
+  auto table = test::foot_on_floor();
+  test::at(table, "pairs.sole.direction") = test::values({1, 0});
+  check_only(table, "pairs.sole.direction", {"is for scenes in space", "leave it out"});
+  table = test::foot_on_floor();
+  test::at(table, "obstacles.floor.axis") = test::values({0, 1, 0});
+  check_only(table, "obstacles.floor.axis", {"leaves the plane"});
+  test::at(table, "obstacles.floor.axis") = test::values({0, 0, 1});
+  CHECK(complaints(table).empty());
+}
+
 TEST_CASE("a spin that no inertia would carry") {
   auto table = test::foot_on_floor();
   test::at(table, "scheme") = test::make("scheme.theta_xi");
