@@ -1,11 +1,9 @@
 // Explanations: each warning in a scene made for it and not in a sound one; numbers against hand formulas.
-#include <cmath>
 #include <doctest/doctest.h>
 
 #include "scene/build/fit.hpp"
 #include "scene/description/human.hpp"
 #include "scene/explain/explain.hpp"
-#include "scene/half_spaces.hpp"
 #include "scene/scenes.hpp"
 
 using namespace stiction;
@@ -470,34 +468,6 @@ TEST_CASE("times of relaxation are held against the steps and the run") {
   CHECK(number(pressed, "Body foot", "at once in volume") == doctest::Approx(4.5));
   CHECK(contains(line(pressed, "Body foot", "relaxes in 1 s").words, "G_k = 250 Pa, K_k = "));
   CHECK(line(pressed, "Body foot", "relaxes in 3 s").words.rfind("K_k = ", 0) == 0);
-}
-
-TEST_CASE("heights of a script that have a step where a periodic half space repeats them") {
-  auto table = half_line_scene();
-  auto const told = [&](auto const& height) {
-    std::vector<double> heights;
-    for (int k = 0; k < 24; ++k)
-      heights.push_back(height((k + 0.5) / 24));
-    at(table, "obstacles.ball.surface") = make("surface.map", {{"heights", values(heights)}});
-    return warns(table, "it is not periodic");
-  };
-  auto const ramp = [](double x) { return 1e-3 * x; };
-  auto const wave = [](double x) { return 1e-3 * std::cos(2 * 3.14159265358979 * x); };
-  auto const ridge = [](double x) { return x < 0.5 ? 1e-3 * x : 1e-3 * (1 - x); };
-  CHECK(!told(ramp)); // beyond a free surface's rim there is none
-  at(table, "bodies.base.boundary") = text("periodic");
-  at(table, "bodies.base.depth") = value(1, "m");
-  CHECK(told(ramp));
-  CHECK(!told(wave));
-  CHECK(!told(ridge));
-}
-
-TEST_CASE("a path that begins elsewhere than where its set is") {
-  auto input = foot_on_floor();
-  at(input, "motions") = list({drive("foot.top", {0, 2}, {0, 0}, {-0.01, -0.02})});
-  CHECK(warns(input, "foot.top: its path in y begins at -10 mm where the body is at rest"));
-  at(input, "motions") = list({drive("foot.top", {0, 2}, {0, 0}, {0, -0.02})});
-  CHECK_FALSE(warns(input, "where the body is at rest"));
 }
 
 TEST_CASE("numbers of a law are those that were given") {
