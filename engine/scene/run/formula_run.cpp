@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 #include "dynamics/bulk/timer.hpp"
@@ -21,6 +22,8 @@
 namespace stiction::scene {
 
 namespace {
+
+constexpr double any_size = std::numeric_limits<double>::infinity();
 
 class FormulaRun {
 public:
@@ -97,7 +100,7 @@ private:
       result_.reason = fmt::format(
           "at t = {:g} s the pull of {:g} {} is more than the contact holds (pull-off {:g}): it lets go", t,
           -drive, model.grid.line ? "N/m" : "N",
-          -formula::largest_pull(*scene_.formula->normal, before).force);
+          -formula::largest_pull(*scene_.formula->normal, before > 0 ? before : any_size).force);
       return false;
     }
     bool const first = t == 0;
