@@ -127,8 +127,13 @@ void follow_parent(bool at_once) {
 }
 
 void watch_script(lua_State* lua, bool lines) {
-  lua_sethook(lua, on_event, lines ? LUA_MASKCOUNT | LUA_MASKLINE | LUA_MASKRET : LUA_MASKCOUNT,
-              instructions_per_look);
+  lua_sethook(lua, on_event, lines ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, instructions_per_look);
+}
+
+void watch_returns(lua_State* lua, bool on) {
+  constexpr int lines = LUA_MASKCOUNT | LUA_MASKLINE;
+  if ((lua_gethookmask(lua) & LUA_MASKLINE) != 0)
+    lua_sethook(lua, on_event, on ? lines | LUA_MASKRET : lines, instructions_per_look);
 }
 
 void limit_script(lua_State* lua, long instructions) {

@@ -43,4 +43,8 @@ void limit_script(lua_State* lua, long instructions);
 /// every line, which takes a third of a script's time, so that an error behind a tail call knows its place.
 void watch_script(lua_State* lua, bool lines = true);
 
+/// Where lines are watched, functions that end are from now on, too, so that a table is of the line that its
+/// constructor is called in; calls cost half as much again.
+void watch_returns(lua_State* lua, bool on);
+
 } // namespace stiction::bind

@@ -70,6 +70,12 @@ int watch_lines(lua_State* lua) {
   return 0;
 }
 
+/// watch_returns(flag): whether that place is right behind calls in the same line as well, from now on
+int note_returns(lua_State* lua) {
+  watch_returns(lua, lua_toboolean(lua, 1) != 0);
+  return 0;
+}
+
 /// part(table) -> "material.blatz_ko" of what a constructor made, or ""
 int part(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
@@ -92,6 +98,7 @@ void add_script_functions(lua_State* lua) {
   add<call>(lua, "call");
   add<call_within>(lua, "call_within");
   add<watch_lines>(lua, "watch_lines");
+  add<note_returns>(lua, "watch_returns");
   add<part>(lua, "part");
   add<root>(lua, "library_root");
 }

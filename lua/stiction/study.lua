@@ -268,7 +268,9 @@ function methods.scene_of(self, case)
   if not case.scene then
     engine.reseed() -- one case's scene does not depend on whether another's was made before
     self.read = self.read or {}
+    engine.watch_returns(true)
     case.scene = self.scene(watched(case.p, self.read))
+    engine.watch_returns(false)
     self.made = true
   end
   if type(case.scene) ~= "table" then

@@ -2,6 +2,7 @@
 local test, equal, fails = ...
 local advice = require "stiction.fit.advice"
 local curve = require "stiction.fit.curve"
+local combination = require "stiction.fit.combination"
 local judge = require "stiction.fit.judge"
 local loss = require "stiction.fit.loss"
 local numeric = require "stiction.numeric"
@@ -177,7 +178,7 @@ test("only a product of powers: the direction is found", function()
   equal(#judged.combinations, 1)
   local powers = judged.combinations[1].powers
   assert(math.abs(powers[1] / powers[2] + 2) < 1e-3, powers[1] / powers[2])
-  equal(judge.words(parameters, powers), "a * l^-0.5")
+  equal(combination.words(parameters, powers), "a * l^-0.5")
   local squares = 0 -- of the slopes over a / l^0.5, whose square the curve is proportional to
   for _, at in ipairs(x) do
     squares = squares + (2 * 4 / 3 * (1 - math.exp(-at))) ^ 2

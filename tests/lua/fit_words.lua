@@ -1,5 +1,6 @@
 -- What a fit says of its parameters: combinations that are determined, as products of powers or as sums.
 local test, equal = ...
+local combination = require "stiction.fit.combination"
 local judge = require "stiction.fit.judge"
 local numeric = require "stiction.numeric"
 local plain = require "stiction.fit.plain"
@@ -61,15 +62,15 @@ end)
 test("weights are in the units of the bounds, whichever these are", function()
   local judged = { values = { 0, 0, 0 }, sizes = { 1e-2, 1e-6, 1 } }
   local own = { linear("rate", -1, 1, 0, 0 * u.N / u.m), linear("zero", -1, 1, 0, 10 * u.um), log("young", 0.1, 10, 1) }
-  equal(judge.words(own, { 1, -0.5, 0.25 }, judged), "rate - 0.005 (N/m)/um * zero + 0.0025 N/m * ln(young) (near the best values)")
-  equal(judge.words(own, { 0, 1, 0.25 }, judged), "zero + 0.25 um * ln(young) (near the best values)")
-  equal(judge.words(own, { 0, 0.25, 1 }, judged), "ln(young) + 0.25 1/um * zero (near the best values)")
+  equal(combination.words(own, { 1, -0.5, 0.25 }, judged), "rate - 0.005 (N/m)/um * zero + 0.0025 N/m * ln(young) (near the best values)")
+  equal(combination.words(own, { 0, 1, 0.25 }, judged), "zero + 0.25 um * ln(young) (near the best values)")
+  equal(combination.words(own, { 0, 0.25, 1 }, judged), "ln(young) + 0.25 1/um * zero (near the best values)")
 end)
 
 test("exponents of a linear parameter near 0 are of itself, not of a tenth of its range", function()
   local own = { linear("mu", 0.01, 10, 1), log("young", 0.1, 10, 3) }
   local judged = { values = { 0.1, 1 }, sizes = { 0.999, 1 } }
-  equal(judge.words(own, { 0.999 / 0.1 / 10, 0.1 }, judged), "mu^0.1 * young^0.1 (near the best values)")
+  equal(combination.words(own, { 0.999 / 0.1 / 10, 0.1 }, judged), "mu^0.1 * young^0.1 (near the best values)")
 end)
 
 test("where model and data do not agree errors, intervals and verdicts are widened alike", function()

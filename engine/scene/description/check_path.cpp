@@ -2,7 +2,6 @@
 #include "scene/description/check_path.hpp"
 
 #include <fmt/format.h>
-#include <string_view>
 
 namespace stiction::scene {
 
@@ -16,7 +15,7 @@ bool is_empty(core::Reader& reader, char const* key) {
 } // namespace
 
 void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers const& values,
-                char const* key) {
+                char const* key, double rest) {
   if (!reader.has(key) || (times.empty() && reader.has("times") && !is_empty(reader, "times")) ||
       (values.empty() && !is_empty(reader, key)))
     return; // what could not be read has its own complaint
@@ -26,7 +25,6 @@ void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers 
   for (std::size_t k = 1; k < times.size(); ++k)
     if (times[k] <= times[k - 1])
       return reader.complain_at("times", fmt::format("must grow; entry {} does not", k + 1));
-  double const rest = std::string_view(key) == "volume" ? 1 : 0;
   if (!values.empty() && times.front() > 0 && values.front() != rest)
     reader.complain_at(
         "times", fmt::format("begin at {:g} s, where {} is {:g}, not {:g} as at the start; give the path a "

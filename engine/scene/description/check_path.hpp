@@ -5,9 +5,9 @@
 namespace stiction::scene {
 
 /// Complains unless both lists are of one length, the times ascend, and a path that begins after the start of
-/// the run begins at rest.
+/// the run begins with `rest`.
 void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers const& values,
-                char const* key);
+                char const* key, double rest = 0);
 
 /// The same of a part's displacements or forces x, y, z.
 template<class Part> void check_paths(core::Reader& reader, Part const& part) {

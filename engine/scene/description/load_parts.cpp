@@ -76,7 +76,7 @@ void GasPart::read_nested(Reader& reader) {
   if (reader.has("pressure") == reader.has("volume"))
     return reader.complain_at("", "wants one of `pressure`, its amount, and `volume`, that of the cavity");
   check_path(reader, times, pressure, "pressure");
-  check_path(reader, times, volume, "volume");
+  check_path(reader, times, volume, "volume", 1);
   if (reader.has("seal") != reader.has("leaks_at") || (reader.has("seal") && reader.has("volume")))
     return reader.complain_at("seal", "wants `leaks_at`, and gas of a given amount, by `pressure`");
   for (char const* key : {"outside", "exponent"})

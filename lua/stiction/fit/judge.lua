@@ -131,8 +131,6 @@ local function combinations(judged, ks)
   return list
 end
 
---- "w * E^-0.5", or of linear ones "a - 2 * b": a combination in words.
-judge.words = combination.words
 
 local function fate(error, alone)
   return error <= judge.settled and "determined" or alone <= judge.settled and "only in combination" or "not determined"

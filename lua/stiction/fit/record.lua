@@ -1,4 +1,5 @@
 -- What a fit leaves: fit.json (everything in SI), fit.csv (its evaluations), curves.csv (data, model, residuals).
+local combination = require "stiction.fit.combination"
 local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local judge = require "stiction.fit.judge"
@@ -72,7 +73,7 @@ function record.table(fit, study, options, result)
     covariance = judged.covariance, correlations = judged.correlations, eigenvalues = judged.eigenvalues,
     directions = judged.directions,
     combinations = numeric.map(judged.combinations, function(own)
-      return { powers = named(fit, own.powers), words = judge.words(fit.parameters, own.powers, judged), relative_error = own.error }
+      return { powers = named(fit, own.powers), words = combination.words(fit.parameters, own.powers, judged), relative_error = own.error }
     end),
     simulation = { known = result.own_error.known or false, reason = result.own_error.reason,
       finer = result.own_error.variants },

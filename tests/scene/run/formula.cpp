@@ -186,6 +186,9 @@ TEST_CASE("a pull that is more than adhesion holds ends the run and says how muc
   CHECK(*std::ranges::max_element(forces) <= most);
   CHECK(one.column("joint/closed_area")[0] ==
         near(pi * std::pow(4.5 * pi * 0.5 * 0.91 / 1e4, 2.0 / 3), 1e-9));
+  test::at(table, "obstacles.ball.force") = values({-1.2 * most, -1.2 * most, -1.2 * most}, "N");
+  auto const never = one.run(table); // nothing touched before
+  CHECK_MESSAGE(never.reason.find("pull-off 2.35619") != std::string::npos, never.reason);
 }
 
 TEST_CASE(
