@@ -19,6 +19,7 @@ struct Coulomb {
   static constexpr bool follows = false;
   /// The coefficient of a step that a point starts from this status.
   [[nodiscard]] double mu_from(Status) const { return mu; }
+  [[nodiscard]] double steepest_fall(double) const { return 0; }
 };
 
 template<int D> [[nodiscard]] Coefficient<D> coefficient(Coulomb const& law, Sliding<D> const&) {

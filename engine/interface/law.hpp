@@ -68,6 +68,10 @@ template<int D>
 [[nodiscard]] Scales scales(AdhesionLaw const& adhesion);
 /// Steepest fall of the normal traction with the opening that a bond without shear has in this step, N/m^3.
 [[nodiscard]] double steepest_fall(AdhesionLaw const& adhesion, BondStep const& step);
+/// Most by which the coefficient falls per slip within a step of dt, 1/m; 0 where it does not.
+[[nodiscard]] inline double steepest_fall(FrictionLaw const& friction, double dt) {
+  return std::visit([&](auto const& law) { return law.steepest_fall(dt); }, friction);
+}
 /// Does beta obey a rate in time, which a step integrates by implicit Euler?
 [[nodiscard]] bool evolves(AdhesionLaw const& adhesion);
 /// Does it pull with the same traction up to its range?

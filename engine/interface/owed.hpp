@@ -16,6 +16,11 @@ concept Start = requires(Law const& law, Status last) {
   { law.mu_from(last) } -> std::same_as<double>;
 };
 
+template<class Law>
+concept Weakening = requires(Law const& law, double dt) {
+  { law.steepest_fall(dt) } -> std::same_as<double>;
+};
+
 template<class Law, int D>
 concept HasCoefficient = requires(Law const& law, Sliding<D> const& at) {
   { coefficient<D>(law, at) } -> std::same_as<Coefficient<D>>;
@@ -24,7 +29,7 @@ template<class Law>
 concept Slides = HasCoefficient<Law, 1> && HasCoefficient<Law, 2> && HasCoefficient<Law, 3>;
 
 template<class Law>
-concept FrictionLaw = core::Described<Law> && Following<Law> && Start<Law> && Slides<Law>;
+concept FrictionLaw = core::Described<Law> && Following<Law> && Start<Law> && Weakening<Law> && Slides<Law>;
 
 template<class Law> struct OfFriction {
   static_assert(core::Described<Law>, "a friction law lacks `static core::Schema const& schema()`: its name, "
@@ -34,6 +39,9 @@ template<class Law> struct OfFriction {
   static_assert(Start<Law>,
                 "a friction law lacks `double mu_from(Status last) const`: its coefficient at the "
                 "start of a step, at no pressure and speed");
+  static_assert(Weakening<Law>,
+                "a friction law lacks `double steepest_fall(double dt) const`: the most by which its "
+                "coefficient falls per slip within a step, 1/m; 0: never");
   static_assert(Slides<Law>, "a friction law lacks `template<int D> Coefficient<D> coefficient(Law const&, "
                              "Sliding<D> const&)`: mu and its derivatives, for D = 1, 2, 3");
   static constexpr bool given = FrictionLaw<Law>;

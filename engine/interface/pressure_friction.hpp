@@ -33,6 +33,7 @@ struct PressureFriction {
   }
   static constexpr bool follows = true;
   [[nodiscard]] double mu_from(Status) const { return mu_0; }
+  [[nodiscard]] double steepest_fall(double) const { return 0; }
 };
 
 template<int D> [[nodiscard]] Coefficient<D> coefficient(PressureFriction const& law, Sliding<D> const& at) {

@@ -24,6 +24,7 @@ struct StaticKinetic {
   }
   static constexpr bool follows = false;
   [[nodiscard]] double mu_from(Status last) const { return last == Status::slip ? mu_k : mu_s; }
+  [[nodiscard]] double steepest_fall(double) const { return 0; }
 };
 
 template<int D> [[nodiscard]] Coefficient<D> coefficient(StaticKinetic const& law, Sliding<D> const&) {

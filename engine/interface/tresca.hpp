@@ -21,6 +21,7 @@ struct Tresca {
   }
   static constexpr bool follows = true;
   [[nodiscard]] double mu_from(Status) const { return mu; }
+  [[nodiscard]] double steepest_fall(double) const { return 0; }
 };
 
 /// min(mu, tau_max / p).

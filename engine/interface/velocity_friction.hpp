@@ -1,5 +1,6 @@
 // Friction whose coefficient goes from a static to a kinetic value with the sliding speed.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "core/schema.hpp"
@@ -21,12 +22,15 @@ struct VelocityFriction {
             .number("mu_k", &VelocityFriction::mu_k, "1", core::non_negative, Need::required,
                     "coefficient at high speed")
             .number("v_ref", &VelocityFriction::v_ref, "m/s", core::positive, Need::required,
-                    "speed over which it changes")
+                    "speed over which it changes; one that falls has several answers in steps shorter than p "
+                    "(mu_s - mu_k) / (v_ref k), k: stiffness along the surface, which runs remark on")
             .build();
     return made;
   }
   static constexpr bool follows = true;
   [[nodiscard]] double mu_from(Status) const { return mu_s; }
+  /// On the first of the slip.
+  [[nodiscard]] double steepest_fall(double dt) const { return std::max(mu_s - mu_k, 0.0) / (dt * v_ref); }
 };
 
 template<int D> [[nodiscard]] Coefficient<D> coefficient(VelocityFriction const& law, Sliding<D> const& at) {

@@ -47,13 +47,16 @@ struct NoFollowing : Tresca {
 struct NoStart : Tresca {
   void mu_from(Status) const;
 };
+struct NoWeakening : Tresca {
+  void steepest_fall(double) const;
+};
 struct NoCoefficient : Tresca {};
 template<int D> void coefficient(NoCoefficient const&, Sliding<D> const&);
 
 template<class Law> constexpr bool ask_friction = asked<owed::OfFriction, Law>;
 static_assert(ask_friction<Tresca>);
 bool const sliding[] = {ask_friction<NoSchema>, ask_friction<NoFollowing>, ask_friction<NoStart>,
-                        ask_friction<NoCoefficient>};
+                        ask_friction<NoWeakening>, ask_friction<NoCoefficient>};
 
 struct NoBondSchema : Rcc {
   static void schema();

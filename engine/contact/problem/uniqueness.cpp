@@ -22,9 +22,10 @@ template<int D> struct Dragged {
   Eigen::Matrix<double, D - 1, 1> along;
 };
 
-/// A bond that may snap: its row of W and how steeply its force may fall with the opening, N/m.
-struct Bonded {
+/// A point whose force may fall as it moves along a unit direction, and how steeply, N/m.
+template<int D> struct Yielding {
   Index point;
+  Local<D> along;
   double fall;
 };
 
@@ -39,13 +40,14 @@ public:
       if (state.mu > 0 && (which_ == Checked::all || state.status != interface::Status::open))
         look_at_friction(i, state.mu);
       if (state.mu > 0 && !state.dry.template tail<D - 1>().isZero(0))
-        dragged_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
+        look_at_drag(i, state);
       if (problem_.points[ix(i)].adhesion >= 0)
         look_at_bond(i, (p - state.dry)[0]);
     }
     if (doubts_.friction.points == 0)
       look_at_friction_together();
-    doubts_.softening.together = together();
+    doubts_.softening.together = together(bonded_);
+    doubts_.weakening.together = together(weakened_);
     return doubts_;
   }
 
@@ -62,6 +64,19 @@ private:
       return;
     steepest_ = ratio;
     worst = {worst.points, 0, i, mu, W_nn, W_nt};
+  }
+
+  /// The direction in which friction acts is held: what turns it only adds stiffness.
+  void look_at_drag(Index i, PointState<D> const& state) {
+    auto const& point = problem_.points[ix(i)];
+    dragged_.push_back({i, state.mu, state.dry.template tail<D - 1>().normalized()});
+    if (point.friction < 0 || (which_ == Checked::bearing && state.status == interface::Status::open))
+      return;
+    Yielding<D> drag{i, Local<D>::Zero(), 0};
+    drag.along.template tail<D - 1>() = dragged_.back().along;
+    drag.fall =
+        state.dry[0] * interface::steepest_fall(problem_.frictions[ix(point.friction)], point.bond.dt);
+    note(drag, weakened_, doubts_.weakening);
   }
 
   void look_at_friction_together() {
@@ -96,32 +111,38 @@ private:
     auto const& law = problem_.adhesions[ix(point.adhesion)];
     if (which_ == Checked::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
       return;
-    double const fall = point.area * interface::steepest_fall(law, point.bond),
-                 W_nn = problem_.W.diagonal(D * i);
-    if (!(fall > 0 && W_nn > 0))
+    note({i, Local<D>::Unit(0), point.area * interface::steepest_fall(law, point.bond)}, bonded_,
+         doubts_.softening);
+  }
+
+  template<class Doubt>
+  void note(Yielding<D> const& point, std::vector<Yielding<D>>& all, Doubt& worst) const {
+    double const gives = point.along.dot(problem_.W.block<D>(point.point) * point.along);
+    if (!(point.fall > 0 && gives > 0))
       return;
-    bonded_.push_back({i, fall});
-    auto& worst = doubts_.softening;
-    worst.points += W_nn * fall >= 1 ? 1 : 0;
-    if (worst.worst < 0 || W_nn * fall * worst.stiffness > worst.fall) {
-      worst.worst = i;
-      worst.stiffness = 1 / W_nn;
-      worst.fall = fall;
+    all.push_back(point);
+    worst.points += gives * point.fall >= 1 ? 1 : 0;
+    if (worst.worst < 0 || gives * point.fall * worst.stiffness > worst.fall) {
+      worst.worst = point.point;
+      worst.stiffness = 1 / gives;
+      worst.fall = point.fall;
     }
   }
 
-  /// Rayleigh quotients of sqrt(fall) W_nn sqrt(fall): they rise to the largest eigenvalue.
-  [[nodiscard]] double together() const {
-    auto const n = static_cast<Index>(bonded_.size());
+  /// Rayleigh quotients of sqrt(fall) W sqrt(fall) along the points' directions: they rise to the largest
+  /// eigenvalue.
+  [[nodiscard]] double together(std::vector<Yielding<D>> const& all) const {
+    auto const n = static_cast<Index>(all.size());
     if (n == 0)
       return 0;
     Dense matrix(n, n);
     Vector x(problem_.free.size());
     for (Index b = 0; b < n; ++b) {
       x.setZero();
-      problem_.W.add_column<D>(bonded_[ix(b)].point, Local<D>::Unit(0), x);
+      problem_.W.add_column<D>(all[ix(b)].point, all[ix(b)].along, x);
       for (Index a = 0; a < n; ++a)
-        matrix(a, b) = std::sqrt(bonded_[ix(a)].fall * bonded_[ix(b)].fall) * x[D * bonded_[ix(a)].point];
+        matrix(a, b) = std::sqrt(all[ix(a)].fall * all[ix(b)].fall) *
+                       all[ix(a)].along.dot(x.segment<D>(D * all[ix(a)].point));
     }
     Vector v = Vector::Ones(n).normalized(), next(n);
     double quotient = matrix.diagonal().maxCoeff(); // a lower bound as well
@@ -139,7 +160,7 @@ private:
   Checked which_;
   Doubts doubts_;
   std::vector<Dragged<D>> dragged_;
-  std::vector<Bonded> bonded_;
+  std::vector<Yielding<D>> bonded_, weakened_;
   double steepest_ = 0; ///< largest mu |W_nt| / W_nn
 };
 
@@ -178,6 +199,21 @@ std::string words(SofteningDoubt const& doubt) {
       "the bonds together may weaken {:.3g} times as fast as what they hold follows: at some loads there "
       "may be more than one answer, and bonds snap from one to another; {}",
       doubt.together, remedy);
+}
+
+std::string words(WeakeningDoubt const& doubt) {
+  std::string const remedy =
+      "steps longer than the time over which friction falls, or stiffer bodies, make it single, with inertia "
+      "also much smaller steps; static_kinetic, which decides at the start of each step, has one";
+  if (doubt.points > 0)
+    return fmt::format(
+        "1/W_tt = {:.3g} N/m <= {:.3g} N/m by which friction may fall per slip in this step: at "
+        "some loads there is more than one answer, and the point leaps from one to another; {}",
+        doubt.stiffness, doubt.fall, remedy);
+  return fmt::format("the points together lose friction with slip {:.3g} times as fast as what they hold "
+                     "follows: at some loads there may be more than one answer, and points leap from one to "
+                     "another; {}",
+                     doubt.together, remedy);
 }
 
 } // namespace stiction::contact

@@ -29,10 +29,21 @@ struct SofteningDoubt {
   [[nodiscard]] bool any() const { return together >= 1; }
 };
 
+/// Friction that falls with the slip of a step, mu(|v_t|), faster than what it holds follows: points leap.
+struct WeakeningDoubt {
+  Index points = 0;     ///< how many leap alone, all other forces held: 1 / W_tt <= p_n fall of mu
+  Index worst = -1;     ///< the one with the largest W_tt p_n fall
+  double stiffness = 0; ///< 1 / W_tt of the worst along its friction, N/m
+  double fall = 0;      ///< p_n fall of the worst, N/m
+  double together = 0;  ///< as of bonds
+  [[nodiscard]] bool any() const { return together >= 1; }
+};
+
 struct Doubts {
   FrictionDoubt friction;
   SofteningDoubt softening;
-  [[nodiscard]] bool any() const { return friction.any() || softening.any(); }
+  WeakeningDoubt weakening;
+  [[nodiscard]] bool any() const { return friction.any() || softening.any() || weakening.any(); }
 };
 
 /// Which points are looked at: those that press, or pull with 1 % of their law's strength; or all.
@@ -44,5 +55,6 @@ enum class Checked { bearing, all };
 /// A sentence without its place; only where there are such points.
 [[nodiscard]] std::string words(FrictionDoubt const& doubt);
 [[nodiscard]] std::string words(SofteningDoubt const& doubt);
+[[nodiscard]] std::string words(WeakeningDoubt const& doubt);
 
 } // namespace stiction::contact

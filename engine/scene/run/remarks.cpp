@@ -61,6 +61,8 @@ void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact:
     note(friction_, found.friction);
   if (found.softening.any())
     note(softening_, found.softening);
+  if (found.weakening.any())
+    note(weakening_, found.weakening);
 }
 
 void Remarks::seek_beneath(dynamics::State const& state) {
@@ -119,7 +121,7 @@ void Remarks::add_rounded(std::vector<std::string>& all) const {
 
 std::vector<std::string> Remarks::texts() const {
   std::vector<std::string> all;
-  for (auto const* remark : {&friction_, &softening_, &beneath_})
+  for (auto const* remark : {&friction_, &softening_, &weakening_, &beneath_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   add_rounded(all);

@@ -25,9 +25,10 @@ public:
   [[nodiscard]] std::vector<std::string> texts() const;
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [scene, friction, softening, beneath, steps, force, unmet, contact, turned_over, stabilised, made,
-           lost] = *this;
-    archive(friction, softening, beneath, steps, force, unmet, contact, turned_over, stabilised, made, lost);
+    auto& [scene, friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over,
+           stabilised, made, lost] = *this;
+    archive(friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, stabilised,
+            made, lost);
   }
 
 private:
@@ -38,7 +39,7 @@ private:
     template<class Archive> void visit(Archive& archive) { archive(text, steps); }
   };
   Scene const* scene_;
-  Remark friction_, softening_, beneath_;
+  Remark friction_, softening_, weakening_, beneath_;
   long steps_ = 0;
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick

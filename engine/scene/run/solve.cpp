@@ -85,6 +85,9 @@ std::vector<std::string> doubts_of(contact::Problem const& problem,
   if (found.softening.any())
     lines.push_back(fmt::format("contact {} ({} such alone): {}", found.softening.worst + 1,
                                 found.softening.points, words(found.softening)));
+  if (found.weakening.any())
+    lines.push_back(fmt::format("contact {} ({} such alone): {}", found.weakening.worst + 1,
+                                found.weakening.points, words(found.weakening)));
   if (lines.empty())
     return lines;
   if (auto const text = words(contact::seek_answers(problem, at->force), problem.dim); !text.empty())

@@ -41,6 +41,22 @@ Problem bonded(AdhesionLaw const& law, double softness, double beta) {
   return problem;
 }
 
+/// One point pressed by 3 N, which along a unit direction gives way by softness / (p_n fall), the fall that
+/// of a step of 0.1 s; across it by a tenth of that.
+Problem dragged(Eigen::Vector2d const& along, double softness, VelocityFriction const& law) {
+  auto const fall = 3 * steepest_fall(law, 0.1);
+  Problem problem = one_point(Dense::Identity(3, 3), -Eigen::Vector3d(3, 0, 0), law.mu_s);
+  Dense W = Dense::Identity(3, 3);
+  W.bottomRightCorner(2, 2) =
+      softness / fall * (0.9 * along * along.transpose() + 0.1 * Dense::Identity(2, 2));
+  problem.W = W;
+  problem.dim = 3;
+  problem.points[0].bond.dt = 0.1;
+  problem.points[0].friction = 0;
+  problem.frictions = {law};
+  return problem;
+}
+
 /// Free gap that leads an open point to x, and whether it ever falls as x grows: then several x have one gap.
 bool folds(Problem const& problem) {
   double const far = 100 * scales(problem.adhesions[0]).opening;
@@ -175,6 +191,53 @@ TEST_SUITE("contact") {
     // of (1, 1; 0.1, 0.5): trace 1.5, determinant 0.4
     CHECK(doubts_at(problem, Vector::Zero(2), Checked::all).softening.together ==
           doctest::Approx(0.75 + std::sqrt(0.75 * 0.75 - 0.4)).epsilon(1e-9));
+  }
+
+  TEST_CASE("friction that falls with speed has one answer exactly where what it holds follows") {
+    VelocityFriction const law{0.6, 0.2, 0.05};
+    Eigen::Vector2d const along(0.6, -0.8);
+    for (double const softness : {0.97, 1.03}) {
+      auto const problem = dragged(along, softness, law);
+      Vector force = Vector::Zero(3);
+      force << 3, 0.5 * 3 * along;
+      auto const found = doubts_at(problem, force).weakening;
+      CHECK(found.together == doctest::Approx(softness));
+      CHECK(found.any() == (softness > 1));
+      CHECK(found.points == (softness > 1 ? 1 : 0));
+      CHECK_FALSE(doubts_at(problem, Vector::Zero(3)).weakening.any()); // it does not press
+      // several slips have one push where the push that a slip takes falls as it grows
+      auto const push = [&](double slip) {
+        Local<3> const way(0, slip * along[0], slip * along[1]);
+        return 3 * steepest_fall(law, 0.1) / softness * slip +
+               3 * coefficient<3>(law, {{3, 0, 0}, way, 0.1}).mu;
+      };
+      bool folds = false;
+      for (int k = 0; k < 1000; ++k)
+        folds = folds || push(1e-6 * (k + 1)) < push(1e-6 * k);
+      CHECK(folds == (softness > 1));
+    }
+    CHECK(words(doubts_at(dragged(along, 2, law), Eigen::Vector3d(3, 1, -1)).weakening).find("leaps") !=
+          std::string::npos);
+    for (auto const& [name, any] : frictions())
+      if (name != "velocity, falling")
+        CHECK(steepest_fall(any, 0.1) == 0);
+  }
+
+  TEST_CASE("points on one spring leap together where none would alone") {
+    VelocityFriction const law{0.6, 0.2, 0.05};
+    auto problem = dragged({1, 0}, 1, law);
+    double const fall = 3 * steepest_fall(law, 0.1);
+    problem.points.push_back(problem.points[0]);
+    problem.dim = 2;
+    problem.W = (Dense(4, 4) << 1, 0, 0, 0, 0, 0.6, 0, 0.6, 0, 0, 1, 0, 0, 0.6, 0, 0.6).finished() *
+                Eigen::Vector4d(1, 1 / fall, 1, 1 / fall).asDiagonal();
+    problem.free = Eigen::Vector4d(-3, 0, -3, 0);
+    auto const found = doubts_at(problem, Eigen::Vector4d(3, 1, 3, 1)).weakening;
+    CHECK(found.points == 0);
+    CHECK(found.together == doctest::Approx(1.2));
+    CHECK(words(found).find("1.2 times as fast") != std::string::npos);
+    // pushed apart they hold each other
+    CHECK(doubts_at(problem, Eigen::Vector4d(3, 1, 3, -1)).weakening.together == doctest::Approx(1.2));
   }
 
   TEST_CASE("only a bond that pulls is told of") {

@@ -76,6 +76,26 @@ TEST_CASE("a bar of E / L = 2 C on softening bonds snaps and the run says so, on
   CHECK_FALSE(nlohmann::json::parse(std::ifstream(folder / "case/manifest.json")).contains("remarks"));
 }
 
+TEST_CASE(
+    "friction that falls with speed leaves a long column in short steps more answers than one and says so") {
+  test::Folder const folder;
+  // p_n (mu_s - mu_k) / (v_ref dt): a tenth of the shear stiffness, a hundred times it
+  for (double const seconds : {10.0, 1e-2}) {
+    auto table = test::foot_on_floor();
+    test::at(table, "bodies.foot") = test::block({{0, 0}, {1, 1}, {1, 2}}, test::linear_elastic(1e5, 0));
+    test::at(table, "pairs.sole.friction") = test::make(
+        "friction.velocity",
+        {{"mu_s", test::value(0.6)}, {"mu_k", test::value(0.1)}, {"v_ref", test::value(1e-3, "m/s")}});
+    test::at(table, "motions") =
+        test::list({test::drive("foot.top", {0, 10 * seconds}, {0, 0.01}, {0, -1e-3})});
+    test::at(table, "schedule") = test::schedule({{10 * seconds, 10}});
+    auto const result = run(table, folder);
+    CAPTURE(all(result.remarks));
+    CHECK((all(result.remarks).find("by which friction may fall per slip") != std::string::npos) ==
+          (seconds < 1));
+  }
+}
+
 TEST_CASE("a tilted rod that slides with more friction than 4/3 is remarked on, with less it is not") {
   test::Folder const folder;
   auto const jams = run(rod(1.6, -1), folder);
