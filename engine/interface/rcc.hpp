@@ -33,8 +33,10 @@ struct Rcc {
                     "tangential stiffness across the pair's direction (3D); default: C_t")
             .number("b", &Rcc::b, "N s/m", core::non_negative, Need::required,
                     "viscosity of the bond; 0 is the rate-independent limit")
-            .number("beta0", &Rcc::beta0, "1", core::unit_interval, Need::optional,
-                    "bond intensity at the start")
+            .number(
+                "beta0", &Rcc::beta0, "1", core::unit_interval, Need::optional,
+                "bond intensity at the start, less where the surfaces are farther apart than sqrt(w / C_n): "
+                "w / (C_n gap^2), which that gap leaves of it in the end")
             .choice("bonding", &Rcc::bonding, {"contact", "proximity", "never"}, Need::optional,
                     "beta grows where closed, everywhere by (13), or nowhere")
             .choice("friction", &Rcc::friction, {"full", "damage"}, Need::optional,
@@ -68,7 +70,13 @@ struct Rcc {
   }
   /// Does a bond hold its point in the contact problem at any distance?
   [[nodiscard]] static bool lasts() { return true; }
-  [[nodiscard]] Bond initial(double gap) const { return {gap < unreached ? beta0 : 0, {0, 0}}; }
+  /// Across a gap the bond of which it would be left at rest: (13) stands still at w = C_n x_n^2 beta.
+  [[nodiscard]] Bond initial(double gap) const {
+    if (gap >= unreached)
+      return {0, {0, 0}};
+    double const pull = C_n * gap * gap; // over beta, J/m^2
+    return {gap > 0 && w > 0 && pull > w ? std::min(beta0, w / pull) : beta0, {0, 0}};
+  }
   [[nodiscard]] Scales scales() const {
     return {w, std::sqrt(w * C_n), std::sqrt(w / C_n), 3 * C_n, C_t > 0 ? std::sqrt(w / C_t) : 0};
   }

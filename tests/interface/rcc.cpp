@@ -139,6 +139,22 @@ TEST_SUITE("interface") {
     }
   }
 
+  TEST_CASE("a bond that is there across a gap from the start is the one that this gap leaves of it at rest") {
+    Rcc law = sample();
+    law.beta0 = 0.8;
+    law.bonding = Bonding::never;
+    law.b = 0;
+    double const u0 = std::sqrt(law.w / law.C_n);
+    for (double const gap : {-u0, 0.0, 0.5 * u0, 0.99 * u0, 1.5 * u0, 10 * u0, 1e6 * u0}) {
+      CAPTURE(gap);
+      Bond const there = law.initial(gap), later = advance<1>(law, {there, 1, false}, Local<1>(gap));
+      CHECK(later.beta == doctest::Approx(there.beta).epsilon(1e-12));
+      CHECK(there.beta == doctest::Approx(gap > u0 ? std::min(0.8, u0 * u0 / (gap * gap)) : 0.8));
+    }
+    law.w = 0; // which holds at no opening: what was given stays
+    CHECK(law.initial(1).beta == 0.8);
+  }
+
   TEST_CASE("bonding: where closed, everywhere, nowhere") {
     Local<2> const still = Local<2>::Zero();
     auto const after = [&](Bonding bonding, bool closed, Local<2> const& x) {
