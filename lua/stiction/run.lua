@@ -194,12 +194,16 @@ local function run(plan)
   return good and not any_failed(rows) and 0 or 1
 end
 
+local function complain_nothing_ran(plan)
+  fault.input("no finished case of these scenes in %s; 'stiction why' says why, 'stiction run' runs them", plan.folder)
+end
+
 --- Results and checks of what has run, anew; the exit code.
 local function revisit(plan)
   local rows = campaign.survey(plan)
   local known = campaign.rows_with_result(rows)
   if #known == 0 then
-    fault.input("no finished case of these scenes in %s; 'stiction why' says why, 'stiction run' runs them", plan.folder)
+    complain_nothing_ran(plan)
   end
   engine.remove(plan.folder .. "/checks.json")
   campaign.revisit(plan, rows)
@@ -248,6 +252,9 @@ return function(options)
   elseif is_shared(options) then
     code = hold.shared(plan.folder, plan.study, "run", sharing.with, plan, run)
   elseif options.anew then
+    if engine.kind_of_path(plan.folder) ~= "folder" then
+      complain_nothing_ran(plan)
+    end
     code = hold.folder(plan.folder, plan.study, "results", revisit, plan)
   else
     code = hold.folder(plan.folder, plan.study, "run", run, plan)

@@ -34,6 +34,8 @@ sed -i 's/if p.mu == 0.2 then local x = p.side.wrong.thing end//' raises/study.l
 expect 0 "results of 3 cases made anew|mu0.2  finished|checks held" "$stiction" run raises --no-figures
 holds "a case was run again for mended results" [ "$(grep -c started output)" = 0 ]
 expect 0 "results of 1 case made anew from its history|mu0.4  finished" "$stiction" results raises --case mu0.4
+expect 2 "no finished case of these scenes in out/nowhere" "$stiction" results raises --out out/nowhere
+holds "results made a folder" [ ! -e out/nowhere ]
 changed text 's/return run:at(1\*s, "sole", "force_y")/return "much"/'
 expect 1 "result force_y must be a number, not a string" "$stiction" run text --no-figures --quick
 changed undefined 's/return run:at(1\*s, "sole", "force_y")/return 0 \/ 0/'
