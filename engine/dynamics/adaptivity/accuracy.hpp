@@ -4,6 +4,9 @@
 
 namespace stiction::dynamics {
 
+/// Steps of a stage that one may be where `largest` is not given.
+inline constexpr double most_growth = 10;
+
 /// Bounds on a single step of a run whose steps are chosen as it goes.
 struct Accuracy {
   double tolerance = 1e-3;  ///< local error of a step: of u over the largest u so far, and of any beta

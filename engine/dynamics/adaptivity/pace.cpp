@@ -44,7 +44,7 @@ double StepSizes::rung(double dt) const {
 }
 
 void StepSizes::begin(double nominal, int halvings) {
-  largest_ = accuracy_.largest > 0 ? accuracy_.largest : 10 * nominal;
+  largest_ = accuracy_.largest > 0 ? accuracy_.largest : most_growth * nominal;
   smallest_ = accuracy_.smallest > 0 ? accuracy_.smallest : std::ldexp(nominal, -halvings);
   base_ = nominal;
   if (rungs_) {

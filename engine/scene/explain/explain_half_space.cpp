@@ -9,6 +9,7 @@
 #include "formula/follow.hpp"
 #include "halfspace/surface.hpp"
 #include "scene/description/human.hpp"
+#include "scene/explain/forecast.hpp"
 
 namespace stiction::scene {
 
@@ -163,7 +164,7 @@ Section grid_cost(GridFacts const& facts) {
   double const pad = grid.periodic ? 1 : 2, n = grid.size();
   // tables of waves, half of the transforms, and what problem, state and solver keep of each point
   double const numbers = n * (pad * D + (D == 1 ? 1 : 2 * D) * (grid.periodic ? 0.25 : 1) + 12.0 * D + 16);
-  count(section, "memory", 8 * numbers, "B", "about");
+  count(section, "memory", program_bytes + 8 * numbers, "B", "about");
   count(section, "product", halfspace::product_operations(grid, D), "1",
         "operations of one with the surface's compliance; a step takes some ten to some hundred");
   return section;

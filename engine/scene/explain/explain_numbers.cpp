@@ -49,6 +49,10 @@ void add_viscosity(Facts const& all, PairFacts const& facts, Section& section) {
   add(section, "bonding per step", all.longest_step / bonding, "growth of beta in the longest step");
 }
 
+char const* besides(RelativeMotion const& motion) {
+  return motion.forced ? "; what springs, loads, gravity and free obstacles do is not in it" : "";
+}
+
 /// sigma0, u0 and what follows from them.
 void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   auto const scales = interface::scales(*facts.pair->law.adhesion);
@@ -80,7 +84,7 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
         fmt::format("(R w^2 / E*^2)^(1/3) {}: above 5 JKR, below 0.1 DMT", wording.tabor));
   add_viscosity(all, facts, section);
   add(section, "opening per step / u0", motion.opening_step / scales.opening,
-      "above 0.25 the peak is cut off");
+      std::string("at most; above 0.25 the peak may be cut off") + besides(motion));
   if (scales.along > 0)
     add(section, "sliding per step / u0", motion.sliding_step / scales.along,
         "above 0.25 the peak is cut off");
@@ -100,9 +104,11 @@ void add_pair_numbers(Facts const& all, PairFacts const& facts, Explanation& exp
   }
   if (facts.radius > 0)
     add(section, "radius", facts.radius, "1 / sum of the curvatures of both sides", "m");
-  add(section, "closing speed", motion.closing, "of the motions, along the normal", "m/s");
-  add(section, "opening speed", motion.opening, "of the motions, along the normal", "m/s");
-  add(section, "sliding speed", motion.sliding, "of the motions, along the surface", "m/s");
+  std::string const normal = std::string("of the motions, along the normal") + besides(motion);
+  add(section, "closing speed", motion.closing, normal, "m/s");
+  add(section, "opening speed", motion.opening, normal, "m/s");
+  add(section, "sliding speed", motion.sliding,
+      std::string("of the motions, along the surface") + besides(motion), "m/s");
   if (motion.depth > 0) {
     add(section, "depth", motion.depth, "approach of the motions beyond the first touch", "m");
     add(section, "strain", std::max(facts.strain[0], facts.strain[1]),

@@ -103,8 +103,8 @@ void add_relaxation(Facts const& all, BodyFacts const& facts, Section& section) 
     in_volume += term.bulk_stiffness(bulk) / bulk;
     std::string words =
         fmt::format("{}, {:.2g} of the longest step, {:.2g} of the run", moduli_words(term, facts.moduli),
-                    term.time / all.longest_step, term.time / all.end);
-    if (term.time < 0.1 * all.longest_step)
+                    term.time / all.unseen_step, term.time / all.end);
+    if (term.time < 0.1 * all.unseen_step)
       words += ": gone within a step";
     else if (term.time > 10 * all.end)
       words += ": a spring, as long as the run lasts";

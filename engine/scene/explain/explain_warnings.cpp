@@ -62,8 +62,10 @@ void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
     double const part = step / opening;
     if (std::isfinite(part) && part > part_of_opening)
       warnings.push_back(
-          {fmt::format("pair {}: the motions {} by {:.2g} u0 in a step: the peak of the adhesion is cut off",
-                       pair.pair->name, what, part),
+          {fmt::format(
+               "pair {}: the motions {} by up to {:.2g} u0 in a step: the peak of the adhesion is cut off "
+               "where it opens so fast, not where it peels from an edge",
+               pair.pair->name, what, part),
            more_steps(all, stage, part / good_part) + ", which see it to within 8 %"});
   };
   check("open it", motion.opening_step, scales.opening, motion.opening_stage);

@@ -61,6 +61,11 @@ void add_schedule(Facts& facts) {
     double const dt = (stage.until - start) / stage.steps;
     facts.shortest_step = facts.steps == 0 ? dt : std::min(facts.shortest_step, dt);
     facts.longest_step = std::max(facts.longest_step, dt);
+    auto const& accuracy = facts.scene->part.schedule.accuracy;
+    double const grown = !accuracy || facts.dynamic() ? dt
+                         : accuracy->largest > 0      ? accuracy->largest
+                                                      : dynamics::most_growth * dt;
+    facts.unseen_step = std::max(facts.unseen_step, std::min(grown, stage.until - start));
     facts.steps += stage.steps;
     start = stage.until;
   }

@@ -41,6 +41,7 @@ struct RelativeMotion {
   double depth = 0;       ///< largest approach beyond the first touch, m; 0: none, or not known
   double closed_time = 0; ///< how long it lies beyond the first touch, s; 0: not known
   double travel = 0;      ///< largest way along the surface from the start, m
+  bool forced = false;    ///< springs, loads, gravity or a free obstacle move the sides as well
   bool unknown = false;   ///< a side moves freely or closes around: depth and travel do not say all
   [[nodiscard]] double normal_speed() const { return std::max(closing, opening); }
 };
@@ -88,6 +89,7 @@ struct Facts {
   int components = 2;                         ///< of the contact problem, per point
   double end = 0;                             ///< s
   double shortest_step = 0, longest_step = 0; ///< s
+  double unseen_step = 0;                     ///< that a run without inertia may take where bodies relax, s
   long steps = 0;
   double speed = 0; ///< largest that motions, obstacles and initial velocities give, m/s
   [[nodiscard]] bool dynamic() const { return dynamics::weights(scene->model->scheme).inertia; }

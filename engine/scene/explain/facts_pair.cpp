@@ -104,7 +104,8 @@ std::vector<Mover> movers_of(Facts const& facts, PairFacts const& pair) {
 /// Follows one mover of either side over the schedule.
 class Follower {
 public:
-  Follower(PairFacts& pair, Vec3 position) : pair_(&pair), position_(std::move(position)) {}
+  Follower(PairFacts& pair, Vec3 position, bool opening_alone = false)
+      : pair_(&pair), position_(std::move(position)), opening_alone_(opening_alone) {}
   void follow(SchedulePart const& schedule, Mover const& secondary, Mover const& primary) {
     double start = 0;
     closed_ = 0;
@@ -119,7 +120,7 @@ public:
             {&secondary, &primary});
       start = stage.until;
     }
-    if (secondary.prescribed() && primary.prescribed())
+    if (!opening_alone_ && secondary.prescribed() && primary.prescribed())
       pair_->motion.closed_time = std::max(pair_->motion.closed_time, closed_);
   }
 
@@ -133,8 +134,10 @@ private:
     double const along = around ? velocity.norm() : velocity.dot(pair_->normal);
     double const sliding = around ? velocity.norm() : (velocity - along * pair_->normal).norm();
     auto& motion = pair_->motion;
-    keep(along, stage, motion.closing, motion.closing_step, motion.closing_stage);
     keep(around ? along : -along, stage, motion.opening, motion.opening_step, motion.opening_stage);
+    if (opening_alone_)
+      return;
+    keep(along, stage, motion.closing, motion.closing_step, motion.closing_stage);
     keep(sliding, stage, motion.sliding, motion.sliding_step, motion.sliding_stage);
     motion.unknown |= around || pair_->gap < 0 || !sides[0]->prescribed() || !sides[1]->prescribed();
     motion.travel = std::max(motion.travel, (end - end.dot(pair_->normal) * pair_->normal).norm());
@@ -154,6 +157,7 @@ private:
 
   PairFacts* pair_;
   Vec3 position_;
+  bool opening_alone_;
   double dt_ = 0, closed_ = 0;
 };
 
@@ -269,6 +273,24 @@ Index find_nearest(dynamics::Model const& model, std::vector<dynamics::ContactSt
   return nodes[order[0]];
 }
 
+/// Of the points that are bonded at the start, the farthest from a position: what turns opens them fastest.
+std::optional<Vec3> farthest_bond(dynamics::Model const& model, dynamics::Pair const& pair,
+                                  std::vector<dynamics::ContactState> const& states, Vec3 const& from) {
+  std::optional<Vec3> farthest;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (Vec3 const at = position_of(model, pair.secondary[i]);
+        states[i].bond.beta > 0 &&
+        (!farthest || (at - from).squaredNorm() > (*farthest - from).squaredNorm()))
+      farthest = at;
+  return farthest;
+}
+
+/// Does anything move the sides that no path prescribes?
+bool moved_by_forces(dynamics::Model const& model, PairFacts const& facts) {
+  return !model.springs.empty() || !model.loads.empty() || !model.pressures.empty() || !model.gases.empty() ||
+         !model.gravity.isZero(0) || (!facts.primary && model.rigids[facts.rigid].free());
+}
+
 void add_primary(Facts const& all, PairFacts& facts, Vec3 const& position, std::optional<double>& curved) {
   auto const& model = *all.scene->model;
   if (auto const* side = std::get_if<dynamics::RigidSide>(&facts.pair->primary)) {
@@ -354,10 +376,14 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   if (own && curved && *own + *curved > 0)
     facts.radius = 1 / (*own + *curved);
   add_stiffness(all, facts);
-  Follower follower(facts, position);
+  std::vector<Follower> followers{Follower(facts, position)};
+  if (auto const far = farthest_bond(*scene.model, *facts.pair, start.contacts[p], position))
+    followers.emplace_back(facts, *far, true);
   for (auto const& secondary : movers_of(all, facts.secondary))
     for (auto const& primary : movers_of(all, facts))
-      follower.follow(scene.part.schedule, secondary, primary);
+      for (auto& follower : followers)
+        follower.follow(scene.part.schedule, secondary, primary);
+  facts.motion.forced = moved_by_forces(*scene.model, facts);
   add_strain(all, facts);
   facts.tension = tension_of(*scene.model, *facts.pair);
   return facts;

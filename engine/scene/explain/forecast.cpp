@@ -193,7 +193,7 @@ void add_memory(Facts const& facts, Forecast& all) {
   auto const& [fill, contact] = std::pair{all.fill, all.contact};
   double const dense = contact.used * contact.used + contact.used * contact.rows;
   double const square = contact.rows * contact.rows;
-  all.base_bytes = 30e6;
+  all.base_bytes = program_bytes;
   all.cells_bytes = cell_bytes(facts) + 400 * static_cast<double>(facts.scene->model->dofs());
   all.factor_bytes = 8 * fill.factor.entries;
   all.matrix_bytes = fill.entries * (2 * sizeof(Index) + sizeof(double)) * (facts.dynamic() ? 1.5 : 1.0);

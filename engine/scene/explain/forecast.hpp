@@ -20,6 +20,9 @@ struct ContactForecast {
   double elimination = 0;                    ///< operations that make a problem
 };
 
+/// Bytes of the program itself.
+inline constexpr double program_bytes = 30e6;
+
 struct Forecast {
   Fill fill;
   PassOperations pass;
