@@ -31,6 +31,7 @@ struct Outcome {
   State state;
   StepVerdict verdict = StepVerdict::not_converged;
   std::string reason; ///< empty when converged
+  std::string leap;   ///< why a shorter step is wanted if there is one, although this has converged; or empty
   int iterations = 0;
   double out_of_balance = 0; ///< of force_scale, at the last iteration
   double force_scale = 0;    ///< largest nodal force, N

@@ -15,10 +15,10 @@ namespace stiction::scene {
 ///
 /// A Run befriends it and has state_ (with a time t), patience_, and
 /// goes_on(): before an attempt, whether it is to be made; stopped(): whether the run was told to end;
-/// attempt(dt): an outcome {state, reason}; answered(outcome): whether it has an answer;
-/// accept(outcome, dt, error); change(record::StepChange); unanswered(outcome, dt): an attempt that will be
-/// made in halves; give_up(outcome, dt, which limit was passed), false; frame(): writes fields;
-/// stage_ended().
+/// attempt(dt): an outcome {state, reason}, perhaps with a leap, for which it is wanted shorter;
+/// answered(outcome): whether it has an answer; accept(outcome, dt, error); change(record::StepChange);
+/// unanswered(outcome, dt): an attempt that will be made in halves; give_up(outcome, dt, which limit was
+/// passed), false; frame(): writes fields; stage_ended().
 template<class Pace> class Course {
 public:
   /// frames: of fields, in each stage.
@@ -86,8 +86,11 @@ private:
       bool const answered = run.answered(outcome);
       if (!answered && run.stopped())
         return false;
-      auto const decision =
-          answered ? pace_->decide(run.state_, outcome.state, dt) : pace_->failed(outcome.reason, dt);
+      auto const wrong = answered ? leap_of(outcome) : outcome.reason;
+      auto decision =
+          answered && wrong.empty() ? pace_->decide(run.state_, outcome.state, dt) : pace_->failed(wrong, dt);
+      if (answered && decision.failed) // it leaps in the shortest as well
+        decision = pace_->decide(run.state_, outcome.state, dt);
       for (auto const& change : changes(*pace_, decision, run.state_.t, dt))
         run.change(change);
       auto const lost = answered ? "" : run.patience_.lost();
@@ -109,6 +112,11 @@ private:
         return false;
       double const dt = nominal * halves_.part();
       auto outcome = run.attempt(dt);
+      if (auto const leap = leap_of(outcome); run.answered(outcome) && !leap.empty() && !halves_.shortest()) {
+        run.change({run.state_.t, dt, 0.5 * dt, "cut", "not_converged", leap, ""});
+        static_cast<void>(halves_.cut());
+        continue;
+      }
       if (!run.answered(outcome)) {
         if (run.stopped() || !halve(run, outcome, dt))
           return false;
@@ -122,6 +130,12 @@ private:
     }
     halves_.begin();
     return true;
+  }
+
+  template<class Outcome> static std::string leap_of(Outcome const& outcome) {
+    if constexpr (requires { outcome.leap; })
+      return outcome.leap;
+    return "";
   }
 
   template<class Run, class Outcome> bool halve(Run& run, Outcome const& outcome, double dt) {

@@ -13,6 +13,7 @@ public:
   /// Part of it that is done.
   [[nodiscard]] double done() const { return over_whole(done_); }
   [[nodiscard]] bool all_done() const { return done_ == whole(); }
+  [[nodiscard]] bool shortest() const { return halved_ == at_most_; }
   /// The attempt failed; may it be made half as long?
   [[nodiscard]] bool cut() {
     successes_ = 0;

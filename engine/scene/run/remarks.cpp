@@ -89,10 +89,11 @@ void Remarks::weigh(dynamics::Ledger const& ledger) {
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
                            ledger.spring, ledger.surface});
-  if (!dynamics::weights(scene_->model->scheme).inertia)
-    return;
-  lost_ = ledger.scheme_loss();
-  made_ = std::max(made_, -lost_);
+  made_ = std::max(made_, -ledger.scheme_loss());
+  if (dynamics::weights(scene_->model->scheme).inertia)
+    lost_ = ledger.scheme_loss();
+  else
+    turned_over_ = std::max({turned_over_, ledger.bonding_loss, ledger.friction_loss});
 }
 
 /// Where hardly anything acts, as in free flight, an imbalance is small beside the forces of the run.
@@ -125,7 +126,13 @@ std::vector<std::string> Remarks::texts() const {
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   add_rounded(all);
-  if (made_ > worth_telling_made * turned_over_)
+  bool const inertia = dynamics::weights(scene_->model->scheme).inertia;
+  if (!inertia && made_ > worth_telling_lost * turned_over_)
+    all.push_back(
+        fmt::format("the time steps made energy, {} of the largest of the run: too much opens, snaps "
+                    "or goes round in one of them; take smaller ones",
+                    percent(made_ / turned_over_)));
+  else if (inertia && made_ > worth_telling_made * turned_over_)
     all.push_back(
         fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",
                     percent(made_ / turned_over_), tamer_scheme(*scene_)));
