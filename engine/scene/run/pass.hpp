@@ -101,6 +101,8 @@ public:
     result_.remarks = remarks_.texts();
     if (course_.blind())
       result_.remarks.emplace_back(no_error_seen);
+    else if (auto unseen = unseen_by_accuracy(*scene_); !unseen.empty())
+      result_.remarks.push_back(std::move(unseen));
     result_.iterations = cost.newton_iterations;
     result_.factorizations = cost.factorizations;
     result_.contact = contact::words(cost.answered);

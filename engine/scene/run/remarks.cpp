@@ -152,4 +152,22 @@ std::vector<std::string> Remarks::texts() const {
   return all;
 }
 
+std::string unseen_by_accuracy(Scene const& scene) {
+  auto const& model = *scene.model;
+  if (!scene.part.schedule.accuracy || dynamics::weights(model.scheme).inertia)
+    return "";
+  bool const flows = std::ranges::any_of(
+      model.bodies, [](auto const& body) { return !body->relaxing.empty() || body->damping; });
+  bool const rubs =
+      std::ranges::any_of(model.pairs, [](auto const& pair) { return pair.law.friction.has_value(); });
+  if (!flows && !rubs)
+    return "";
+  return fmt::format(
+      "without inertia `accuracy` sees bonds and events alone, not how {}: give it as `largest` "
+      "the step that this needs, or the stages their steps",
+      flows && rubs ? "bodies flow and surfaces rub"
+      : flows       ? "bodies flow"
+                    : "surfaces rub");
+}
+
 } // namespace stiction::scene

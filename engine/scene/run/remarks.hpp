@@ -48,4 +48,7 @@ private:
   double made_ = 0, lost_ = 0;   ///< by the time scheme: the most so far, and in the end, J
 };
 
+/// What a run without inertia does that `accuracy` does not see, where it decides over the steps; or empty.
+[[nodiscard]] std::string unseen_by_accuracy(Scene const& scene);
+
 } // namespace stiction::scene

@@ -1,0 +1,102 @@
+-- Bonds that open where no motion tells it beforehand: steps that would pass a barrier, what explain says of them, and bonds
+-- across a gap at the start.
+local test, equal = ...
+local case_module = require "stiction.case"
+local engine = require "stiction.engine"
+local stiction = require "stiction"
+local units = stiction.units
+local mm, um, s, kg, m, N, J, MPa = units.mm, units.um, units.s, units.kg, units.m, units.N, units.J, units.MPa
+local fix = stiction.motion.fix
+
+local runs = 0
+local function run(scene)
+  runs = runs + 1
+  local folder = "opening_runs/" .. runs
+  engine.make_folder(folder)
+  scene.output = stiction.output { frames = 0 }
+  scene.scheme = stiction.scheme.quasi_static {}
+  local result = engine.run(scene, { out = folder, case_id = "case", manifest = "{}" }, function() end)
+  equal(result.verdict, "finished")
+  local case = case_module.new("case", {}, folder)
+  rawset(case, "result", result)
+  return case
+end
+
+local function near(got, wanted, part)
+  if got ~= got or math.abs(got - wanted) > part then
+    error(("%g is off %g by more than %g"):format(got, wanted, part), 2)
+  end
+end
+
+local whole = { bilinear = stiction.adhesion.bilinear { K = 1e12*N/m^3, sigma_n = 3*MPa, sigma_t = 3*MPa, G_I = 50*J/m^2,
+  G_II = 50*J/m^2 }, exponential = stiction.adhesion.exponential { phi_n = 50*J/m^2, sigma_max = 3*MPa, delta_t = 10*um } }
+
+--- A beam, 60 mm by 2 mm, of which the right two thirds lie bonded on a plate that ends at x = 20 mm.
+local function beam(t)
+  return { bodies = { beam = stiction.body { mesh = stiction.mesh.block { size = { 60*mm, 2*mm }, cells = { 60, 2 },
+      kind = "quad8" }, material = stiction.material.linear_elastic { young = 2000*MPa, poisson = 0.3 }, density = 1000*kg/m^3 } },
+    obstacles = { plate = stiction.obstacle { shape = stiction.rigid.polyline { smoothing = "polyline",
+      points = { 80*mm, 0*mm, 20*mm, 0*mm, 20*mm, -1*mm } } } },
+    pairs = { joint = stiction.pair { secondary = "beam.bottom", primary = "plate", adhesion = t.adhesion } },
+    motions = t.motions or { fix { set = "beam.right", x = true } }, springs = t.springs,
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = t.steps } } },
+    probes = { joint = stiction.probe.contact { pair = "joint" }, line = stiction.probe.contact_line { pair = "joint" },
+      energy = stiction.probe.energy {}, lift = t.springs and stiction.probe.spring { spring = "lift" } } }
+end
+
+local function lifted(law, steps)
+  return beam { adhesion = whole[law], steps = steps, springs = { lift = stiction.spring { from = "beam.left", axes = { 0, 1 },
+    stiffness = 1e8*N/m, times = { 0*s, 1*s }, y = { 0*mm, 1.2*mm } } } }
+end
+
+test("no step goes to a state of more energy than there was, where all bonds are gone that had hardly been pulled", function()
+  for law in pairs(whole) do
+    local few, many = run(lifted(law, 5)), run(lifted(law, 40))
+    near(few:max("lift", "force_y"), many:max("lift", "force_y"), 1)
+    near(few:last("joint", "beta_mean"), many:last("joint", "beta_mean"), 1e-3)
+    equal(many:max("lift", "force_y") > 400, true)
+  end
+end)
+
+local function number_of(scene, name)
+  for _, section in ipairs(engine.explain(scene).sections) do
+    for _, entry in ipairs(section.lines) do
+      if entry.name == name then
+        return entry
+      end
+    end
+  end
+  error("no number " .. name, 2)
+end
+
+test("explain says where speeds leave out what springs do, and looks at what turns where it opens fastest", function()
+  local still = beam { adhesion = whole.bilinear, steps = 10 }
+  for _, name in ipairs { "opening speed", "opening per step / u0" } do
+    equal(number_of(lifted("bilinear", 10), name).meaning:find("springs", 1, true) ~= nil, true)
+    equal(number_of(still, name).meaning:find("springs", 1, true), nil)
+  end
+  local turned = beam { adhesion = whole.bilinear, steps = 10, motions = { stiction.motion.turn { set = "beam.right",
+    centre = { 60*mm, 0*mm }, times = { 0*s, 1*s }, angle = { 0, -0.01 } } } }
+  near(number_of(turned, "opening speed").value, 0.4e-3, 0.01e-3) -- of the end that is farthest from the centre
+end)
+
+test("RCC with beta0 leaves across a gap what that gap would leave of it at rest", function()
+  for _, b in ipairs { 0, 50 } do
+    local case = run(beam { steps = 5, motions = { fix { set = "beam.right" }, fix { set = "beam.left" } },
+      adhesion = stiction.adhesion.rcc { w = 50*J/m^2, C_n = 1.8e11*N/m^3, C_t = 0*N/m^3, b = b*N*s/m, beta0 = 1,
+        bonding = "never" } })
+    near(case:series("energy", "bond")[1], -2, 0.05) -- J/m: 40 mm, and half a cell
+    near(case:min("joint", "adhesion_n"), 0, 1)
+  end
+end)
+
+test("accuracy without inertia says what it does not see, with bonds or events as well", function()
+  local scene = beam { adhesion = whole.bilinear, steps = 5, motions = { fix { set = "beam.right" }, fix { set = "beam.left" } } }
+  scene.schedule.accuracy = stiction.accuracy {}
+  local function told(case)
+    return table.concat(case.result.remarks, "\n"):find("not how bodies flow", 1, true) ~= nil
+  end
+  equal(told(run(scene)), false)
+  scene.bodies.beam.relaxing = { { share = 0.5, time = 0.01*s } }
+  equal(told(run(scene)), true)
+end)
