@@ -139,7 +139,8 @@ TEST_SUITE("interface") {
     }
   }
 
-  TEST_CASE("a bond that is there across a gap from the start is the one that this gap leaves of it at rest") {
+  TEST_CASE(
+      "a bond that is there across a gap from the start is the one that this gap leaves of it at rest") {
     Rcc law = sample();
     law.beta0 = 0.8;
     law.bonding = Bonding::never;
@@ -153,6 +154,7 @@ TEST_SUITE("interface") {
     }
     law.w = 0; // which holds at no opening: what was given stays
     CHECK(law.initial(1).beta == 0.8);
+    CHECK(law.initial(unreached).beta == 0); // where there is no counterpart
   }
 
   TEST_CASE("bonding: where closed, everywhere, nowhere") {
