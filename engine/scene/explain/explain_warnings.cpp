@@ -98,14 +98,20 @@ void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
     return;
   auto const wording = interface::wording(law);
   bool const viscous = !wording.viscosity.empty(); // if its parameter were more than 0
+  auto const& body = all.bodies[pair.secondary];
+  double const transit = body.extent() / body.pressure_speed();
+  std::string inertia = "scheme.theta_xi{}";
+  if (all.longest_step > transit)
+    inertia += fmt::format(", whose steps see the snap where they are {} or less, as long as a wave goes "
+                           "through the body; longer ones get past it, and damp what follows",
+                           human(transit, "s"));
   warnings.push_back(
       {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
                    "{}: the pull-off snaps, and a quasi-static run may not get past it",
                    pair.pair->name, pair.column,
                    viscous ? fmt::format("{}) and {} = 0", wording.softening, wording.viscosity)
                            : fmt::format("{:.2g} N/m^3)", interface::scales(law).softening)),
-       viscous ? fmt::format("a small viscosity {} > 0, or scheme.theta_xi{{}}", wording.viscosity)
-               : "scheme.theta_xi{}"});
+       viscous ? fmt::format("a small viscosity {} > 0, or {}", wording.viscosity, inertia) : inertia});
 }
 
 void no_bond(PairFacts const& pair, Warnings& warnings) {
