@@ -51,7 +51,7 @@ std::string human(double value, std::string_view unit) {
 }
 
 std::string percent(double part) {
-  return fmt::format("{:.2g} %", 100 * part);
+  return part < 0.995 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
 std::string counted(double count) {

@@ -448,6 +448,8 @@ TEST_CASE("numbers for people have three digits and a short unit") {
   CHECK(scene::human(0.48, "") == "0.48");
   CHECK(scene::human(3600, "s") == "1 h");
   CHECK(scene::percent(0.083) == "8.3 %");
+  CHECK(scene::percent(0.994) == "99 %");
+  CHECK(scene::percent(2.2004) == "220 %");
 }
 
 TEST_CASE("times of relaxation are held against the steps and the run") {
