@@ -58,6 +58,17 @@ test("no step goes to a state of more energy than there was, where all bonds are
   end
 end)
 
+test("where steps may not be shorter such a state is taken, and the run says so", function()
+  for _, shortest in ipairs { { halvings = 0 }, { accuracy = stiction.accuracy { smallest = 0.2*s, largest = 0.2*s } } } do
+    local scene = lifted("bilinear", 5)
+    scene.schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 5 } }, halvings = shortest.halvings,
+      accuracy = shortest.accuracy }
+    local case = run(scene)
+    equal(case:max("lift", "force_y") < 1, true)
+    equal(table.concat(case.result.remarks, "\n"):find("the time steps made energy", 1, true) ~= nil, true)
+  end
+end)
+
 local function number_of(scene, name)
   for _, section in ipairs(engine.explain(scene).sections) do
     for _, entry in ipairs(section.lines) do
