@@ -38,7 +38,7 @@ struct Exponential {
                 "memory", &Exponential::memory, {"irreversible", "reversible"}, Need::optional,
                 "damage with unloading to the origin, or the potential itself; with damage both tractions "
                 "soften alike, so that opening and slip at once take less work than either: with q = 1 "
-                "down to 0.68 phi_n, at 60 degrees")
+                "down to 0.68 phi_n, where opening / delta_n is 1.1 slip / delta_t")
             .number("beta0", &Exponential::beta0, "1", core::unit_interval, Need::optional,
                     "intact part at the start of an irreversible law, less where the surfaces are apart")
             .choice("friction", &Exponential::friction, {"full", "damage"}, Need::optional,

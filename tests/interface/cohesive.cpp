@@ -111,6 +111,21 @@ TEST_SUITE("interface") {
     CHECK(at[1] == doctest::Approx(K_t * 0.015 * beta).epsilon(1e-12));
   }
 
+  TEST_CASE("exponential, irreversible: opening and slip at once take less work, as help says") {
+    auto const law = exponential_sample(Memory::irreversible, 1);
+    double least = 2, at = 0;
+    for (double ratio = 0; ratio < 3; ratio += 0.05) { // of opening / delta_n to slip / delta_t
+      Eigen::Vector3d const way(ratio * law.delta_n(), law.delta_t, 0);
+      double const part = straight(law, way * 12 / std::max(ratio, 1.0), 400).dissipated / law.phi_n;
+      if (part < least) {
+        least = part;
+        at = ratio;
+      }
+    }
+    CHECK(least == doctest::Approx(0.6804).epsilon(1e-3));
+    CHECK(at == doctest::Approx(1.1));
+  }
+
   TEST_CASE("dugdale: the traction between the ramps, work sigma0 h0 exactly") {
     for (auto const memory : {Memory::reversible, Memory::irreversible}) {
       auto const law = dugdale_sample(memory);

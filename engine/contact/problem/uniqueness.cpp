@@ -115,10 +115,11 @@ private:
          doubts_.softening);
   }
 
-  template<class Doubt>
-  void note(Yielding<D> const& point, std::vector<Yielding<D>>& all, Doubt& worst) const {
+  void note(Yielding<D> const& point, std::vector<Yielding<D>>& all, LeapDoubt& worst) const {
+    if (!(point.fall > 0))
+      return;
     double const gives = point.along.dot(problem_.W.block<D>(point.point) * point.along);
-    if (!(point.fall > 0 && gives > 0))
+    if (!(gives > 0))
       return;
     all.push_back(point);
     worst.points += gives * point.fall >= 1 ? 1 : 0;

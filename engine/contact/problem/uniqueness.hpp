@@ -18,26 +18,20 @@ struct FrictionDoubt {
   [[nodiscard]] bool any() const { return points + together > 0; }
 };
 
-/// Bonds that weaken with their opening faster than what they hold follows: they snap.
-struct SofteningDoubt {
-  Index points = 0;     ///< how many snap alone, all other forces held: 1 / W_nn <= A fall
-  Index worst = -1;     ///< the one with the largest W_nn A fall
-  double stiffness = 0; ///< 1 / W_nn of the worst, N/m
-  double fall = 0;      ///< A fall of the worst, N/m
+/// Points whose force falls as they move on, faster than what it holds follows: they leap.
+struct LeapDoubt {
+  Index points = 0;     ///< how many leap alone, all other forces held: 1 / W <= fall, along the point's way
+  Index worst = -1;     ///< the one with the largest W fall
+  double stiffness = 0; ///< 1 / W of the worst, N/m
+  double fall = 0;      ///< of the worst, N/m
   double together =
-      0; ///< largest eigenvalue of W_nn A fall over all bonds looked at; below 1 the answer is single
+      0; ///< largest eigenvalue of W fall over all points looked at; below 1 the answer is single
   [[nodiscard]] bool any() const { return together >= 1; }
 };
-
-/// Friction that falls with the slip of a step, mu(|v_t|), faster than what it holds follows: points leap.
-struct WeakeningDoubt {
-  Index points = 0;     ///< how many leap alone, all other forces held: 1 / W_tt <= p_n fall of mu
-  Index worst = -1;     ///< the one with the largest W_tt p_n fall
-  double stiffness = 0; ///< 1 / W_tt of the worst along its friction, N/m
-  double fall = 0;      ///< p_n fall of the worst, N/m
-  double together = 0;  ///< as of bonds
-  [[nodiscard]] bool any() const { return together >= 1; }
-};
+/// Bonds that weaken with their opening, fall: A steepest_fall; they snap.
+struct SofteningDoubt : LeapDoubt {};
+/// Friction that falls with the slip of a step, fall: p_n steepest_fall.
+struct WeakeningDoubt : LeapDoubt {};
 
 struct Doubts {
   FrictionDoubt friction;

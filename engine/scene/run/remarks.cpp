@@ -93,7 +93,7 @@ void Remarks::weigh(dynamics::Ledger const& ledger) {
   if (dynamics::weights(scene_->model->scheme).inertia)
     lost_ = ledger.scheme_loss();
   else
-    turned_over_ = std::max({turned_over_, ledger.bonding_loss, ledger.friction_loss});
+    spent_ = std::max({spent_, ledger.bonding_loss, ledger.friction_loss});
 }
 
 /// Where hardly anything acts, as in free flight, an imbalance is small beside the forces of the run.
@@ -127,11 +127,12 @@ std::vector<std::string> Remarks::texts() const {
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   add_rounded(all);
   bool const inertia = dynamics::weights(scene_->model->scheme).inertia;
-  if (!inertia && made_ > worth_telling_lost * turned_over_)
+  double const turned_over = std::max(turned_over_, spent_);
+  if (!inertia && made_ > worth_telling_lost * turned_over)
     all.push_back(
         fmt::format("the time steps made energy, {} of the largest of the run: too much opens, snaps "
                     "or goes round in one of them; take smaller ones",
-                    percent(made_ / turned_over_)));
+                    percent(made_ / turned_over)));
   else if (inertia && made_ > worth_telling_made * turned_over_)
     all.push_back(
         fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",

@@ -25,10 +25,10 @@ public:
   [[nodiscard]] std::vector<std::string> texts() const;
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [scene, friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over,
+    auto& [scene, friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, spent,
            stabilised, made, lost] = *this;
-    archive(friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, stabilised,
-            made, lost);
+    archive(friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, spent,
+            stabilised, made, lost);
   }
 
 private:
@@ -44,6 +44,7 @@ private:
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick
   double turned_over_ = 0;       ///< largest energy or work so far, J
+  double spent_ = 0;             ///< without inertia: lost by bonds or friction, J
   double stabilised_ = 0;        ///< dissipated by the stabilisation of quasi-statics, J
   double made_ = 0, lost_ = 0;   ///< by the time scheme: the most so far, and in the end, J
 };
