@@ -30,13 +30,14 @@ struct ThetaXi {
   [[nodiscard]] static core::Schema const& schema();
 };
 
-/// Equilibrium at each step's end; no mass, no damping.
+/// Equilibrium at each step's end; no mass, no damping. Works are trapezia of the forces at both ends.
 struct QuasiStatic {
   double stabilisation = 0; ///< 1; of a Model times the duration of the run, s
   void set_duration(double duration) { stabilisation *= duration; }
   [[nodiscard]] StepWeights weights() const {
     StepWeights weights;
     weights.inertia = false;
+    weights.work = weights.contact_work = 0.5;
     weights.stabilisation = stabilisation;
     return weights;
   }

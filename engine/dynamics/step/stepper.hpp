@@ -73,6 +73,9 @@ public:
     cost_ = cost;
   }
 
+  /// What the works of a run are rounded by, J; infinite where all nodes are driven and no step seeks a
+  /// balance.
+  [[nodiscard]] double rounding_energy(State const& state) const;
   [[nodiscard]] Cost const& cost() const { return cost_; }
   [[nodiscard]] ContactSystem const& contact() const { return *contact_; }
   [[nodiscard]] BulkSystem const& bulk() const { return bulk_; }
@@ -148,7 +151,9 @@ private:
   [[nodiscard]] bool polish(State const& old, double dt, Outcome& outcome);
   void finish(State const& old, double dt, Outcome& outcome);
   [[nodiscard]] double viscous_loss(State const& old, State const& next) const;
-  void account(State const& old, State& next) const;
+  void account(State const& old, State& next);
+  [[nodiscard]] double rubbed(ContactState const& before, ContactState const& after) const;
+  void drive_against(Vector const& force, Vector& drive) const;
   void account_springs(State const& old, State& next) const;
   void set_momenta(State& state) const;
   void tally(State const& old, State& next) const;
@@ -191,6 +196,7 @@ private:
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N
+  Vector mean_drive_;              ///< of motions, that does the ledger's work, N
   Vector prescribed_;           ///< of external_ what does not follow surfaces, N; empty where nothing does
   Gases gas_old_, gas_;         ///< at the step's ends
   std::vector<double> volumes_; ///< [gases] that gas_ is of, m^3; empty at first

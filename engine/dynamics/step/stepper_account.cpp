@@ -16,17 +16,18 @@ double Stepper::obstacle_work(std::size_t index, State const& old, State const& 
     return 0;
   int const dim = model_->dim();
   double const chi = weights_.contact_work;
-  auto const &now = next.reaction_of(index), &before = old.reaction_of(index);
   double work = 0;
   for (Index const node : pair.nodes()) {
-    Vec3 force = Vec3::Zero(), arm = Vec3::Zero();
-    for (int c = 0; c < dim; ++c) {
-      Index const dof = dim * node + c;
-      force[c] = chi * now[dof] + (1 - chi) * before[dof];
-      arm[c] = model_->reference(node, c) + next.u[dof];
-    }
-    arm -= rigid.pivot + rigid.offset(next.t);
-    work += force.dot(carried + turned.cross(arm));
+    auto const at = [&](State const& end, Vector const& reaction) {
+      Vec3 force = Vec3::Zero(), arm = -rigid.pivot - rigid.offset(end.t);
+      for (int c = 0; c < dim; ++c) {
+        Index const dof = dim * node + c;
+        force[c] = reaction[dof];
+        arm[c] += model_->reference(node, c) + end.u[dof];
+      }
+      return force.dot(carried + turned.cross(arm));
+    };
+    work += chi * at(next, next.reaction_of(index)) + (1 - chi) * at(old, old.reaction_of(index));
   }
   return work;
 }
@@ -37,6 +38,19 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
   Vector force;
   bulk_.damping_force((1 - weights_.work) * old.u + weights_.work * u_, d_, force);
   return force.dot(d_) / (next.t - old.t);
+}
+
+/// What friction takes of a point in a step, J (J/m): by the scheme's mean of its forces. Without inertia it
+/// is always against the slip, by the mean of its sizes where the point slipped before, and else by its size
+/// at the end, which it has from when the point begins to slip.
+double Stepper::rubbed(ContactState const& before, ContactState const& after) const {
+  double const chi = weights_.contact_work;
+  contact::Vec2 const first = before.area * before.dry.tail<2>(), last = after.area * after.dry.tail<2>();
+  if (weights_.inertia)
+    return -(chi * last + (1 - chi) * first).dot(after.slip);
+  double const size = last.norm();
+  bool const goes_on = size > 0 && before.status == interface::Status::slip;
+  return -last.dot(after.slip) * (goes_on ? chi + (1 - chi) * first.norm() / size : 1);
 }
 
 /// What springs store, what their dashpots took, and what was done on ends that follow paths.
@@ -52,28 +66,32 @@ void Stepper::account_springs(State const& old, State& next) const {
     ledger.dashpot_loss += springs.damping_loss(before, after, weights_.work);
 }
 
+/// Forces of motions that balance the given ones of all else and inertia, N.
+void Stepper::drive_against(Vector const& force, Vector& drive) const {
+  drive.setZero(force.size());
+  for (Index dof = 0; dof < force.size(); ++dof)
+    if (driver_[ix(dof)] != nullptr || bulk_.links().follows(dof))
+      drive[dof] = inertia_[dof] - force[dof];
+  bulk_.links().react(drive, [&](Index dof) { return driver_[ix(dof)] != nullptr; });
+}
+
 /// Adds the step to the ledger (physics.md 6); works use the force averages of the scheme.
-void Stepper::account(State const& old, State& next) const {
+void Stepper::account(State const& old, State& next) {
   auto& ledger = next.ledger;
   double const chi = weights_.contact_work, omega = weights_.work;
   Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +
                       (1 - chi) * old.reaction + chi * reaction_;
   if (weights_.skin)
     mean_force -= excess_;
-  next.drive.setZero(d_.size());
-  for (Index dof = 0; dof < d_.size(); ++dof)
-    if (driver_[ix(dof)] != nullptr || bulk_.links().follows(dof))
-      next.drive[dof] = inertia_[dof] - mean_force[dof];
-  bulk_.links().react(next.drive, [&](Index dof) { return driver_[ix(dof)] != nullptr; });
-  for (Index dof = 0; dof < d_.size(); ++dof)
-    ledger.motion_work += next.drive[dof] * d_[dof];
+  drive_against(mean_force, mean_drive_);
+  if (weights_.inertia)
+    next.drive = mean_drive_;
+  else
+    drive_against(external_ - internal_ + reaction_, next.drive);
+  ledger.motion_work += mean_drive_.dot(d_);
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
-    for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
-      auto const& before = old.contacts[p][i];
-      auto const& after = next.contacts[p][i];
-      Vec3 const force = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
-      ledger.friction_loss -= force.tail<2>().dot(after.slip);
-    }
+    for (std::size_t i = 0; i < next.contacts[p].size(); ++i)
+      ledger.friction_loss += rubbed(old.contacts[p][i], next.contacts[p][i]);
     ledger.motion_work += obstacle_work(p, old, next);
   }
   auto const& dead_load = bulk_.mass().dead_load;

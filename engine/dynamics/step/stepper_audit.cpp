@@ -12,7 +12,7 @@ interface::BondMove move_of(ContactState const& before, ContactState const& afte
   interface::BondMove move {
     {}, interface::opening_of(after.bond, after.gap)
   };
-  if (after.bond.beta == 0 && before.bond.beta > 0) // gone, and its stretch with it
+  if (before.bond.beta > 0) // it may be gone by now, and its stretch with it
     move.to.tail<2>() = before.bond.stretch + after.slip;
   move.from = {std::max(before.gap, 0.0), move.to[1] - after.slip[0], move.to[2] - after.slip[1]};
   move.beta_from = before.bond.beta;
@@ -21,9 +21,9 @@ interface::BondMove move_of(ContactState const& before, ContactState const& afte
   return move;
 }
 
-/// Step of a contact point: weight of its end forces in their work, and length, s.
+/// Step of a contact point: weight of its end forces in their work, length, s, and what its friction took, J.
 struct PointStep {
-  double chi, dt;
+  double chi, dt, rubbed;
 };
 
 struct PointAudit {
@@ -48,10 +48,16 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
   Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
   Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;
   Vec3 const pull = (1 - chi) * pull_0 + chi * pull_1;
-  double loss = -dry[0] * moved[0] - pull.dot(moved);
+  double loss = -dry.dot(moved) - step.rubbed - pull.dot(moved);
   if (adhesion && interface::evolves(*adhesion)) {
     loss += 0.5 * (pull_1 + before.area * pull_of(*adhesion, before)).dot(moved) +
             after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
+    auto stretched = after.bond; // a torn bond forgets its origin
+    stretched.stretch = before.bond.beta > 0 && after.bond.beta > 0
+                            ? Eigen::Vector2d(before.bond.stretch + after.slip)
+                            : after.bond.stretch;
+    loss += after.area * (interface::bond_energy(*adhesion, stretched, after.gap) -
+                          interface::bond_energy(*adhesion, after.bond, after.gap));
   } else if (adhesion) {
     Vec3 const from(before.gap, 0, 0);
     interface::BondStep const bond{before.bond, step.dt, false};
@@ -63,6 +69,7 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
 } // namespace
 
 /// M dv/dt less the mean forces that do the ledger's work, at free unknowns, N; what the schemes say it is:
+///   quasi-statics: half of what lacks at the step's start, which ended in balance but for stabilisation
 ///   contact nodes that balance at the step's end: F1 + R1 less the means
 ///   Newmark's family: (work - xi) times the change of M a - F - R (zero where each step ends in balance);
 ///   driven and contact nodes have one acceleration per step
@@ -74,6 +81,8 @@ Vector Stepper::unmet_balance(State const& old, State const& next) const {
   Vector const more_force = (external_ - internal_) - (external_old_ - old.internal);
   Vector const more_reaction = next.reaction - old.reaction;
   Vector unmet = Vector::Zero(dofs), newly = Vector::Zero(dofs);
+  if (!weights_.inertia)
+    unmet = (weights_.work - 1) * (external_old_ - old.internal + old.reaction);
   if (weights_.accelerations()) {
     Vector more_a = next.a - old.a;
     for (Index dof = 0; dof < dofs; ++dof)
@@ -148,8 +157,9 @@ void Stepper::audit_contact(State const& old, State& next) const {
   for (std::size_t p = 0; p < model_->pairs.size(); ++p) {
     nodes -= obstacle_work(p, old, next);
     for (std::size_t i = 0; i < next.contacts[p].size(); ++i) {
+      auto const &before = old.contacts[p][i], &after = next.contacts[p][i];
       auto const point =
-          audit_point(model_->pairs[p].law.adhesion, old.contacts[p][i], next.contacts[p][i], {chi, dt});
+          audit_point(model_->pairs[p].law.adhesion, before, after, {chi, dt, rubbed(before, after)});
       points += point.work;
       loss.contact += point.loss;
     }
@@ -162,9 +172,11 @@ void Stepper::audit_contact(State const& old, State& next) const {
 void Stepper::audit(State const& old, State& next) const {
   auto& loss = next.ledger.predicted;
   double const omega = weights_.work, dt = next.t - old.t;
+  loss.rates -= unmet_balance(old, next).dot(d_);
   if (weights_.inertia)
-    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) - unmet_balance(old, next).dot(d_) +
-                  spin_loss(old, next);
+    loss.rates += (d_ - 0.5 * dt * (old.v + next.v)).dot(inertia_) + spin_loss(old, next);
+  else
+    loss.rates += (omega - 1) * (next.ledger.stabilisation_loss - old.ledger.stabilisation_loss);
   SpringWork on_paths;
   if (!bulk_.springs().empty())
     on_paths = bulk_.springs().path_work({old.u, old.v, old.t}, {next.u, next.v, next.t}, omega);

@@ -40,7 +40,7 @@ void Stepper::tally(State const& old, State& next) const {
   set_momenta(next);
   Vector const half_way = 0.5 * (old.u + next.u);
   all.loads += dt * resultant(*model_, half_way, (1 - omega) * external_old_ + omega * external_, 0, nodes);
-  all.motions += dt * resultant(*model_, half_way, next.drive, 0, nodes);
+  all.motions += dt * resultant(*model_, half_way, mean_drive_, 0, nodes);
   if (!bulk_.springs().empty()) {
     Vector first = Vector::Zero(next.u.size()), last = first;
     bulk_.springs().add_force(old.u, old.t, first);

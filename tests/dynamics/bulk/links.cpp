@@ -92,8 +92,7 @@ TEST_CASE("a linear column with alike sides is sheared and pressed as one of inf
     CHECK(end.state.u[2 * k] == doctest::Approx(30 / G * nodes(k, 1)).epsilon(1e-10));
     CHECK(end.state.u[2 * k + 1] == doctest::Approx(-50 / M * nodes(k, 1)).epsilon(1e-10));
   }
-  CHECK(end.state.ledger.load_work ==
-        doctest::Approx(2 * end.state.ledger.strain).epsilon(1e-10)); // one step
+  CHECK(end.state.ledger.load_work == doctest::Approx(end.state.ledger.strain).epsilon(1e-10)); // one step
 }
 
 TEST_CASE("a neo-Hookean column of one cell does what a wider one does, in few iterations") {
@@ -182,13 +181,13 @@ TEST_CASE("a roller in space leaves two directions, and a side that is driven ta
   test::at(table, "motions") = test::list(
       {test::fix_in("cube.left", "xyz"), test::drive("cube.right", {0, 2}, {{{0, 0.1}, {}, {0, -0.1}}})});
   double before = 0;
-  for (int const steps : {8, 16}) { // forces of each step's end do its work
+  for (int const steps : {8, 16}) { // trapezia of forces do a step's work
     auto const end = run(table, steps, 2);
     for (Index const node : test::nodes_of(end.scene, "cube.right"))
       CHECK(end.state.u[3 * node + 1] == doctest::Approx(-0.3).epsilon(1e-12));
     double const off = end.state.ledger.motion_work - end.state.ledger.strain;
     if (before > 0)
-      CHECK(before / off == doctest::Approx(2).epsilon(0.02));
+      CHECK(before / off == doctest::Approx(4).epsilon(0.02));
     before = off;
   }
   table = column(1, 2, neo_hookean());
@@ -222,9 +221,10 @@ TEST_CASE("a pad with alike sides is pressed and dragged as an infinite one") {
       area += point.area;
     }
     CHECK(area == doctest::Approx(0.5).epsilon(1e-12));
-    double const off = end.state.ledger.scheme_loss();
+    double const off = end.state.ledger.scheme_loss(), taken = end.state.ledger.friction_loss;
+    CHECK(std::abs(off) < 1.0 / steps * taken); // of the one step in which it begins to slip
     if (before != 0)
-      CHECK(before / off == doctest::Approx(2).epsilon(0.1));
+      CHECK(std::abs(off) < 0.6 * std::abs(before));
     before = off;
   }
 }

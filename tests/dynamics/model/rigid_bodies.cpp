@@ -241,7 +241,9 @@ TEST_CASE("a turning wheel drags a held block with mu N and pays for it") {
     CHECK(along == doctest::Approx((turn > 0 ? -0.3 : 0.3) * normal).epsilon(1e-6));
     double const loss = 0.3 * normal * 2 * std::abs(turn);
     CHECK(dragged.ledger.friction_loss == doctest::Approx(loss).epsilon(1e-3));
-    CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(loss).epsilon(1e-3));
+    CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work ==
+          doctest::Approx(loss * (1 - 0.5 / 10))
+              .epsilon(1e-3)); // trapezia: the first of ten steps began at rest
   }
 }
 
@@ -260,7 +262,8 @@ TEST_CASE("a wheel that turns and travels with the block on it pays for the slip
   CHECK(dragged.ledger.friction_loss == doctest::Approx(loss).epsilon(1e-3));
   // the block pulls with mu N along the way, which is the wheel's to pay back
   CHECK(test::force_on(scene, dragged, "foot.all").x() == doctest::Approx(0.3 * normal).epsilon(1e-3));
-  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(loss).epsilon(1e-3));
+  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work ==
+        doctest::Approx(loss * (1 - 0.5 / 10)).epsilon(1e-3));
 }
 
 TEST_CASE("a turntable under a held cube loses mu p r per turn and area and pays the same") {
@@ -284,6 +287,7 @@ TEST_CASE("a turntable under a held cube loses mu p r per turn and area and pays
     torque += arm.cross(Vec3(turned.reaction.segment<3>(3 * node))).z();
   }
   CHECK(turned.ledger.friction_loss == doctest::Approx(loss).epsilon(1e-4));
-  CHECK(turned.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(loss).epsilon(1e-4));
+  CHECK(turned.ledger.motion_work - pressed.ledger.motion_work ==
+        doctest::Approx(loss * (1 - 0.5 / 20)).epsilon(1e-4));
   CHECK(torque == doctest::Approx(loss / turn).epsilon(1e-4));
 }

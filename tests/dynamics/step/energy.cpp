@@ -45,8 +45,9 @@ TEST_CASE("friction takes mu N along the path of a rigidly dragged block") {
   CHECK(pressed.ledger.friction_loss == doctest::Approx(0).epsilon(1e-12));
   auto const dragged = test::march(stepper, pressed, 0.1, 10);
   CHECK(dragged.ledger.friction_loss == doctest::Approx(mu * press * 0.1).epsilon(1e-6));
-  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work ==
-        doctest::Approx(mu * press * 0.1).epsilon(1e-6));
+  CHECK(
+      dragged.ledger.motion_work - pressed.ledger.motion_work ==
+      doctest::Approx(mu * press * (0.1 - 0.5 * 0.01)).epsilon(1e-6)); // the first of ten steps began at rest
   CHECK(test::force_on(scene, dragged, "foot.all").x() == doctest::Approx(mu * press).epsilon(1e-6));
   CHECK(test::contact_force(scene, dragged).x() == doctest::Approx(-mu * press).epsilon(1e-6));
 }
@@ -63,22 +64,22 @@ TEST_CASE("a floor pulled from under a held block gives the same friction loss")
   auto const pressed = test::march(stepper, stepper.initial(), 0.25, 4);
   auto const dragged = test::march(stepper, pressed, 0.1, 10);
   CHECK(dragged.ledger.friction_loss == doctest::Approx(0.3).epsilon(1e-6));
-  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(0.3).epsilon(1e-6));
+  CHECK(dragged.ledger.motion_work - pressed.ledger.motion_work == doctest::Approx(0.285).epsilon(1e-6));
 }
 
-TEST_CASE("a slow stretch costs its strain energy, but for the end force of each step") {
+TEST_CASE("a slow stretch costs its strain energy, whatever its steps") {
   auto table = test::foot_on_floor();
   test::remove(table, "pairs");
   test::at(table, "motions") =
       test::list({test::fix("foot.bottom"), test::drive("foot.top", {0, 2}, {0, 0}, {0, 0.02})});
   auto const scene = scene::build(table);
-  for (int const steps : {5, 50}) {
+  for (int const steps : {1, 5, 50}) {
     dynamics::Stepper stepper(*scene.model);
     auto const state = test::march(stepper, stepper.initial(), 1.0 / steps, steps);
     double const strain = 0.5 * 1000 * 0.01 * 0.01;
     CHECK(state.ledger.strain == doctest::Approx(strain).epsilon(1e-9));
-    CHECK(state.ledger.motion_work == doctest::Approx(strain * (1 + 1.0 / steps)).epsilon(1e-9));
-    CHECK(state.ledger.scheme_loss() == doctest::Approx(strain / steps).epsilon(1e-6));
+    CHECK(state.ledger.motion_work == doctest::Approx(strain).epsilon(1e-9));
+    CHECK(std::abs(state.ledger.scheme_loss()) < 1e-9 * strain);
     CHECK(test::force_on(scene, state, "foot.top").y() == doctest::Approx(10).epsilon(1e-9));
     CHECK(test::force_on(scene, state, "foot.bottom").y() == doctest::Approx(-10).epsilon(1e-9));
   }
