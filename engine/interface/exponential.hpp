@@ -53,6 +53,8 @@ struct Exponential {
   [[nodiscard]] double range() const { return lasts() ? 0 : 30 * delta_n(); }
   [[nodiscard]] bool lasts() const { return memory == Memory::irreversible; }
   [[nodiscard]] Bond initial(double gap) const {
+    if (!lasts() && gap > range())
+      return {};
     double const u = std::min(std::max(gap, 0.0) / delta_n(), 700.0), left = std::exp(-u);
     return {lasts() ? (left < least_beta ? 0 : std::min(beta0, left)) : (1 + u) * left, {0, 0}};
   }
@@ -138,7 +140,10 @@ template<int D>
   return result;
 }
 
+/// Out of its range a potential forgets where the point was.
 template<int D> [[nodiscard]] Bond advance(Exponential const& law, BondStep const& step, Local<D> const& x) {
+  if (!law.lasts() && x[0] > law.range())
+    return {};
   return stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
 }
 

@@ -48,6 +48,8 @@ struct Rcc {
   }
   /// Openings sqrt(w / C_n) up to which bonds grow in a gap: farther, 1/800 of the work is left to do.
   static constexpr double felt = 20;
+  /// What that leaves of a bond at rest: with less an open point forgets where it was bonded.
+  static constexpr double torn = 1 / (felt * felt);
   static constexpr bool evolves = true;
   static constexpr Wording wording{
       "sqrt(w C_n)",
@@ -144,9 +146,13 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
   return result;
 }
 
-/// The bond after the step.
+/// The bond after the step. (13) never takes all of it: torn, it is no bond to that place of the other side
+/// any more, and the point may bond to another one.
 template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
-  return stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
+  auto next = stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
+  if (x[0] > 0 && next.beta < Rcc::torn)
+    next.stretch.setZero();
+  return next;
 }
 
 /// psi of (9), J/m^2.
