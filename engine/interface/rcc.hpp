@@ -162,24 +162,36 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
   return 0.5 * bond.beta * bond.beta * (law.C_n * open * open + along) - law.w * bond.beta;
 }
 
-/// What implicit Euler of (13) loses beside the trapezium of the pull: with x the opening and q = x.Cx, work
-/// - change of psi = C x1.(b1 x1 - (b0 + b1)/2 x0)(b1 - b0) + (w - q1 b1)(b1 - b0), of which b beta'^2 dt is
-/// the bond's own; the rest of the last term is what the bounds of beta set free. J/m^2
-[[nodiscard]] inline double integration_loss(Rcc const& law, BondMove const& move) {
-  auto const &x0 = move.from, &x1 = move.to;
-  double const b0 = move.beta_from, b1 = move.beta_to, growth = b1 - b0;
-  Local<3> const pull = bond_stiffness<3>(law).cwiseProduct(x1);
-  return (pull.dot(b1 * x1 - 0.5 * (b0 + b1) * x0) + law.w - pull.dot(x1) * b1 - law.b * growth / move.dt) *
-         growth;
+/// What a change of beta takes, J/m^2: b beta'^2 over the step, which is (w - q beta) times the change by
+/// (13); of a bond that becomes whole the latter, of which b = 0 leaves all.
+[[nodiscard]] inline double taken(Rcc const& law, BondMove const& move) {
+  double const growth = move.beta_to - move.beta_from;
+  if (move.beta_to < 1 || !(growth > 0))
+    return law.b * growth * growth / move.dt;
+  return (law.w - bond_stiffness<3>(law).cwiseProduct(move.to).dot(move.to)) * growth;
 }
 
-/// b beta'^2 over the step, J/m^2.
+/// What implicit Euler of (13) loses beside the trapezium of the pull: with x the opening and q = x.Cx, work
+/// - change of psi = C x1.(b1 x1 - (b0 + b1)/2 x0)(b1 - b0) + (w - q1 b1)(b1 - b0), of which the bond's own
+/// is what its change takes; the rest of the last term is what the bounds of beta set free. J/m^2
+[[nodiscard]] inline double integration_loss(Rcc const& law, BondMove const& move) {
+  auto const &x0 = move.from, &x1 = move.to;
+  double const b0 = move.beta_from, b1 = move.beta_to;
+  Local<3> const pull = bond_stiffness<3>(law).cwiseProduct(x1);
+  return (pull.dot(b1 * x1 - 0.5 * (b0 + b1) * x0) + law.w - pull.dot(x1) * b1) * (b1 - b0) -
+         taken(law, move);
+}
+
 [[nodiscard]] inline double dissipation(Rcc const& law, BondMove const& move) {
-  return law.b * std::pow(move.beta_to - move.beta_from, 2) / move.dt;
+  return taken(law, move);
 }
 template<int D> [[nodiscard]] double dissipation(Rcc const& law, BondStep const& step, Local<D> const& x) {
-  double const growth = adhere<D>(law, step, x).beta - step.old.beta;
-  return law.b * growth * growth / step.dt;
+  BondMove move;
+  move.to.head<D>() = opening<D>(x, step.old);
+  move.beta_from = step.old.beta;
+  move.beta_to = adhere<D>(law, step, x).beta;
+  move.dt = step.dt;
+  return taken(law, move);
 }
 
 } // namespace stiction::interface
