@@ -112,7 +112,8 @@ template<int D> void Stepper::settle_bond(contact::Local<D> const& x, Index i, S
   auto const bond = interface::advance<D>(law, point.bond, x);
   next.beta[i] = bond.beta;
   next.stretch.segment<2>(2 * i) = bond.stretch;
-  next.ledger.bonding_loss += point.area * interface::dissipation<D>(law, point.bond, x);
+  next.ledger.bonding_loss +=
+      point.area * interface::dissipation<D>(law, point.bond, problem_.start[D * i], x);
   next.ledger.bond += point.area * interface::bond_energy(law, bond, x[0]);
 }
 

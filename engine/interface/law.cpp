@@ -76,6 +76,21 @@ template<int D> double dissipation(AdhesionLaw const& adhesion, BondStep const& 
   return std::visit([&](auto const& law) { return dissipation<D>(law, step, x); }, adhesion);
 }
 
+template<int D>
+double dissipation(AdhesionLaw const& adhesion, BondStep const& step, double gap, Local<D> const& x) {
+  double const in_its_mode = dissipation<D>(adhesion, step, x);
+  bool const opens = gap > 0 || x[0] > 0,
+             shears = opening<D>(x, step.old).template tail<D - 1>().squaredNorm() > 0;
+  if (!(in_its_mode > 0) || !opens || !shears || gap >= unreached || evolves(adhesion))
+    return in_its_mode;
+  Local<3> const from(gap, 0, 0);
+  Local<3> to = Local<3>::Zero();
+  to.head<D>() = x;
+  double const stored =
+      bond_energy(adhesion, advance<D>(adhesion, step, x), x[0]) - bond_energy(adhesion, step.old, gap);
+  return std::max(0.0, -work_along(adhesion, step, from, to) - stored);
+}
+
 template Coefficient<1> coefficient(FrictionLaw const&, Sliding<1> const&);
 template Coefficient<2> coefficient(FrictionLaw const&, Sliding<2> const&);
 template Coefficient<3> coefficient(FrictionLaw const&, Sliding<3> const&);
@@ -88,6 +103,9 @@ template Bond advance(AdhesionLaw const&, BondStep const&, Local<3> const&);
 template double dissipation(AdhesionLaw const&, BondStep const&, Local<1> const&);
 template double dissipation(AdhesionLaw const&, BondStep const&, Local<2> const&);
 template double dissipation(AdhesionLaw const&, BondStep const&, Local<3> const&);
+template double dissipation(AdhesionLaw const&, BondStep const&, double, Local<1> const&);
+template double dissipation(AdhesionLaw const&, BondStep const&, double, Local<2> const&);
+template double dissipation(AdhesionLaw const&, BondStep const&, double, Local<3> const&);
 
 double bond_energy(AdhesionLaw const& adhesion, Bond const& bond, double x_n) {
   return std::visit([&](auto const& law) { return bond_energy(law, bond, x_n); }, adhesion);

@@ -61,6 +61,11 @@ template<int D>
 /// What the step dissipates by bonding, viscosity and damage, J/m^2.
 template<int D>
 [[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondStep const& step, Local<D> const& x);
+/// The same where the step began at this gap, m: of a bond that follows its opening what its traction does on
+/// the straight way and does not store, also where the mode changes on it; to 1e-10 of what the law takes.
+template<int D>
+[[nodiscard]] double dissipation(AdhesionLaw const& adhesion, BondStep const& step, double gap,
+                                 Local<D> const& x);
 /// What the bond stores, zero when it is gone, J/m^2.
 [[nodiscard]] double bond_energy(AdhesionLaw const& adhesion, Bond const& bond, double x_n);
 /// The bond at the start of a point with this gap.

@@ -130,6 +130,24 @@ TEST_SUITE("interface") {
     }
   }
 
+  TEST_CASE("bonds that follow their opening: straight ways close in any step, also where the mode changes") {
+    for (auto const& named : adhesions()) {
+      if (evolves(named.law))
+        continue;
+      CAPTURE(named.name);
+      double misfit = 0, by_end = 0;
+      for (unsigned seed = 1; seed <= 6; ++seed) {
+        auto const a = account(named.law, wander(seed), 60);
+        misfit = std::max(misfit, std::abs(a.exact_work - a.stored - a.exact_loss));
+        by_end = std::max(by_end, std::abs(a.exact_work - a.stored - a.dissipated));
+      }
+      double const taken = scales(named.law).work;
+      CHECK(misfit < 1e-8 * taken); // 60 steps, each to 1e-10
+      if (irreversible(named.law) && std::visit([](auto const& l) { return l.tangential(); }, named.law))
+        CHECK(by_end > 1e-4 * taken); // of the mode of each step's end
+    }
+  }
+
   TEST_CASE("bonds that evolve: what a step loses beside trapezia is what the law says") {
     for (auto const& named : adhesions()) {
       CAPTURE(named.name);

@@ -123,12 +123,13 @@ template<class Position> struct Walk {
 };
 
 struct Account {
-  double work = 0;                    ///< of the traction, trapezoidal, J/m^2
-  double stored = 0;                  ///< change of the bond's energy
-  double dissipated = 0, least = 0;   ///< all, and the least of a step
-  double largest = 0;                 ///< traction, Pa
-  double predicted = 0, by_moves = 0; ///< what work is more than stored and dissipated, by the law
-  Bond bond;                          ///< at the end
+  double work = 0;                       ///< of the traction, trapezoidal, J/m^2
+  double stored = 0;                     ///< change of the bond's energy
+  double dissipated = 0, least = 0;      ///< all, and the least of a step
+  double largest = 0;                    ///< traction, Pa
+  double predicted = 0, by_moves = 0;    ///< what work is more than stored and dissipated, by the law
+  double exact_work = 0, exact_loss = 0; ///< of the straight ways between the steps, J/m^2
+  Bond bond;                             ///< at the end
   Local<3> traction = Local<3>::Zero();
 };
 
@@ -150,6 +151,9 @@ template<class Position> Account account(Walk<Position> const& walk, int steps) 
     BondMove const bond_move{from, to, result.bond.beta, adhere<3>(walk.law, step, x).beta, step.dt};
     result.predicted += integration_loss(walk.law, bond_move);
     result.by_moves += dissipation(walk.law, bond_move);
+    result.exact_loss += dissipation<3>(walk.law, step, position(k - 1)[0], x);
+    if (!evolves(walk.law))
+      result.exact_work -= work_along(walk.law, step, {position(k - 1)[0], 0, 0}, x);
     result.work += 0.5 * (result.traction + pull).dot(move);
     result.dissipated += taken;
     result.least = std::min(result.least, taken);
