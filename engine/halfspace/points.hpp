@@ -34,6 +34,12 @@ struct GridPoints {
 using History = dynamics::PointHistory<GridPoints>;
 using Pace = dynamics::Pace<History>;
 
+/// Root mean square slope between neighbours that both touch, of the surfaces as they are at rest.
+[[nodiscard]] double slope_in_contact(Model const& model, State const& state);
+/// Does an outermost point of a free surface touch, or is it pulled by a hundredth of the adhesion's
+/// strength?
+[[nodiscard]] bool reaches_rim(Model const& model, State const& state);
+
 [[nodiscard]] Pace pace_of(dynamics::Accuracy const& accuracy, Model const& model);
 
 } // namespace stiction::halfspace

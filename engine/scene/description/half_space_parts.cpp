@@ -26,10 +26,10 @@ core::Schema const& HalfSpacePart::schema() {
               "periodic: repeated for ever, displacements are those about the mean of the surface; free: "
               "nothing acts outside the points, displacements are those against points far away (in plane "
               "strain as far as `size`)")
-          .number(
-              "depth", &HalfSpacePart::depth, "m", core::non_negative, Need::optional,
-              "periodic: so much of the body gives under the mean traction too, laterally confined; 0: the "
-              "mean of the surface stays")
+          .number("depth", &HalfSpacePart::depth, "m", core::non_negative, Need::optional,
+                  "periodic: so much of the body, and of an elastic counterpart, gives under the mean "
+                  "traction too, "
+                  "laterally confined; 0: the mean of the surfaces stays")
           .build();
   return made;
 }

@@ -95,6 +95,9 @@ public:
     result_.counters.insert(changes_.begin(), changes_.end());
     if (course_.blind())
       result_.remarks.emplace_back(no_error_seen);
+    for (auto const* remark : {&at_rim_, &steep_})
+      if (!remark->empty())
+        result_.remarks.push_back(*remark);
     return result_;
   }
   [[nodiscard]] std::map<std::string, double> alone() const { return scene::alone(stepper_.surface()); }
@@ -134,7 +137,14 @@ private:
                                      },
                                      [&](Index i) { return contact_state(model_, state_, i); }}));
   }
-  static void stage_ended() {}
+  void stage_ended() {
+    constexpr double steep = 0.3; // (a/R)^2 of Hertz' sphere is 0.1 then, and with it what is left out
+    if (double const slope = halfspace::slope_in_contact(model_, state_); steep_.empty() && slope > steep)
+      steep_ =
+          fmt::format("at t = {} the surfaces have a slope of {:.2g} (root mean square) where they touch: "
+                      "half spaces, and formulas, know small ones only",
+                      human(state_.t, "s"), slope);
+  }
 
   /// Before an attempt: is it to be made?
   bool goes_on() {
@@ -173,10 +183,21 @@ private:
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
+    look_at_rim();
     log_->add({state_.t, dt, dt, "step", "", "", ""});
     dynamics::Timer const timer(output_);
     record(dt, outcome.iterations, error);
     report(dt, outcome.iterations);
+  }
+
+  /// Beyond the points a free surface bears nothing.
+  void look_at_rim() {
+    if (!at_rim_.empty() || !halfspace::reaches_rim(model_, state_))
+      return;
+    at_rim_ =
+        fmt::format("from t = {} on contact or adhesion reaches the border of the points, beyond which "
+                    "the free surface bears nothing: a larger `size`, unless what touches it ends there",
+                    human(state_.t, "s"));
   }
 
   void record(double dt, long iterations, dynamics::StepError const& error = {}) {
@@ -239,7 +260,8 @@ private:
 
   template<class Archive> void visit(Archive& archive) {
     double spent = seconds(), cpu = cpu_before_ + cpu_seconds();
-    archive(state_, settled_, course_, patience_, result_.steps, result_.cuts, spent, cpu, output_, contact_);
+    archive(state_, settled_, course_, patience_, result_.steps, result_.cuts, spent, cpu, output_, contact_,
+            at_rim_, steep_);
     if constexpr (Archive::reads) {
       stepper_.go_on(settled_);
       before_ = spent;
@@ -276,6 +298,7 @@ private:
   std::vector<double> row_;
   RunResult result_;
   ChangeCounts changes_ = no_changes();
+  std::string at_rim_, steep_;                                    ///< remarks
   double before_ = 0, cpu_before_ = 0, output_ = 0, contact_ = 0; ///< s
   long asked_ = 0;
   Clock::time_point began_ = Clock::now(), reported_{};
