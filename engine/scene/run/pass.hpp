@@ -192,7 +192,10 @@ private:
     Timed const timed(*this);
     recorder_->frame(state_);
   }
-  void stage_ended() { meshes_.examine(state_); }
+  void stage_ended() {
+    meshes_.examine(state_);
+    remarks_.seek_large_strain(state_);
+  }
   void change(record::StepChange change) {
     bool const cut = change.what == "cut";
     result_.cuts += cut ? 1 : 0;
@@ -312,6 +315,7 @@ private:
     if (auto const contact = contact::words(answered()); !contact.empty())
       recorder_->change({state_.t, dt, course_.wanted(dt), "step", "", "", contact});
     Beside::follow(beside_, stepper_, outcome, dt);
+    remarks_.seek_let_go(state_, outcome.state);
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
@@ -319,7 +323,7 @@ private:
       blocks_ = linear::blocks_from_system();
     remarks_.examine(stepper_.contact(), state_.t, contact::Checked::bearing);
     remarks_.seek_beneath(state_);
-    remarks_.weigh(state_.ledger);
+    remarks_.weigh(state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);
     Timed const timed(*this);
     recorder_->step(state_, dt, outcome.iterations, error);

@@ -7,6 +7,7 @@
 
 #include "contact/solvers/answers.hpp"
 #include "scene/description/human.hpp"
+#include "solid/responses.hpp"
 
 namespace stiction::scene {
 
@@ -14,6 +15,33 @@ namespace {
 
 /// Parts of the largest energy of a run from which on what its scheme made or lost is told.
 constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
+/// Change of a cell's edge over its length from which on a law for small strains is far off, and the part of
+/// a body's cells from which on that is told: peaks at corners are not.
+constexpr double bonded = 0.01; ///< part of a bond whose loss is told
+constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
+
+/// Cells of laws for small strains of a body: how many, and how many of them change by more than that.
+std::pair<Index, Index> cells_beyond(dynamics::Model const& model, std::size_t b, Vector const& u) {
+  auto const& body = *model.bodies[b];
+  int const dim = model.dim();
+  Index cells = 0, beyond = 0;
+  for (std::size_t block = 0; block < body.mesh.blocks.size(); ++block) {
+    if (!solid::small_strain(body.law_of(block)))
+      continue;
+    auto const& nodes = body.mesh.blocks[block].nodes;
+    auto const size = static_cast<std::size_t>(mesh::info(body.mesh.blocks[block].kind).nodes);
+    for (std::size_t first = 0; first < nodes.size(); first += size, ++cells) {
+      double most = 0;
+      for (std::size_t k = 1; k < size; ++k) {
+        Index const from = model.first_node[b] + nodes[first], to = model.first_node[b] + nodes[first + k];
+        most = std::max(most, (u.segment(dim * to, dim) - u.segment(dim * from, dim)).norm() /
+                                  (model.reference.row(to) - model.reference.row(from)).norm());
+      }
+      beyond += most > large_strain ? 1 : 0;
+    }
+  }
+  return {cells, beyond};
+}
 
 contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked which) {
   auto const& problem = contact.problem();
@@ -83,13 +111,45 @@ void Remarks::seek_beneath(dynamics::State const& state) {
   }
 }
 
+void Remarks::seek_let_go(dynamics::State const& old, dynamics::State const& next) {
+  for (std::size_t pair = 0; pair < next.contacts.size(); ++pair) {
+    auto const &before = old.contacts[pair], &after = next.contacts[pair];
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (before[i].bond.beta < bonded || !before[i].foot.found() || after[i].foot.found())
+        continue;
+      if (++let_go_.steps == 1)
+        let_go_.text = fmt::format(
+            "at t = {}, {} loses its counterpart, past the border or far off, and with it {} "
+            "of its bond: let the primary go on beyond what is bonded to it",
+            human(next.t, "s"), words_of(*scene_, pair, static_cast<Index>(i)), percent(before[i].bond.beta));
+      return;
+    }
+  }
+}
+
+void Remarks::seek_large_strain(dynamics::State const& state) {
+  auto const& model = *scene_->model;
+  for (std::size_t b = 0; b < model.bodies.size() && strained_.empty(); ++b) {
+    auto const& body = *model.bodies[b];
+    auto const [cells, beyond] = cells_beyond(model, b, state.u);
+    if (static_cast<double>(beyond) > worth_telling_cells * static_cast<double>(cells))
+      strained_ = fmt::format(
+          "at t = {} {} of the cells of body {} are strained or turned by more than {}, and {} knows small "
+          "strains and rotations only: material.neo_hookean{{young = ..., poisson = ...}} knows large ones",
+          human(state.t, "s"), percent(static_cast<double>(beyond) / static_cast<double>(cells)), body.name,
+          percent(large_strain),
+          std::visit([](auto const& law) { return law.schema().name; }, body.material));
+  }
+}
+
 /// What a snap of quasi-static steps loses is no fault of a scheme.
-void Remarks::weigh(dynamics::Ledger const& ledger) {
+void Remarks::weigh(dynamics::Ledger const& ledger, double rounded) {
   stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
                            ledger.spring, ledger.surface});
-  made_ = std::max(made_, -ledger.scheme_loss());
+  if (double const made = -ledger.scheme_loss(); made > rounded)
+    made_ = std::max(made_, made);
   if (dynamics::weights(scene_->model->scheme).inertia)
     lost_ = ledger.scheme_loss();
   else
@@ -122,9 +182,11 @@ void Remarks::add_rounded(std::vector<std::string>& all) const {
 
 std::vector<std::string> Remarks::texts() const {
   std::vector<std::string> all;
-  for (auto const* remark : {&friction_, &softening_, &weakening_, &beneath_})
+  for (auto const* remark : {&friction_, &softening_, &weakening_, &beneath_, &let_go_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
+  if (!strained_.empty())
+    all.push_back(strained_);
   add_rounded(all);
   bool const inertia = dynamics::weights(scene_->model->scheme).inertia;
   double const turned_over = std::max(turned_over_, spent_);

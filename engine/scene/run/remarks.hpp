@@ -13,22 +13,26 @@ public:
   explicit Remarks(Scene const& scene) : scene_(&scene) {}
   /// A step to time t, accepted, or without an answer to its contact problem: then all points are looked at.
   void examine(dynamics::ContactSystem const& contact, double t, contact::Checked which);
-  /// The account of energy after an accepted step.
-  void weigh(dynamics::Ledger const& ledger);
+  /// The account of energy after an accepted step; rounded: what its works are rounded by, J.
+  void weigh(dynamics::Ledger const& ledger, double rounded);
   /// How well an accepted step meets the balance of forces.
   void balance(dynamics::Outcome const& outcome);
   /// Points of an accepted state that lie in the side of their counterpart.
   void seek_beneath(dynamics::State const& state);
+  /// Bonds that a step takes from points that leave their counterpart past its border.
+  void seek_let_go(dynamics::State const& old, dynamics::State const& next);
+  /// Bodies of a law for small strains that are strained or turned by more at a stage's end.
+  void seek_large_strain(dynamics::State const& state);
   /// residual: the largest that rounding kept the contact solver at.
   void rounded(double residual) { contact_ = residual; }
   /// In the order in which they are made; empty where nothing is in doubt.
   [[nodiscard]] std::vector<std::string> texts() const;
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [scene, friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, spent,
-           stabilised, made, lost] = *this;
-    archive(friction, softening, weakening, beneath, steps, force, unmet, contact, turned_over, spent,
-            stabilised, made, lost);
+    auto& [scene, friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
+           turned_over, spent, stabilised, made, lost] = *this;
+    archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
+            turned_over, spent, stabilised, made, lost);
   }
 
 private:
@@ -39,7 +43,8 @@ private:
     template<class Archive> void visit(Archive& archive) { archive(text, steps); }
   };
   Scene const* scene_;
-  Remark friction_, softening_, weakening_, beneath_;
+  Remark friction_, softening_, weakening_, beneath_, let_go_;
+  std::string strained_;
   long steps_ = 0;
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick
