@@ -16,6 +16,8 @@ class Twins {
 public:
   explicit Twins(Model const& model);
   [[nodiscard]] std::vector<Twin> const& all() const { return all_; }
+  /// The node that this one follows in all components by the constraints; itself: none.
+  [[nodiscard]] Index moves_as(Index node) const { return moves_as_.empty() ? node : moves_as_[ix(node)]; }
   /// Do the same unknowns move gap and slip of both, by the same rows H, and are these equal to `off`, m?
   template<int D>
   [[nodiscard]] bool alike(contact::PointKinematics<D> const& a, contact::PointKinematics<D> const& b,

@@ -205,7 +205,24 @@ void Builder::add_pairs() {
     }
 }
 
+/// Two pairs of the same surfaces would both act: what bonds once would bond twice.
+void Builder::refuse_again(std::string const& name, PairPart const& part) {
+  for (auto const& [other, before] : scene_.part.pairs) {
+    if (other == name)
+      return; // the later one is told
+    bool const same = before.secondary == part.secondary && before.primary == part.primary,
+               back = before.secondary == part.primary && before.primary == part.secondary;
+    if (same || (back && before.law.adhesion && part.law.adhesion))
+      complain(
+          {"pairs", name},
+          fmt::format("is of the surfaces that pairs.{} is of, {} and {}{}: leave one of them out", other,
+                      part.secondary, part.primary,
+                      part.law.adhesion && before.law.adhesion ? ", and would hold them a second time" : ""));
+  }
+}
+
 void Builder::add_pair(std::string const& name, PairPart const& part) {
+  refuse_again(name, part);
   check_size({"pairs", name, "direction"}, part.direction);
   if (scene_.part.dim() == 2 && !part.direction.empty())
     complain({"pairs", name, "direction"},

@@ -150,6 +150,7 @@ private:
   void drive_rigid(dynamics::RigidBody const& rigid, ObstaclePart const& part);
   void add_pairs();
   void add_pair(std::string const& name, PairPart const& part);
+  void refuse_again(std::string const& name, PairPart const& part);
   [[nodiscard]] std::optional<mesh::Set> surface(Where const& where, std::string const& name);
   [[nodiscard]] dynamics::Pair secondary_side(std::string const& name, PairPart const& part,
                                               mesh::Set const& set);

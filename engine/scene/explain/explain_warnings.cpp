@@ -180,7 +180,7 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
 
 void locking_cells(BodyFacts const& facts, Warnings& warnings) {
   auto const& body = *facts.body;
-  if (body.interpolation != solid::Interpolation::plain)
+  if (body.interpolation != solid::Interpolation::plain || body.plane_stress)
     return;
   static std::map<mesh::CellKind, char const*> const remedies{
       {mesh::CellKind::quad4, "interpolation = \"mean_dilatation\", or quad8 cells"},
@@ -443,6 +443,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
       adhesion(all, pair, warnings);
   }
   warn_of_relief(all, warnings);
+  warn_of_shared_nodes(all, warnings);
   warn_of_springs(all, warnings);
   inertia(all, warnings);
   critical_steps(all, warnings);

@@ -124,6 +124,8 @@ void advise_rigid(Facts const& all, PairFacts const& pair, std::vector<Warning>&
 void unit_of_meshes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_relief.cpp: heights that the nodes of their boundary do not show.
 void warn_of_relief(Facts const& all, std::vector<Warning>& warnings);
+/// explain_shared.cpp: nodes that move as one in several contact points.
+void warn_of_shared_nodes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_warnings.cpp: what is likely to go wrong; assembles nothing.
 void add_warnings(Facts const& facts, Explanation& explanation);
 /// explain_warnings.cpp: what would cost less and come out the same; assembles and factors at rest.
