@@ -4,6 +4,7 @@ local chaos = require "stiction.sampling.chaos"
 local engine = require "stiction.engine"
 local indices = require "stiction.sampling.indices"
 local numeric = require "stiction.numeric"
+local pictures = require "stiction.sampling.pictures"
 local sample = require "stiction.sample"
 local spread = require "stiction.sampling.spread"
 
@@ -178,6 +179,39 @@ test("moments and quantiles of normal numbers lie within their errors", function
   end
   for k = 1, 3 do
     assert(inside[k] >= 88 and inside[k] <= 100, ("%d: %d of 100"):format(k, inside[k]))
+  end
+end)
+
+test("intervals of quantiles are those of order statistics, whatever the number of points", function()
+  -- the binomial distribution's own quantiles at 2.5 % and 97.5 %
+  for _, known in ipairs { { 100, 0.95, 90, 99 }, { 247, 0.95, 228, 241 }, { 1000, 0.05, 37, 64 }, { 1000, 0.95, 936, 963 },
+    { 100000, 0.5, 49690, 50310 }, { 100000, 0.95, 94864, 95135 } } do
+    local sorted = {}
+    for i = 1, known[1] do
+      sorted[i] = i
+    end
+    local value, low, high = spread.quantile(sorted, known[2])
+    assert(low < value and value < high)
+    equal(low, known[3])
+    equal(high, known[4] + 1)
+  end
+end)
+
+test("quantiles are drawn where they are, with their intervals beside them", function()
+  local values = {}
+  for i = 1, 300 do
+    values[i] = i ^ 3
+  end
+  local result = { name = "q", meaning = "", unit = "1", values = values, moments = spread.moments(values),
+    quantiles = spread.quantiles(values) }
+  local drawn = pictures.of({ axes = {} }, { results = { result }, values = numeric.map(values, function() return {} end) })[1]
+  local dots = drawn.curves[#drawn.curves]
+  equal(#drawn.curves, 7)
+  for i, q in ipairs(result.quantiles) do
+    equal(dots.x[i], q.value)
+    equal(dots.y[i], q.level)
+    equal(drawn.curves[i + 1].x[1], q.low)
+    equal(drawn.curves[i + 1].x[2], q.high)
   end
 end)
 

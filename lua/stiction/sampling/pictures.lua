@@ -23,20 +23,12 @@ local function spread_figure(result)
     share[i] = (i - 0.5) / #values
   end
   local curves = { { label = "of all points", x = values, y = share } }
-  local levels, at, low, high = {}, {}, {}, {}
-  for _, q in ipairs(result.quantiles) do
-    levels[#levels + 1], at[#at + 1] = q.level, q.value
-    low[#low + 1], high[#high + 1] = q.low or values[1], q.high or values[#values]
+  for i, q in ipairs(result.quantiles) do
+    curves[i + 1] = { label = i == 1 and "95 % intervals" or nil, x = { q.low or values[1], q.high or values[#values] },
+      y = { q.level, q.level }, colour = 1 }
   end
-  local half = {}
-  for i in ipairs(at) do
-    half[i] = 0.5 * (high[i] - low[i])
-  end
-  local middle = {}
-  for i in ipairs(at) do
-    middle[i] = 0.5 * (high[i] + low[i])
-  end
-  curves[2] = { label = "quantiles, 95 %", x = middle, y = levels, x_error = half, style = "points", colour = 1 }
+  curves[#curves + 1] = { label = "quantiles", x = numeric.map(result.quantiles, function(q) return q.value end),
+    y = numeric.map(result.quantiles, function(q) return q.level end), style = "points", colour = 1 }
   return figure.lines { name = "spread_" .. result.name, title = "spread of " .. result.name, legend = "below",
     x = { label = result.meaning ~= "" and result.meaning or result.name, unit = result.unit }, y = { label = "share of points below" },
     curves = curves }
