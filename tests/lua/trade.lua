@@ -332,6 +332,30 @@ test("a claim sums what each finer setting changes, times its factor", function(
   equal(none.q, nil)
 end)
 
+test("what a finer setting leaves exactly as it is, though it moves others, is not claimed", function()
+  local steps, cells = { factor = 2, knob = "steps", value = 20 }, { factor = 4, knob = "cells", value = 8 }
+  local function case(q, w, level)
+    return { p = {}, level = level, results = { q = q, w = w } }
+  end
+  local function judged(q, w, level, variants)
+    return claim.judge(judged_study, case(1, 5, 2), variants or { steps, cells }, { case(q, w, level), case(1.01, 5, 2.02) })
+  end
+  local found = judged(1, 5.1, 2)
+  equal(found.q.unmoved, steps)
+  equal(found.q.absolute, nil)
+  equal(found.q.relative, math.huge)
+  equal(found.c.unmoved, steps)
+  equal(found.w.unmoved, cells)
+  -- a setting that moves nothing has no effect, nor one that moves others by what solvers leave
+  near(judged(1, 5, 2).q.absolute, 0.04, 1e-4)
+  near(judged(1, 5 + 1e-9, 2).q.absolute, 0.04, 1e-4)
+  -- another choice may well give the same
+  near(judged(1, 5.1, 2, { { factor = 1, choice = true }, cells }).q.absolute, 0.04, 1e-4)
+  -- what is 0 whatever the settings is off by nothing
+  local none = claim.judge(judged_study, case(0, 5, 2), { steps }, { case(0, 5.1, 2) })
+  equal(none.q.absolute, 0)
+end)
+
 test("what an accuracy is about must be measured", function()
   equal(claim.names(nil, { "peak", "force" }), nil)
   equal(table.concat(claim.names("force, peak", { "peak", "force" }), " "), "force peak")

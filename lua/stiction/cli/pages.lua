@@ -287,7 +287,9 @@ number of the knobs a level finer, one at a time, and with the default in place 
 sum of what these change, of a number times 1 / (1 - r^-0.4) where its resolution falls by r (4.1 for a half), as if
 errors fell with the order 0.4: mostly they fall faster, but of 46 changed scenes (studies/trade/claims) 8 were off by
 more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth
-of the value is added for the solvers' tolerances. With --accuracy it is a check that the claim is within the share.
+of the value is added for the solvers' tolerances. Of a result that a finer number leaves exactly as it is, while it moves
+others, nothing is claimed: it may take steps, as a time of the grid or an area in cells does. With --accuracy it is a
+check that the claim is within the share.
 The finer runs are kept below finer/ in the output.]]
 
 pages.fit = [[
