@@ -29,10 +29,24 @@ end
 
 test("a power law is continued to its limit, with its order", function()
   for _, p in ipairs { 0.8, 1, 2, 3.5 } do
-    local found = extrapolation.limit(levels(3, -0.7, p, { 0.5, 0.3, 0.1 }))
+    local found = extrapolation.limit(levels(3, -0.7, p, { 0.9, 0.5, 0.3, 0.1 }))
     near(found.order, p, 1e-6)
     near(3 - 0.7 * 0.1 ^ p + found.correction, 3)
     near(found.uncertainty, 0.5 * 0.7 * 0.1 ^ p, 1e-6)
+  end
+end)
+
+test("an order above 2 from three levels alone is uncertain by the last difference", function()
+  -- a pull-off at n = 64, 128 and 256; 92132 where n grows on
+  local three = { { h = 1 / 64, value = 91008.8 }, { h = 1 / 128, value = 91863.2 }, { h = 1 / 256, value = 91964.3 } }
+  local found = extrapolation.limit(three)
+  assert(found.order > 3 and found.order < 3.2, found.order)
+  near(found.uncertainty, 101.1)
+  -- nor does a level before confirm it that has another order
+  table.insert(three, 1, { h = 1 / 32, value = 88000 })
+  near(extrapolation.limit(three).uncertainty, 101.1)
+  for _, p in ipairs { 0.8, 1, 2 } do
+    near(extrapolation.limit(levels(3, -0.7, p, { 0.5, 0.3, 0.1 })).uncertainty, 0.5 * 0.7 * 0.1 ^ p, 1e-6)
   end
 end)
 

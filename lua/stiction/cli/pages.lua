@@ -267,10 +267,11 @@ trade = {                                             -- a key of a study
 'stiction trade STUDY' runs the default settings, each knob alone, all numbers at their finest, then the combinations
 that promise most and those next to the front with one number coarser, and writes trade.csv, trade.json and figures
 below out/<study>/trade. The reference of a quantity is the finest run, corrected knob by knob by Richardson
-extrapolation (orders 0.7 to 4; half of the correction is its uncertainty; where no order shows, there is no correction
-and the last differences are the uncertainty). That of a curve is the finest run's, uncorrected; its error is the L2
-norm of the difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the
-abscissas of the one with most points and linear between them. Where a reference is given, it has no uncertainty.
+extrapolation (orders 0.7 to 4; half of the correction is its uncertainty, above 2.2 the last difference unless a level more
+confirms the order; where no order shows, there is no correction and the last differences are the uncertainty). That of a
+curve is the finest run's, uncorrected; its error is the L2 norm of the difference over the norm of the reference (or over
+scale * sqrt(length)), all curves brought to the abscissas of the one with most points and linear between them. Where a
+reference is given, it has no uncertainty.
 Error: the largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point
 operations, the same on every machine. Settings that no other beat in both error and work, by a hundredth of the error
 at least, are the front.
