@@ -126,6 +126,16 @@ test("what two numbers do together adds to the reference's uncertainty", functio
   near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(0.07 ^ 2 + 0.065 ^ 2 + 0.03 ^ 2), 1e-6)
 end)
 
+test("what two numbers do together counts as well where no order shows", function()
+  local runs = world(ladder.first_round(knobs))
+  for _, run in ipairs(runs) do
+    local size, steps = 1e6 * knobs[1].levels[run.levels[1]].si ^ 2, knobs[2].levels[run.levels[2]]
+    run.values.q = 10 + (size == 4 and 0.1 or 0) + (steps == 20 and 0.1 or 0) + (size == 1 and steps == 40 and 3 or 0)
+  end
+  -- differences of 0.1 to and fro along both; half of 3 where both are finest
+  near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(2 * 0.1 ^ 2 + 1.5 ^ 2), 1e-6)
+end)
+
 test("without its finest run there is no reference", function()
   local runs = world(ladder.first_round(knobs))
   runs[#runs].values = nil

@@ -40,21 +40,22 @@ end
 
 --- The corner and, knob by knob, the correction to its limit. The corrections are those of the lines through the
 --- default; how far the corner is from the sum of these lines tells how much less they hold there, and adds to the
---- uncertainty.
+--- uncertainty: up to the corrections, where all lines have one.
 local function extrapolated(knobs, runs, quantity, default, corner)
-  local sum, correction, squares = default, 0, 0
+  local sum, correction, squares, whole = default, 0, 0, true
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local line = reference.line(knobs, runs, knob, quantity)
       local limit = extrapolation.limit(line)
       sum = sum + line[#line].value - default
       correction, squares = correction + limit.correction, squares + limit.uncertainty ^ 2
+      whole = whole and (limit.correction ~= 0 or limit.uncertainty == 0)
     end
   end
   local interaction = 0.5 * math.abs(corner - sum)
   return {
     value = corner + correction,
-    uncertainty = math.sqrt(squares + math.min(interaction, math.abs(correction)) ^ 2),
+    uncertainty = math.sqrt(squares + (whole and math.min(interaction, math.abs(correction)) or interaction) ^ 2),
   }
 end
 
