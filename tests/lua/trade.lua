@@ -7,6 +7,7 @@ local engine = require "stiction.engine"
 local exchange = require "stiction.trade.exchange"
 local extrapolation = require "stiction.trade.extrapolation"
 local ladder = require "stiction.ladder"
+local numeric = require "stiction.numeric"
 local output = require "stiction.output"
 local pictures = require "stiction.trade.pictures"
 local quantity = require "stiction.trade.quantity"
@@ -134,6 +135,21 @@ test("what two numbers do together counts as well where no order shows", functio
   end
   -- differences of 0.1 to and fro along both; half of 3 where both are finest
   near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(2 * 0.1 ^ 2 + 1.5 ^ 2), 1e-6)
+end)
+
+test("what a number leaves exactly as it is, though it moves others, is told", function()
+  local runs, both = world(ladder.first_round(knobs)), { { name = "q" }, { name = "t" } }
+  local function told()
+    return table.concat(numeric.map(reference.still(knobs, runs, both), function(own) return own.knob .. " " .. own.quantity end), ",")
+  end
+  for _, run in ipairs(runs) do
+    run.values.t = 1 / knobs[2].levels[run.levels[2]]
+  end
+  equal(told(), "size t")
+  both[2].watched = true
+  equal(told(), "")
+  both[2] = { name = "t", exact = 1 }
+  equal(told(), "")
 end)
 
 test("without its finest run there is no reference", function()
