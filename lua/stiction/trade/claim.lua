@@ -116,10 +116,10 @@ local function moving(all, count)
 end
 
 --- The variant that leaves a quantity exactly as it is, though it moves others: such a result takes steps, of which this one was
---- too small to show anything. nil if there is none, or if the quantity is 0.
+--- too small to show anything. nil if there is none, or if the quantity is 0 beside what errors are relative to.
 local function without_effect(variants, moved, own)
   for i, variant in ipairs(variants) do
-    if own.size > 0 and moved[i] and not variant.choice and own.list[i + 1] == 0 then
+    if own.size > floor * own.scale and moved[i] and not variant.choice and own.list[i + 1] == 0 then
       return variant
     end
   end
