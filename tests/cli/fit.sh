@@ -178,6 +178,7 @@ refused column 's/y_sign = -1/y_sine = -1/' "unknown key 'y_sine'; did you mean 
 refused ways 's/= at, run/= math.abs(at - 0.55), run/' "the run's time goes back and forth"
 refused units 's/{ x = "time", y = "sole/{ x = "sole\/force_y", y = "sole/' \
   "sole/force_y of the run is in N/m, time of the file in s"
+refused clock 's/^time \[s\],force/time [mm],force/' "time of the run is in s, time of the file in mm"
 refused series 's/sole\/force_x/sole\/forse_x/' "has no series 'sole/forse_x'; did you mean"
 expect 2 "has no \`fit = { parameters =, data = }\`" "$stiction" fit "$tiny"
 finish
