@@ -42,6 +42,8 @@ expect 0 "case,verdict,mu,force_y,force_x|mu0.2,finished,0.2,$(grep '^mu0.2,' a/
   ask show '{ study = "a", where = "mu == 0.2", csv = "-" }'
 expect 0 "chosen.csv" ask show '{ study = "a", sort = "-force_x", columns = "case,force_x", csv = "chosen.csv" }'
 holds "csv: $(cat chosen.csv)" [ "$(sed -n 's/,.*//p' chosen.csv | tr '\n' ' ')" = "case mu0.4 mu0.2 mu0 " ]
+expect 0 "both.csv|both.h5: table 'cases'" ask show '{ study = "a", csv = "both.csv", h5 = "both.h5" }'
+holds "all that is asked for is written" [ -s both.csv ] && holds "and the second" [ -s both.h5 ]
 expect 2 "a/summary.csv is what this table is read from" ask show '{ study = "a", csv = "a/summary.csv" }'
 
 # cases that failed or never ended are shown with their reason
