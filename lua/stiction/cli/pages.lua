@@ -25,8 +25,9 @@ show STUDY     the cases that an output holds: --where 'mu > 0.3 and verdict == 
                STUDY may be an output folder; nothing is run
 report STUDY   one page (HTML) that needs nothing else: question, parameters with reasons, results with units and what they
                may be off by, checks, figures, warnings and remarks, what was modelled, versions; also of an output folder
-verify OUT     compute its cases again (all, or --sample N) from the source that is kept with them, and compare with what is
-               kept: to the last bit, or within --tolerance if another build or processor made it; OUT: also an archive
+verify OUT     compute its cases again (all, or --sample N) from the source that is kept with them, and compare results and
+               histories with what is kept: to the last bit, or results within --tolerance if another build or processor made
+               them; summary.csv too, fields are not compared; OUT: also an archive, of which all files are held against its list
 pack OUT       one archive (.tar.gz) of an output with its description as a Workflow Run RO-Crate, which verify accepts
 compare A B    two outputs (folders or studies): the parameters, settings and results that differ, and by how much
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
