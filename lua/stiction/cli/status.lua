@@ -19,7 +19,7 @@ local function state_of(plan, case, known)
   local row = not (entry and entry.life == "lives") and evaluation.row_of_ended(plan.study, plan.folder, case)
   if row and row.computed then
     return row.done and "done" or "failed", row.result
-  elseif row and row.result.fingerprint == row.fingerprint then
+  elseif row and not row.damaged and row.result.fingerprint == row.fingerprint then
     return "failed", row.result
   end
   return entry and (entry.life == "dead" and "lost" or "running") or "waiting", entry
