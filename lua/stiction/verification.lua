@@ -48,8 +48,8 @@ local function list_or_none(x)
   return type(x) == "table" and x or {}
 end
 
---- How a case was run: {quick =, set =, files =, program =, processor =, shared = by several ranks}; nil and the
---- reason if its files do not say.
+--- How a case was run: {quick =, set =, trade = (true: as one of a ladder, or nil), files =, program =, processor =, shared = by
+--- several ranks}; nil and the reason if its files do not say.
 local function how_run(case)
   local run, files, set = case.ended.run, provenance.files_of(case.ended), {}
   if type(run) ~= "table" or not files then
@@ -58,17 +58,17 @@ local function how_run(case)
   for i, setting in ipairs(list_or_none(run.set)) do
     set[i] = tostring(setting)
   end
-  return { quick = run.quick == true, set = set, files = files, program = run.program,
+  return { quick = run.quick == true, set = set, trade = run.trade == true or nil, files = files, program = run.program,
     processor = run.processor, shared = run.ranks ~= nil }
 end
 
---- Cases that were run with the same source and options: list of {files =, quick =, set =, cases =}; and the others, as
+--- Cases that were run with the same source and options: list of {files =, quick =, set =, trade =, cases =}; and the others, as
 --- {case =, reason =}.
 local function groups_of(cases)
   local groups, by_key, left = {}, {}, {}
   for _, case in ipairs(cases) do
     local how, reason = how_run(case)
-    local key = how and engine.encode_json { how.quick, how.set, how.files }
+    local key = how and engine.encode_json { how.quick, how.set, how.files, how.trade }
     if not how then
       left[#left + 1] = { case = case.name, reason = reason }
     elseif not by_key[key] then
@@ -102,7 +102,7 @@ local function run_group(group, place, options, told)
     local id = tostring(case.ended.case or case.name)
     list[i], by_id[id] = { id = id, point = type(case.ended.point) == "string" and case.ended.point or nil }, case
   end
-  local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set,
+  local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set, trade = group.trade,
     trust = options.trust, jobs = math.floor(options.jobs or engine.cores()), threads = 1, tolerant = true }
   return jobs.run(list, settings, function(case, result)
     told(by_id[case.id], result, settings.folder .. "/" .. case.id)
