@@ -215,6 +215,16 @@ test("quantiles are drawn where they are, with their intervals beside them", fun
   end
 end)
 
+test("points of a list that name different parameters are drawn with what their cases have", function()
+  local values = { { a = 1 }, { b = 5, a = 2 }, { b = 7 } }
+  local rows = { { case = { p = { a = 1, b = 3 } } }, { case = { p = { a = 2, b = 5 } } }, { case = { p = { a = 9, b = 7 } } } }
+  local result = { name = "q", meaning = "", unit = "1", values = { 10, 20, 30 } }
+  result.moments, result.quantiles = spread.moments(result.values), spread.quantiles(result.values)
+  local drawn = pictures.of({ list = values, axes = {} }, { results = { result }, values = values, names = { "a", "b" }, rows = rows })
+  local a, b = drawn[2].figures[1].curves[1], drawn[2].figures[2].curves[1]
+  equal(table.concat(a.x, " ") .. "; " .. table.concat(b.x, " "), "1.0 2.0 9.0; 3.0 5.0 7.0")
+end)
+
 test("failures along one axis are told with their side", function()
   local failed = {}
   for _, u in ipairs(points_of(64, 2)) do

@@ -1,7 +1,6 @@
 -- Figures of a sample: how each result is spread, how it goes with each parameter, whose its variance is.
 local figure = require "stiction.figure"
 local numeric = require "stiction.numeric"
-local ordered = require "stiction.ordered"
 local units = require "stiction.units"
 
 local pictures = {}
@@ -35,7 +34,7 @@ local function spread_figure(result)
 end
 
 local function parameters_of(own, found)
-  return own.list and ordered.keys(found.values[1]) or numeric.map(own.axes, function(axis) return axis.name end)
+  return own.list and found.names or numeric.map(own.axes, function(axis) return axis.name end)
 end
 
 --- A result over each parameter that is a number.
@@ -43,7 +42,10 @@ local function scatter_figure(own, found, result)
   local parts = {}
   for place, name in ipairs(parameters_of(own, found)) do
     local like = own.axes[place] and own.axes[place].like
-    local list = numeric.map(found.values, function(values) return values[name] end)
+    local list = {}
+    for i, values in ipairs(found.values) do -- a point of a list need not name all: the case has the study's own
+      list[i] = values[name] == nil and found.rows[i].case.p[name] or values[name]
+    end
     local first = units.is_quantity(like) and like or list[1]
     if type(units.si(first)) == "number" then
       local unit = units.is_quantity(first) and select(2, first:display()) or "1"
