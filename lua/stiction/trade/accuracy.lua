@@ -102,7 +102,7 @@ function accuracy.choose(study, options)
   local run, nearest = accuracy.cheapest(kept.runs, share, bound_of)
   if not run then
     fault.input("--accuracy %s: the best that was measured is %.2g%%; give 'trade' finer levels and measure them: "
-      .. "./stiction trade %s", options.accuracy, 100 * nearest, options.study)
+      .. "'stiction trade %s'", options.accuracy, 100 * nearest, options.study)
   end
   local settings, words = {}, {}
   for _, name in ipairs(ordered.keys(run.settings)) do
