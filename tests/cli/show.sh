@@ -93,7 +93,7 @@ holds "the furthest is not first: $(cat relative)" sh -c 'sort -gr relative | cm
 expect 0 "9 of 9 results and verdicts are equal (within 0.0001, relative)" ask compare '{ a = "a", b = "c", tolerance = 1e-4 }'
 expect 2 "--tolerance must be a relative difference of 0 or more, not -1" ask compare '{ a = "a", b = "c", tolerance = -1 }'
 "$stiction" run "$tiny" --out one --case mu0.4 --no-figures >/dev/null
-expect 1 "1 cases matched by their parameters|only in B (2): mu0, mu0.2|3 of 3 results" ask compare '{ a = "one", b = "a" }'
+expect 1 "A: one, 1 case|B: a, 3 cases|1 case matched by their parameters|only in B (2): mu0, mu0.2|3 of 3 results" ask compare '{ a = "one", b = "a" }'
 expect 1 "only in A (2): mu0, mu0.2" ask compare '{ a = "a", b = "one" }'
 expect 2 "there is neither an output folder nor a study at 'missing'" ask compare '{ a = "a", b = "missing" }'
 expect 2 "broken/summary.csv is damaged" ask compare '{ a = "a", b = "broken" }'
