@@ -42,6 +42,9 @@ holds "the data are kept with their content" [ "$(find out/soft/fit/source -name
 holds "no row of another study in the sweep" [ ! -e out/soft/summary.csv ]
 expect 0 "0 of them run now" "$stiction" fit soft --no-figures
 expect 0 "output: serial" "$stiction" fit soft --no-figures --jobs 1 --out serial
+cp serial/fit.json unforced
+expect 0 "run now, 0 kept" "$stiction" fit soft --no-figures --jobs 1 --out serial --force
+holds "forced or not" cmp serial/fit.json unforced
 holds "the same to the last bit, however many at a time" cmp $json serial/fit.json
 holds "and its path" cmp out/soft/fit/fit.csv serial/fit.csv
 
