@@ -1,11 +1,12 @@
 -- Samples: Ishigami's function and Sobol's g with their known indices, moments and quantiles with errors, where failures lie.
-local test, equal = ...
+local test, equal, fails = ...
 local chaos = require "stiction.sampling.chaos"
 local engine = require "stiction.engine"
 local indices = require "stiction.sampling.indices"
 local numeric = require "stiction.numeric"
 local pictures = require "stiction.sampling.pictures"
 local sample = require "stiction.sample"
+local spec = require "stiction.sampling.spec"
 local spread = require "stiction.sampling.spread"
 
 --- Sobol's points in 0 to 1, lists of `axes` numbers.
@@ -223,6 +224,15 @@ test("points of a list that name different parameters are drawn with what their 
   local drawn = pictures.of({ list = values, axes = {} }, { results = { result }, values = values, names = { "a", "b" }, rows = rows })
   local a, b = drawn[2].figures[1].curves[1], drawn[2].figures[2].curves[1]
   equal(table.concat(a.x, " ") .. "; " .. table.concat(b.x, " "), "1.0 2.0 9.0; 3.0 5.0 7.0")
+end)
+
+test("what is wrong with a number of points is told, and where it stands", function()
+  local study = { name = "s", sample = { of = { a = { uniform = { 0, 1 } } } } }
+  fails("--count 2.7; a whole number of points, 2 or more, is wanted", spec.read, study, { count = 2.7 })
+  fails("--count 1; a whole number of points", spec.read, study, { count = 1.0 })
+  fails("--count 200000; it is 2 to 100000", spec.read, study, { count = 200000.0 })
+  study.sample.count = 3.5
+  fails("study.sample: count = 3.5; a whole number", spec.read, study, {})
 end)
 
 test("failures along one axis are told with their side", function()
