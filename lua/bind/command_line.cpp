@@ -161,8 +161,7 @@ void Commands::add_fit() {
       "sample", "Sample uncertain parameters: spread, quantiles and shares of the variance of results");
   study(sample)->required();
   study_options(sample);
-  value<double>(sample, "--count", "N", "Points (more keep those there are; default: the study's)")
-      ->check(CLI::Range(2, 1000000).description(""));
+  value<double>(sample, "--count", "N", "Points (more keep those there are; default: the study's)");
   value<double>(sample, "--jobs", "N", "Cases at a time (default: number of cores)")
       ->check(CLI::Range(1, 4096).description(""));
   out(sample);

@@ -4,13 +4,14 @@ local output = require "stiction.output"
 
 local adoption = {}
 
---- Names of the folders of cases that ended well, by their fingerprint, but for those that `used` names.
+--- Names of the folders of cases that ended well and are whole, by their fingerprint, but for those that `used` names.
 local function homeless(folder, used)
   local found = {}
   for _, path in ipairs(engine.list(folder, false)) do
     local name = path:match("[^/]+$")
     local result = not used[name] and output.read_result_in(path)
-    if result and type(result.fingerprint) == "string" and output.is_computed(result, result.fingerprint) then
+    if result and type(result.fingerprint) == "string" and output.is_computed(result, result.fingerprint)
+      and engine.kind_of_path(path .. "/series.h5") == "file" and not output.damaged(path, result) then
       found[result.fingerprint] = { name = name, result = result }
     end
   end
@@ -30,7 +31,7 @@ function adoption.find(plan, rows)
   local found = homeless(plan.folder, used)
   for _, row in ipairs(open) do
     local other = found[row.fingerprint]
-    if other and engine.kind_of_path(plan.folder .. "/" .. other.name .. "/series.h5") == "file" then
+    if other then
       row.adopted, row.result, found[row.fingerprint] = other.name, other.result, nil
       row.computed, row.done, row.stale = true, true, true
     end

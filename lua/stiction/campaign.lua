@@ -173,6 +173,11 @@ local function pending_cases(plan, rows)
   for _, row in ipairs(rows) do
     fingerprints[row.case.id] = row.fingerprint
     if is_wanted(plan, row) and (plan.options.force or not row.computed) then
+      local damaged = row.damaged or not row.result and output.unreadable(output.case_folder(plan.folder, row.case))
+      if damaged and not row.told then
+        report.line("%s is damaged: %s runs anew", damaged, row.case.id)
+        row.told = true
+      end
       pending[#pending + 1] = row.case
       if row.adopted then -- it runs anew all the same
         row.adopted, row.computed, row.done, row.stale = nil, false, false, false
@@ -180,6 +185,15 @@ local function pending_cases(plan, rows)
     end
   end
   return pending, fingerprints
+end
+
+--- Says which histories are no longer whole; they stay until the user says so.
+local function tell_cut(plan, rows)
+  for _, row in ipairs(rows) do
+    if row.computed and row.cut and is_wanted(plan, row) and not plan.options.force then
+      report.line("%s is damaged; its results are kept, 'stiction run STUDY --case %s --force' runs the case anew", row.cut, row.case.id)
+    end
+  end
 end
 
 local function write_now(plan, rows)
@@ -284,6 +298,7 @@ function campaign.run(plan, rows)
   if not plan.tried and (not options.worker or options.strict) then -- cases of workers tell what is wrong with them
     warn(validate_all(plan.study, pending, plan.curves, plan.options.ranks), rows, options)
   end
+  tell_cut(plan, rows)
   revive(plan, rows, pending)
   local settings = { study = options.study, folder = plan.folder, quick = options.quick, set = options.set,
     trust = options.trust, trade = options.trade, problems = options.problems,

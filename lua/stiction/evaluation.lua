@@ -34,6 +34,10 @@ local function row_of(study, folder, case, result, mark, name)
     fingerprint = same and result.fingerprint or identity.of(study, case) }
   row.computed = output.is_computed(result, row.fingerprint)
     and (study.problem or engine.kind_of_path(folder .. "/" .. name .. "/series.h5") == "file") and true or false
+  if row.computed then
+    row.damaged, row.cut = output.damaged(folder .. "/" .. name, result)
+    row.computed = not row.damaged
+  end
   row.stale = row.computed and not study.problem and not of_sources
   row.adopted = row.stale and output.key_in(folder .. "/" .. name) ~= output.key(case) and name or nil
   row.done = row.computed and (row.stale or result.verdict == "finished")
@@ -41,8 +45,8 @@ local function row_of(study, folder, case, result, mark, name)
 end
 
 --- What stands of a case in the folder: {case =, fingerprint =, result = nil | table, mark = of its file, place = name of
---- its folder, computed = it need not run again, done = and has all its results, stale = these must be made anew, adopted =
---- the folder of other parameters that it takes over}.
+--- its folder, damaged, cut = its manifest, its history, where that is no longer as it was written, computed = it need not run
+--- again, done = and has all its results, stale = these must be made anew, adopted = the folder of other parameters that it takes over}.
 function evaluation.row(study, folder, case, many)
   local row = row_of(study, folder, case, output.read_result(folder, case))
   case.scene = not many and case.scene or nil -- thousands of them fill memory

@@ -200,10 +200,32 @@ local function beside_result(text)
   return (text:gsub(result_line, "{", 1):gsub("^%s*{%s*\n?", "", 1))
 end
 
---- Puts a result before what the manifest in the folder holds beside it.
+--- Puts a result before what the manifest in the folder holds beside it, and how long that file is then, and the history.
 function output.write_result_in(case_folder, result)
   local text = engine.read_file(manifest_in(case_folder)) or '{"made_of":{}}\n'
-  engine.write_file(manifest_in(case_folder), ('{"result":%s,\n'):format(engine.encode_json(result)) .. beside_result(text))
+  local beside = beside_result(text)
+  local series = case_folder .. "/series.h5"
+  local history = engine.kind_of_path(series) == "file" and engine.file_size(series) or nil
+  local function whole(size)
+    result.sizes = { manifest = ("%012d"):format(size), history = history }
+    return ('{"result":%s,\n'):format(engine.encode_json(result)) .. beside
+  end
+  engine.write_file(manifest_in(case_folder), whole(#whole(0)))
+end
+
+--- Of a case that has run, its history there: the manifest, the history, where that is no longer as it was written, as lengths tell;
+--- nil where it is. A manifest that is still JSON may well have been written anew.
+function output.damaged(case_folder, result)
+  local sizes = type(result.sizes) == "table" and result.sizes or {}
+  local manifest, series = manifest_in(case_folder), case_folder .. "/series.h5"
+  local cut = sizes.manifest and engine.file_size(manifest) ~= tonumber(sizes.manifest) and not output.read_file(manifest)
+  return cut and manifest or nil, sizes.history and engine.file_size(series) ~= sizes.history and series or nil
+end
+
+--- The manifest in a case's folder, if there is one that cannot be read.
+function output.unreadable(case_folder)
+  local manifest = manifest_in(case_folder)
+  return engine.kind_of_path(manifest) == "file" and not output.read_file(manifest) and manifest or nil
 end
 
 --- Takes away whatever says that a case in this folder has ended.

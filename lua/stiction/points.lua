@@ -26,7 +26,8 @@ local function add(self, cases)
     options = self.options, points = true }
   for i, row in ipairs(rows) do
     self.rows[#self.rows + 1], self.by_id[row.case.id] = row, row
-    row.number, self.known = #self.rows, self.known + ((row.computed or is_failure(row)) and 1 or 0)
+    local kept = not self.options.force and (row.computed or is_failure(row))
+    row.number, self.known = #self.rows, self.known + (kept and 1 or 0)
     cases[i].scene = nil
   end
   return rows

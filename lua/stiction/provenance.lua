@@ -7,7 +7,7 @@ local provenance = { folder = "source" } -- in the output folder
 --- What a case that begins is run with: what the command line asked, the program (its identity), the processor, the
 --- time.
 function provenance.begin(options, program)
-  return { quick = options.quick or false, set = options.set or {}, program = program, version = engine.version,
+  return { quick = options.quick or false, set = options.set or {}, trade = options.trade, program = program, version = engine.version,
     ranks = options.ranks, processor = engine.processor(), started = engine.utc_now() }
 end
 

@@ -65,7 +65,7 @@ function report.in_unit(entry, value, digits)
   if type(value) ~= "number" then
     return value == nil and "-" or tostring(value)
   end
-  return ("%%.%dg"):format(digits or 5):format(value / (engine.parse_unit(entry.unit or "") or 1))
+  return ("%%.%dg"):format(digits or 5):format(value / (engine.parse_unit(entry.unit or "") or 1) + 0) -- + 0: no -0
 end
 
 --- What the cases remark, once for those alike.

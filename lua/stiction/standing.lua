@@ -21,7 +21,7 @@ local function plain(told, age)
     end
   end
   return { cases = cases, done = math.floor(number_or(told.done, 0)), failed = math.floor(number_or(told.failed, 0)),
-    seconds = number_or(told.seconds, 0) + age, job = told.job, task = told.task }
+    total = math.floor(number_or(told.total, 0)), seconds = number_or(told.seconds, 0) + age, job = told.job, task = told.task }
 end
 
 --- "2 s ago", "none for 3 min 05 s: dead"
@@ -56,8 +56,8 @@ local function keep_current(folder, worker, holders)
   worker.told.cases = kept
 end
 
---- {workers = {{name =, words =, life = "lives" | "silent" | "dead", age = s or nil, here =, told = {cases =, done =, failed =,
---- seconds =}}}, cases = by name {worker =, life =, own = what its worker told of it, or nil}}
+--- {workers = {{name =, words =, life = "lives" | "silent" | "dead", age = s or nil, here =, told = {cases =, total = (of its
+--- run, 0: not told), done =, failed =, seconds =}}}, cases = by name {worker =, life =, own = what its worker told of it, or nil}}
 function standing.read(folder)
   local workers, holders = claims.look(folder)
   local known, by_name = { workers = {}, cases = {} }, {}

@@ -100,6 +100,15 @@ local function set(plan, values, name, value, blame)
   replace(plan, values, name, value)
 end
 
+--- A number that --set says; bad input where it is beyond all that there are.
+local function finite(name, text, number, factor)
+  local value = tonumber(number)
+  if not numeric.is_finite(value * (factor or 1)) then
+    fault.input("--set %s=%s: that is beyond the largest number that there is", name, text)
+  end
+  return value
+end
+
 --- "5 mm", "0.4", "true" or a word, as what stands there now.
 local function parse_value(name, text, old)
   local number, unit = text:match("^%s*([-+]?[%d.]+[eE]?[-+]?%d*)%s*%*?%s*(.-)%s*$")
@@ -108,13 +117,13 @@ local function parse_value(name, text, old)
   elseif type(old) == "string" or not tonumber(number) then
     return text
   elseif unit == "" then
-    return tonumber(number)
+    return finite(name, text, number)
   elseif unit:find ",%s*[-+]?[%d.]" then
     fault.input("--set %s=%s: one value is wanted; several stand in the study, as sweep = { %s = { ... } }", name, text, name)
   elseif not engine.parse_unit(unit) then
     fault.input("--set: unknown unit '%s'%s", unit, fault.meant(unit, engine.unit_words()))
   end
-  return tonumber(number) * units.units(unit)
+  return finite(name, text, number, (engine.parse_unit(unit))) * units.units(unit)
 end
 
 local function apply_settings(plan, values, settings)

@@ -48,8 +48,8 @@ local function list_or_none(x)
   return type(x) == "table" and x or {}
 end
 
---- How a case was run: {quick =, set =, files =, program =, processor =, shared = by several ranks}; nil and the
---- reason if its files do not say.
+--- How a case was run: {quick =, set =, trade = (true: as one of a ladder, or nil), files =, program =, processor =, shared = by
+--- several ranks}; nil and the reason if its files do not say.
 local function how_run(case)
   local run, files, set = case.ended.run, provenance.files_of(case.ended), {}
   if type(run) ~= "table" or not files then
@@ -58,17 +58,17 @@ local function how_run(case)
   for i, setting in ipairs(list_or_none(run.set)) do
     set[i] = tostring(setting)
   end
-  return { quick = run.quick == true, set = set, files = files, program = run.program,
+  return { quick = run.quick == true, set = set, trade = run.trade == true or nil, files = files, program = run.program,
     processor = run.processor, shared = run.ranks ~= nil }
 end
 
---- Cases that were run with the same source and options: list of {files =, quick =, set =, cases =}; and the others, as
+--- Cases that were run with the same source and options: list of {files =, quick =, set =, trade =, cases =}; and the others, as
 --- {case =, reason =}.
 local function groups_of(cases)
   local groups, by_key, left = {}, {}, {}
   for _, case in ipairs(cases) do
     local how, reason = how_run(case)
-    local key = how and engine.encode_json { how.quick, how.set, how.files }
+    local key = how and engine.encode_json { how.quick, how.set, how.files, how.trade }
     if not how then
       left[#left + 1] = { case = case.name, reason = reason }
     elseif not by_key[key] then
@@ -95,17 +95,17 @@ local function other_file(kept, read)
   end
 end
 
---- Runs the cases of a group; told(case, result) for each. True if the user stopped it.
+--- Runs the cases of a group; told(case, result, folder) for each. True if the user stopped it.
 local function run_group(group, place, options, told)
   local by_id, list = {}, {}
   for i, case in ipairs(group.cases) do
     local id = tostring(case.ended.case or case.name)
     list[i], by_id[id] = { id = id, point = type(case.ended.point) == "string" and case.ended.point or nil }, case
   end
-  local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set,
+  local settings = { study = group.study, folder = place .. "/out", quick = group.quick, set = group.set, trade = group.trade,
     trust = options.trust, jobs = math.floor(options.jobs or engine.cores()), threads = 1, tolerant = true }
   return jobs.run(list, settings, function(case, result)
-    told(by_id[case.id], result)
+    told(by_id[case.id], result, settings.folder .. "/" .. case.id)
   end) == "stopped"
 end
 
@@ -120,8 +120,17 @@ local function scales_of(outcome)
   return scales
 end
 
---- Compares what a case gave with what was kept; adds to the report.
-local function compare(report, case, result, scales, tolerance)
+--- Compares the history that a case gave with the kept one, byte by byte, where there are both; adds to the report.
+local function compare_histories(report, case, folder)
+  local kept, got = engine.read_file(case.folder .. "/series.h5"), engine.read_file(folder .. "/series.h5")
+  if kept or got then
+    report.histories = report.histories + 1
+    report.others[#report.others + 1] = kept ~= got and { case = case.name, gone = not kept } or nil
+  end
+end
+
+--- Compares what a case gave, in this folder, with what was kept; adds to the report.
+local function compare(report, case, result, folder, scales, tolerance)
   local how = how_run(case)
   local other = other_file(how.files, result.files)
   if result.verdict ~= case.verdict or other then
@@ -142,14 +151,19 @@ local function compare(report, case, result, scales, tolerance)
         apart = apart }
     end
   end
+  if same_build then
+    compare_histories(report, case, folder)
+  end
 end
 
 --- Computes the cases again below `place`. tolerance: relative to the largest value of the result among the cases,
 --- where another build of the program or another processor made them. {cases =, foreign = those of another build, values =,
---- equal = to the last bit, largest = difference, differences = {{case =, name =, kept =, got =, apart =}}, left =
---- {{case =, reason =}} (not recomputed), stopped =}.
+--- equal = to the last bit, largest = difference, differences = {{case =, name =, kept =, got =, apart =}}, histories = (of this
+--- build, that were compared), others = {{case =, gone =}} (whose history is another one than was kept), left = {{case =, reason =}}
+--- (not recomputed), stopped =}.
 function verification.recompute(place, outcome, cases, options, tolerance)
-  local report = { cases = 0, foreign = 0, values = 0, equal = 0, largest = 0, differences = {}, stopped = false }
+  local report = { cases = 0, foreign = 0, values = 0, equal = 0, largest = 0, differences = {}, histories = 0, others = {},
+    stopped = false }
   local scales = scales_of(outcome)
   local groups, left = groups_of(cases)
   report.left = left
@@ -160,8 +174,8 @@ function verification.recompute(place, outcome, cases, options, tolerance)
     for _, case in ipairs(study and {} or group.cases) do
       report.left[#report.left + 1] = { case = case.name, reason = reason }
     end
-    report.stopped = report.stopped or study ~= nil and run_group(group, own, options, function(case, result)
-      compare(report, case, result, scales, tolerance)
+    report.stopped = report.stopped or study ~= nil and run_group(group, own, options, function(case, result, folder)
+      compare(report, case, result, folder, scales, tolerance)
     end)
   end
   return report

@@ -39,9 +39,24 @@ holds "left of an older version: $(ls older/mu0)" sh -c '! ls older/mu0/*.json |
 # a manifest that cannot be read is told where it counts
 echo '{ "x": ' >out/drag/mu0.2/manifest.json
 expect 2 "out/drag/mu0.2/manifest.json is damaged|--force" "$stiction" compare out/drag good/drag
-expect 0 "checks held" "$stiction" run drag --no-figures
-expect 0 "mu0.2  started" "$stiction" run drag --case mu0.2 --force --no-figures
+expect 0 "mu0.2  to run: out/drag/mu0.2/manifest.json is damaged" "$stiction" why drag
+expect 0 "out/drag/mu0.2/manifest.json is damaged: mu0.2 runs anew|mu0.2  started|checks held" "$stiction" run drag --no-figures
 expect 0 "9 of 9 results" "$stiction" compare out/drag good/drag
+
+# what was cut off behind the result as well, of histories it is told; what some other program has written anew is none of it
+expect 0 "3 cases: 3 reused" "$stiction" why drag
+cp -r out/drag cut
+sed -i '$d' cut/mu0/manifest.json
+truncate -s -1000 cut/mu0.2/series.h5
+printf '\n' >>cut/mu0.4/manifest.json
+expect 0 "mu0  to run: cut/mu0/manifest.json is damaged|mu0.2  reused; cut/mu0.2/series.h5 is damaged|mu0.4  reused" "$stiction" why \
+  drag --out cut
+expect 0 "2 of 3 cases done, 0 failed, 0 running, 1 waiting" "$stiction" status drag --out cut
+expect 0 "cut/mu0/manifest.json is damaged: mu0 runs anew|cut/mu0.2/series.h5 is damaged; its results are kept|checks held" "$stiction" \
+  run drag --no-figures --out cut
+holds "others run again" [ "$(grep -c started output)" = 1 ]
+expect 0 "3 cases: 3 reused" "$stiction" why drag --out cut
+expect 0 "9 of 9 results" "$stiction" compare cut good/drag
 
 # a sweep over what no scene reads is told, that of one it reads is not
 changed slip 's/sweep = { mu = { 0, 0.2, 0.4 } }/sweep = stiction.sample.sobol { count = 2, seed = 1, of = { youn = { 1e6, 2e6 } } }/

@@ -42,6 +42,9 @@ holds "the data are kept with their content" [ "$(find out/soft/fit/source -name
 holds "no row of another study in the sweep" [ ! -e out/soft/summary.csv ]
 expect 0 "0 of them run now" "$stiction" fit soft --no-figures
 expect 0 "output: serial" "$stiction" fit soft --no-figures --jobs 1 --out serial
+cp serial/fit.json unforced
+expect 0 "run now, 0 kept" "$stiction" fit soft --no-figures --jobs 1 --out serial --force
+holds "forced or not" cmp serial/fit.json unforced
 holds "the same to the last bit, however many at a time" cmp $json serial/fit.json
 holds "and its path" cmp out/soft/fit/fit.csv serial/fit.csv
 
@@ -178,6 +181,7 @@ refused column 's/y_sign = -1/y_sine = -1/' "unknown key 'y_sine'; did you mean 
 refused ways 's/= at, run/= math.abs(at - 0.55), run/' "the run's time goes back and forth"
 refused units 's/{ x = "time", y = "sole/{ x = "sole\/force_y", y = "sole/' \
   "sole/force_y of the run is in N/m, time of the file in s"
+refused clock 's/^time \[s\],force/time [mm],force/' "time of the run is in s, time of the file in mm"
 refused series 's/sole\/force_x/sole\/forse_x/' "has no series 'sole/forse_x'; did you mean"
 expect 2 "has no \`fit = { parameters =, data = }\`" "$stiction" fit "$tiny"
 finish

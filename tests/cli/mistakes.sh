@@ -37,6 +37,8 @@ expect 2 "poisson: a function cannot be part of a scene" "$stiction" run functio
 
 expect 2 "no parameter 'denstiy'; did you mean 'density'?" "$stiction" run "$tiny" --set "denstiy=3"
 expect 2 "'density' must be like 1000 kg/m^3, not 3" "$stiction" run "$tiny" --set "density=3"
+expect 2 "--set density=1e400 kg/m^3: that is beyond the largest number" "$stiction" run "$tiny" --set "density=1e400 kg/m^3"
+expect 2 "--set mu=-1e400: that is beyond the largest number" "$stiction" run "$tiny" --set "mu=-1e400"
 expect 2 "unknown unit 'kgg'; did you mean 'kg'?" "$stiction" run "$tiny" --set "density=3 kgg"
 expect 2 "density=1, 2 kg/m^3: one value is wanted|sweep = { density = { ... } }" "$stiction" run "$tiny" \
   --set "density=1, 2 kg/m^3"

@@ -42,6 +42,8 @@ expect 0 "case,verdict,mu,force_y,force_x|mu0.2,finished,0.2,$(grep '^mu0.2,' a/
   ask show '{ study = "a", where = "mu == 0.2", csv = "-" }'
 expect 0 "chosen.csv" ask show '{ study = "a", sort = "-force_x", columns = "case,force_x", csv = "chosen.csv" }'
 holds "csv: $(cat chosen.csv)" [ "$(sed -n 's/,.*//p' chosen.csv | tr '\n' ' ')" = "case mu0.4 mu0.2 mu0 " ]
+expect 0 "both.csv|both.h5: table 'cases'" ask show '{ study = "a", csv = "both.csv", h5 = "both.h5" }'
+holds "all that is asked for is written" [ -s both.csv ] && holds "and the second" [ -s both.h5 ]
 expect 2 "a/summary.csv is what this table is read from" ask show '{ study = "a", csv = "a/summary.csv" }'
 
 # cases that failed or never ended are shown with their reason
@@ -91,7 +93,7 @@ holds "the furthest is not first: $(cat relative)" sh -c 'sort -gr relative | cm
 expect 0 "9 of 9 results and verdicts are equal (within 0.0001, relative)" ask compare '{ a = "a", b = "c", tolerance = 1e-4 }'
 expect 2 "--tolerance must be a relative difference of 0 or more, not -1" ask compare '{ a = "a", b = "c", tolerance = -1 }'
 "$stiction" run "$tiny" --out one --case mu0.4 --no-figures >/dev/null
-expect 1 "1 cases matched by their parameters|only in B (2): mu0, mu0.2|3 of 3 results" ask compare '{ a = "one", b = "a" }'
+expect 1 "A: one, 1 case|B: a, 3 cases|1 case matched by their parameters|only in B (2): mu0, mu0.2|3 of 3 results" ask compare '{ a = "one", b = "a" }'
 expect 1 "only in A (2): mu0, mu0.2" ask compare '{ a = "a", b = "one" }'
 expect 2 "there is neither an output folder nor a study at 'missing'" ask compare '{ a = "a", b = "missing" }'
 expect 2 "broken/summary.csv is damaged" ask compare '{ a = "a", b = "broken" }'

@@ -9,7 +9,7 @@ changed soft 's/^  quick = .*/  trade = { quantities = { "force_y", "force_x",\
     quick = { knobs = { { "cells", { 2, 4 } } } } },\
   quick = { sweep = { mu = { 0.2 } }, set = { steps = 5 } },/'
 
-expect 2 "was not measured yet|./stiction trade soft" "$stiction" run soft --accuracy 5% --no-figures
+expect 2 "was not measured yet|: 'stiction trade soft'" "$stiction" run soft --accuracy 5% --no-figures
 expect 0 "force_y: reference|history: reference a curve +-|zero: reference a curve, exact|default|front|output: out/soft/trade" "$stiction" trade soft --no-figures
 holds "trade.csv" grep -q '^case,cells,steps,force_y,force_y_error,force_x,force_x_error,history_error,zero_error,error,bound,work,seconds' \
   out/soft/trade/trade.csv
@@ -17,6 +17,9 @@ holds "five runs and at most two combinations" [ "$(wc -l <out/soft/trade/trade.
 holds "one default" [ "$(grep -c ",true,[a-z]*$" out/soft/trade/trade.csv)" = 1 ]
 holds "kept beside the study" [ -s soft/trade.json ]
 cut -d, -f1-10 out/soft/trade/trade.csv >first
+expect 0 "recomputed from the kept source|0 differ too much|histories equal to the last byte" "$stiction" verify out/soft/trade
+expect 0 "stiction verify trade.tar.gz" "$stiction" pack out/soft/trade
+expect 0 "all files are what|recomputed from the kept source|0 differ too much" "$stiction" verify trade.tar.gz
 
 # a curve of a column that is not there, before anything runs
 sed 's|sole/force_y" }|sole/forcey" }|' soft/study.lua >soft/curve.lua
@@ -87,7 +90,7 @@ for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die la
   expect 0 "--accuracy 10%:|of the default's work|checks held" "$stiction" run "$here/../../studies/trade/$name" \
     --accuracy 10% --no-figures --out "$name"
   holds "$name: what was measured is checked" grep -q "within its error of what" "$name/checks.json"
-  expect 2 "the best that was measured is|./stiction trade" "$stiction" run "$here/../../studies/trade/$name" \
+  expect 2 "the best that was measured is|: 'stiction trade" "$stiction" run "$here/../../studies/trade/$name" \
     --accuracy 1e-9 --list
 done
 

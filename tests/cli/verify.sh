@@ -25,7 +25,7 @@ cp -r o before
 run work/own --out o --case mu0
 holds "a copy of each content: $(find o/source)" [ "$(count o)" = 3 ]
 rm -r work
-expect 0 "3 of 3 cases recomputed from the kept source: computed by this program on this processor, so to the last bit|6 of 6 results equal to the last bit, 0 differ" \
+expect 0 "3 of 3 cases recomputed from the kept source: computed by this program on this processor, so to the last bit|6 of 6 results equal to the last bit, 0 differ|3 of 3 histories equal to the last byte" \
   "$stiction" verify before
 expect 0 "4 of 4 cases|8 of 8 results equal" "$stiction" verify o # with what stands aside
 expect 0 "1 of 1 case chosen of 3|2 of 2 results" "$stiction" verify before --sample 1
@@ -65,6 +65,12 @@ rm source/source/*/block.lua
 expect 1 "block.lua is not kept" "$stiction" verify source
 spoil result mu0.4/manifest.json 's/"force_y":23.9/"force_y":23.8/'
 expect 1 "mu0.4: force_y was 23.8|is now 23.9|5 of 6 results equal to the last bit, 1 differs too much" "$stiction" verify result
+rm -rf history
+cp -r before history
+cp before/mu0/series.h5 history/mu0.4
+rm history/mu0.2/series.h5
+expect 1 "mu0.2: series.h5 is gone|mu0.4: series.h5 is not what the kept source gives|0 differ too much|1 of 3 histories equal" "$stiction" \
+  verify history
 spoil older mu0/manifest.json '1s/"run":{[^}]*},//'
 expect 1 "mu0: not recomputed: it does not say how it was run|2 of 3 cases" "$stiction" verify older
 

@@ -87,9 +87,10 @@ holds "it did not take over: $(cat log.2)" grep -q '^mu0 .*finished' last/summar
 id=$!
 appears told/.claims
 for _ in $(seq 600); do
-  "$stiction" status told >output 2>&1 && grep -q "1 running" output && break
+  "$stiction" status told >output 2>&1 && grep -q "0 of 40 cases done, 0 failed, 1 running, 39 waiting" output && break
   sleep 0.1
 done
+holds "cases that have not begun are counted: $(cat output)" grep -q "1 running, 39 waiting" output
 kill "$id"
 wait "$id"
 code=$?
@@ -97,6 +98,7 @@ holds "told to end it ended with $code: $(cat log.1)" [ "$code" = 1 ]
 holds "no word: $(cat log.1)" grep -q "stopped; finished cases are kept, the same command goes on from here" log.1
 holds "claims are left: $(ls -A told/.claims)" [ -z "$(ls -A told/.claims)" ]
 expect 0 "nobody works on it; 'stiction run STUDY' goes on from here" "$stiction" status drag --set steps=60000 --out told
+expect 0 "cases that have not begun do not show in the folder: 'stiction status STUDY' counts them" "$stiction" status told
 
 # nothing can be written any more: this worker ends and fails no case, another one goes on
 expect 1 "File too large|this run ends, and leaves case|to those that can write" \

@@ -389,6 +389,18 @@ test("what is claimed is never less than the simulation's own error", function()
   fails("speed = { values }", advice.check, { further = { 3 } })
 end)
 
+test("a repeat is told in bits only where the data determine something", function()
+  --- What is said of a repeat where the residuals go with two parameters so.
+  local function said(J)
+    local fit = { parameters = { { name = "a" }, { name = "b" } }, curves = { { name = "drag", first = 1, last = 3 } } }
+    local found = { J = J, at = { r = { 0, 0, 0 }, slopes = { 1, 1, 1 } } }
+    return advice.said(fit, advice.of({ fit = fit }, found, { free = { 1, 2 }, slopes = { 1, 1 }, relative = { 1, 2 } })[1])
+  end
+  equal(said { { 1, 2, 3 }, { 3, 1, 0 } }, "once more: drag would bring the error of b to 0.71 of what it is (1 bits in all)")
+  equal(said { { 0, 0, 0 }, { 0, 0, 0 } }, "once more: drag would determine nothing either")
+  equal(said { { 0, 0, 0 }, { 3, 1, 0 } }, "once more: drag would bring the error of b to 0.71 of what it is (0.5 bits in all)")
+end)
+
 test("what data determine is not claimed where the simulation is rougher than that", function()
   local word = require("stiction.fit.verdict").word
   local judged, own = { fates = { "determined", "determined", "not determined" } }, { known = true, relative = { 0.1, 0.3, 0.3 } }

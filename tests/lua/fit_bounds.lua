@@ -160,3 +160,30 @@ test("the simulation's own error is told of it, too, as it moves with the others
   local alone = 3 * (2 + 0.1 * numeric.mean(x)) / 10
   assert(math.abs(own.relative[1] - alone) < 1e-9, own.relative[1])
 end)
+
+test("a curve that a finer level leaves exactly as it is, though it moves results, tells nothing of the simulation's own error", function()
+  local J, found = { {} }, { z = { 0.5 }, at = { r = {}, slopes = {}, curves = { {}, {} }, results = { { force = 1 } } } }
+  for i = 1, 8 do
+    J[1][i], found.at.r[i], found.at.slopes[i] = 10, 0, 1
+    found.at.curves[i < 5 and 1 or 2][(i - 1) % 4 + 1] = i
+  end
+  found.J = J
+  local fit = { parameters = { { name = "a", from = -5, to = 5, start = 1 } }, curves = { { name = "time" }, { name = "pull" } } }
+  --- What is told where a finer level moves the result to this and the second curve by so much.
+  local function told(force, by, factor)
+    local answer = { r = {}, curves = { found.at.curves[1], numeric.map(found.at.curves[2], function(y) return y + by end) },
+      results = { { force = force } } }
+    for i = 1, 8 do
+      answer.r[i] = i < 5 and 0 or by
+    end
+    local model = { fit = fit, evaluate = function() return { answer } end }
+    return finer.shifts(model, found, { free = { 1 }, slopes = { 1 } }, { { settings = {}, factor = factor or 3, words = "steps = 20" } })
+  end
+  local none = told(1.1, 0)
+  assert(not none.known and none.reason:find("steps = 20 moves other results and leaves time, pull exactly as they are", 1, true))
+  local one = told(1, 0.1)
+  assert(one.known and one.relative[1] > 0 and one.variants[1].doubt:find("leaves time exactly as it is", 1, true))
+  for _, own in ipairs { told(1, 0), told(1 + 1e-9, 0), told(1.1, 0, 1) } do -- no effect at all, but the solver's; another choice
+    assert(own.known and own.relative[1] == 0 and not own.variants[1].doubt)
+  end
+end)

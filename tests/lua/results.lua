@@ -126,6 +126,12 @@ test("results are kept in SI, whatever their unit, and printed in it", function(
   assert(text:find("one +finished +8 +3\n"), text)
 end)
 
+test("what is 0 is shown as that, whatever its sign", function()
+  equal(report.in_unit({ unit = "mm" }, -0.0), "0")
+  equal(report.in_unit({ unit = "1" }, -1e-3), "-0.001")
+  equal(report.in_unit({}, 0), "0")
+end)
+
 test("failures of many cases are told once, of few each", function()
   local study, rows = { results = {} }, {}
   for i = 1, 9 do

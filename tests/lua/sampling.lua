@@ -1,10 +1,12 @@
 -- Samples: Ishigami's function and Sobol's g with their known indices, moments and quantiles with errors, where failures lie.
-local test, equal = ...
+local test, equal, fails = ...
 local chaos = require "stiction.sampling.chaos"
 local engine = require "stiction.engine"
 local indices = require "stiction.sampling.indices"
 local numeric = require "stiction.numeric"
+local pictures = require "stiction.sampling.pictures"
 local sample = require "stiction.sample"
+local spec = require "stiction.sampling.spec"
 local spread = require "stiction.sampling.spread"
 
 --- Sobol's points in 0 to 1, lists of `axes` numbers.
@@ -179,6 +181,58 @@ test("moments and quantiles of normal numbers lie within their errors", function
   for k = 1, 3 do
     assert(inside[k] >= 88 and inside[k] <= 100, ("%d: %d of 100"):format(k, inside[k]))
   end
+end)
+
+test("intervals of quantiles are those of order statistics, whatever the number of points", function()
+  -- the binomial distribution's own quantiles at 2.5 % and 97.5 %
+  for _, known in ipairs { { 100, 0.95, 90, 99 }, { 247, 0.95, 228, 241 }, { 1000, 0.05, 37, 64 }, { 1000, 0.95, 936, 963 },
+    { 100000, 0.5, 49690, 50310 }, { 100000, 0.95, 94864, 95135 } } do
+    local sorted = {}
+    for i = 1, known[1] do
+      sorted[i] = i
+    end
+    local value, low, high = spread.quantile(sorted, known[2])
+    assert(low < value and value < high)
+    equal(low, known[3])
+    equal(high, known[4] + 1)
+  end
+end)
+
+test("quantiles are drawn where they are, with their intervals beside them", function()
+  local values = {}
+  for i = 1, 300 do
+    values[i] = i ^ 3
+  end
+  local result = { name = "q", meaning = "", unit = "1", values = values, moments = spread.moments(values),
+    quantiles = spread.quantiles(values) }
+  local drawn = pictures.of({ axes = {} }, { results = { result }, values = numeric.map(values, function() return {} end) })[1]
+  local dots = drawn.curves[#drawn.curves]
+  equal(#drawn.curves, 7)
+  for i, q in ipairs(result.quantiles) do
+    equal(dots.x[i], q.value)
+    equal(dots.y[i], q.level)
+    equal(drawn.curves[i + 1].x[1], q.low)
+    equal(drawn.curves[i + 1].x[2], q.high)
+  end
+end)
+
+test("points of a list that name different parameters are drawn with what their cases have", function()
+  local values = { { a = 1 }, { b = 5, a = 2 }, { b = 7 } }
+  local rows = { { case = { p = { a = 1, b = 3 } } }, { case = { p = { a = 2, b = 5 } } }, { case = { p = { a = 9, b = 7 } } } }
+  local result = { name = "q", meaning = "", unit = "1", values = { 10, 20, 30 } }
+  result.moments, result.quantiles = spread.moments(result.values), spread.quantiles(result.values)
+  local drawn = pictures.of({ list = values, axes = {} }, { results = { result }, values = values, names = { "a", "b" }, rows = rows })
+  local a, b = drawn[2].figures[1].curves[1], drawn[2].figures[2].curves[1]
+  equal(table.concat(a.x, " ") .. "; " .. table.concat(b.x, " "), "1.0 2.0 9.0; 3.0 5.0 7.0")
+end)
+
+test("what is wrong with a number of points is told, and where it stands", function()
+  local study = { name = "s", sample = { of = { a = { uniform = { 0, 1 } } } } }
+  fails("--count 2.7; a whole number of points, 2 or more, is wanted", spec.read, study, { count = 2.7 })
+  fails("--count 1; a whole number of points", spec.read, study, { count = 1.0 })
+  fails("--count 200000; it is 2 to 100000", spec.read, study, { count = 200000.0 })
+  study.sample.count = 3.5
+  fails("study.sample: count = 3.5; a whole number", spec.read, study, {})
 end)
 
 test("failures along one axis are told with their side", function()

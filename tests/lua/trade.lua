@@ -1,12 +1,12 @@
--- The arithmetic of a trade: limits with their uncertainty, references, the front, promising combinations.
+-- The arithmetic of a trade: references, the front, promising combinations.
 local test, equal, fails = ...
 local accuracy = require "stiction.trade.accuracy"
 local check = require "stiction.check"
 local claim = require "stiction.trade.claim"
 local engine = require "stiction.engine"
 local exchange = require "stiction.trade.exchange"
-local extrapolation = require "stiction.trade.extrapolation"
 local ladder = require "stiction.ladder"
+local numeric = require "stiction.numeric"
 local output = require "stiction.output"
 local pictures = require "stiction.trade.pictures"
 local quantity = require "stiction.trade.quantity"
@@ -18,38 +18,6 @@ local function near(got, wanted, tolerance)
     error(("got %.17g, wanted %.17g"):format(got, wanted), 2)
   end
 end
-
-local function levels(limit, c, p, hs)
-  local list = {}
-  for i, h in ipairs(hs) do
-    list[i] = { h = h, value = limit + c * h ^ p }
-  end
-  return list
-end
-
-test("a power law is continued to its limit, with its order", function()
-  for _, p in ipairs { 0.8, 1, 2, 3.5 } do
-    local found = extrapolation.limit(levels(3, -0.7, p, { 0.5, 0.3, 0.1 }))
-    near(found.order, p, 1e-6)
-    near(3 - 0.7 * 0.1 ^ p + found.correction, 3)
-    near(found.uncertainty, 0.5 * 0.7 * 0.1 ^ p, 1e-6)
-  end
-end)
-
-test("levels that do not approach one limit are not continued", function()
-  local found = extrapolation.limit { { h = 4, value = 1 }, { h = 2, value = 1.5 }, { h = 1, value = 1.2 } }
-  equal(found.correction, 0)
-  near(found.uncertainty, 0.5)
-  equal(found.order, nil)
-  near(extrapolation.limit({ { h = 2, value = 1 }, { h = 1, value = 1.25 } }).uncertainty, 0.5)
-  equal(extrapolation.limit({ { h = 1, value = 1 } }).uncertainty, math.huge)
-end)
-
-test("an order beyond belief is no order", function()
-  local found = extrapolation.limit(levels(1, 1, 0.2, { 4, 2, 1 }))
-  near(found.order, 0.2, 1e-6)
-  equal(found.correction, 0)
-end)
 
 local mm = units.mm
 local knobs = ladder.knobs(
@@ -110,6 +78,31 @@ test("what two numbers do together adds to the reference's uncertainty", functio
   end
   -- corrections of 0.1 (1 + 0.4) and 0.05 (1 + 1.6) with half of each; half of 4 (0.4 - 0.1) (0.1 - 0.05) together
   near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(0.07 ^ 2 + 0.065 ^ 2 + 0.03 ^ 2), 1e-6)
+end)
+
+test("what two numbers do together counts as well where no order shows", function()
+  local runs = world(ladder.first_round(knobs))
+  for _, run in ipairs(runs) do
+    local size, steps = 1e6 * knobs[1].levels[run.levels[1]].si ^ 2, knobs[2].levels[run.levels[2]]
+    run.values.q = 10 + (size == 4 and 0.1 or 0) + (steps == 20 and 0.1 or 0) + (size == 1 and steps == 40 and 3 or 0)
+  end
+  -- differences of 0.1 to and fro along both; half of 3 where both are finest
+  near(reference.all(knobs, runs, quantities).q.uncertainty, math.sqrt(2 * 0.1 ^ 2 + 1.5 ^ 2), 1e-6)
+end)
+
+test("what a number leaves exactly as it is, though it moves others, is told", function()
+  local runs, both = world(ladder.first_round(knobs)), { { name = "q" }, { name = "t" } }
+  local function told()
+    return table.concat(numeric.map(reference.still(knobs, runs, both), function(own) return own.knob .. " " .. own.quantity end), ",")
+  end
+  for _, run in ipairs(runs) do
+    run.values.t = 1 / knobs[2].levels[run.levels[2]]
+  end
+  equal(told(), "size t")
+  both[2].watched = true
+  equal(told(), "")
+  both[2] = { name = "t", exact = 1 }
+  equal(told(), "")
 end)
 
 test("without its finest run there is no reference", function()
@@ -330,6 +323,30 @@ test("a claim sums what each finer setting changes, times its factor", function(
   assert(found.q.judged and not found.w.judged)
   local none = claim.judge(judged_study, { p = {}, level = 1, results = { q = 0 / 0, w = 1 } }, {}, {})
   equal(none.q, nil)
+end)
+
+test("what a finer setting leaves exactly as it is, though it moves others, is not claimed", function()
+  local steps, cells = { factor = 2, knob = "steps", value = 20 }, { factor = 4, knob = "cells", value = 8 }
+  local function case(q, w, level)
+    return { p = {}, level = level, results = { q = q, w = w } }
+  end
+  local function judged(q, w, level, variants)
+    return claim.judge(judged_study, case(1, 5, 2), variants or { steps, cells }, { case(q, w, level), case(1.01, 5, 2.02) })
+  end
+  local found = judged(1, 5.1, 2)
+  equal(found.q.unmoved, steps)
+  equal(found.q.absolute, nil)
+  equal(found.q.relative, math.huge)
+  equal(found.c.unmoved, steps)
+  equal(found.w.unmoved, cells)
+  -- a setting that moves nothing has no effect, nor one that moves others by what solvers leave
+  near(judged(1, 5, 2).q.absolute, 0.04, 1e-4)
+  near(judged(1, 5 + 1e-9, 2).q.absolute, 0.04, 1e-4)
+  -- another choice may well give the same
+  near(judged(1, 5.1, 2, { { factor = 1, choice = true }, cells }).q.absolute, 0.04, 1e-4)
+  -- what is 0 whatever the settings is off by nothing
+  local none = claim.judge(judged_study, case(0, 5, 2), { steps }, { case(0, 5.1, 2) })
+  equal(none.q.absolute, 0)
 end)
 
 test("what an accuracy is about must be measured", function()

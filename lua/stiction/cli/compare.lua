@@ -33,12 +33,16 @@ local function show_alone(letter, cases, options)
   end
 end
 
+local function cases_of(number)
+  return ("%d case%s"):format(number, number == 1 and "" or "s")
+end
+
 local function show_matches(matched)
   local by_name = 0
   for _, pair in ipairs(matched) do
     by_name = by_name + (pair.by == "name" and 1 or 0)
   end
-  report.line("%d cases matched by their parameters, %d by their names%s", #matched - by_name, by_name,
+  report.line("%s matched by their parameters, %d by their names%s", cases_of(#matched - by_name), by_name,
     by_name > 0 and " (their parameters differ)" or "")
 end
 
@@ -89,7 +93,7 @@ return function(options)
   end
   local a, b = outcomes.read(outcomes.folder(options.a)), outcomes.read(outcomes.folder(options.b))
   local matched, only_a, only_b = comparison.match(a, b)
-  report.line("A: %s, %d cases\nB: %s, %d cases", a.folder, #a.cases, b.folder, #b.cases)
+  report.line("A: %s, %s\nB: %s, %s", a.folder, cases_of(#a.cases), b.folder, cases_of(#b.cases))
   show_matches(matched)
   show_alone("A", only_a, options)
   show_alone("B", only_b, options)

@@ -25,8 +25,9 @@ show STUDY     the cases that an output holds: --where 'mu > 0.3 and verdict == 
                STUDY may be an output folder; nothing is run
 report STUDY   one page (HTML) that needs nothing else: question, parameters with reasons, results with units and what they
                may be off by, checks, figures, warnings and remarks, what was modelled, versions; also of an output folder
-verify OUT     compute its cases again (all, or --sample N) from the source that is kept with them, and compare with what is
-               kept: to the last bit, or within --tolerance if another build or processor made it; OUT: also an archive
+verify OUT     compute its cases again (all, or --sample N) from the source that is kept with them, and compare results and
+               histories with what is kept: to the last bit, or results within --tolerance if another build or processor made
+               them; summary.csv too, fields are not compared; OUT: also an archive, of which all files are held against its list
 pack OUT       one archive (.tar.gz) of an output with its description as a Workflow Run RO-Crate, which verify accepts
 compare A B    two outputs (folders or studies): the parameters, settings and results that differ, and by how much
 trade STUDY    what accuracy costs: a ladder of settings, errors against work; 'stiction help trade'
@@ -267,10 +268,11 @@ trade = {                                             -- a key of a study
 'stiction trade STUDY' runs the default settings, each knob alone, all numbers at their finest, then the combinations
 that promise most and those next to the front with one number coarser, and writes trade.csv, trade.json and figures
 below out/<study>/trade. The reference of a quantity is the finest run, corrected knob by knob by Richardson
-extrapolation (orders 0.7 to 4; half of the correction is its uncertainty; where no order shows, there is no correction
-and the last differences are the uncertainty). That of a curve is the finest run's, uncorrected; its error is the L2
-norm of the difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the
-abscissas of the one with most points and linear between them. Where a reference is given, it has no uncertainty.
+extrapolation (orders 0.7 to 4; half of the correction is its uncertainty, above 2.2 the last difference unless a level more
+confirms the order; where no order shows, there is no correction and the last differences are the uncertainty). That of a
+curve is the finest run's, uncorrected; its error is the L2 norm of the difference over the norm of the reference (or over
+scale * sqrt(length)), all curves brought to the abscissas of the one with most points and linear between them. Where a
+reference is given, it has no uncertainty.
 Error: the largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point
 operations, the same on every machine. Settings that no other beat in both error and work, by a hundredth of the error
 at least, are the front.
@@ -287,7 +289,9 @@ number of the knobs a level finer, one at a time, and with the default in place 
 sum of what these change, of a number times 1 / (1 - r^-0.4) where its resolution falls by r (4.1 for a half), as if
 errors fell with the order 0.4: mostly they fall faster, but of 46 changed scenes (studies/trade/claims) 8 were off by
 more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth
-of the value is added for the solvers' tolerances. With --accuracy it is a check that the claim is within the share.
+of the value is added for the solvers' tolerances. Of a result that a finer number leaves exactly as it is, while it moves
+others, nothing is claimed: it may take steps, as a time of the grid or an area in cells does. With --accuracy it is a
+check that the claim is within the share.
 The finer runs are kept below finer/ in the output.]]
 
 pages.fit = [[

@@ -171,6 +171,26 @@ local function any_scaled(columns)
   return false
 end
 
+--- Writes every file that is asked for; nil if none is, else whether all could be drawn.
+local function write(outcome, cases, columns, options)
+  local good
+  if options.csv then
+    write_csv(outcome.folder, options.csv, csv_text(cases, columns))
+    good = true
+  end
+  if options.h5 then
+    write_h5(outcome, options.h5, cases, options.columns and columns or outcome.columns)
+    good = true
+  end
+  if options.animate then
+    good = film.draw(outcome, cases, options.animate, options) and good ~= false or false
+  end
+  if options.sheet then
+    good = sheet.draw(outcome, cases, options.sheet, options.field) and good ~= false or false
+  end
+  return good
+end
+
 return function(options)
   local outcome = outcomes.read(outcomes.folder(options.study, options.out))
   local columns = selection.columns(outcome, options.columns)
@@ -183,17 +203,10 @@ return function(options)
   end
   if not options.animate and (options.frames or options.rate) then
     fault.input("--frames and --rate are of a film: --animate FILE")
-  elseif options.csv then
-    write_csv(outcome.folder, options.csv, csv_text(cases, columns))
-    return 0
   end
-  if options.h5 then
-    write_h5(outcome, options.h5, cases, options.columns and columns or outcome.columns)
-    return 0
-  elseif options.animate then
-    return film.draw(outcome, cases, options.animate, options) and 0 or 1
-  elseif options.sheet then
-    return sheet.draw(outcome, cases, options.sheet, options.field) and 0 or 1
+  local written = write(outcome, cases, columns, options)
+  if written ~= nil then
+    return written and 0 or 1
   end
   show_table(cases, columns)
   show_reasons(cases)

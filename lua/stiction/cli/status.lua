@@ -19,7 +19,7 @@ local function state_of(plan, case, known)
   local row = not (entry and entry.life == "lives") and evaluation.row_of_ended(plan.study, plan.folder, case)
   if row and row.computed then
     return row.done and "done" or "failed", row.result
-  elseif row and row.result.fingerprint == row.fingerprint then
+  elseif row and not row.damaged and row.result.fingerprint == row.fingerprint then
     return "failed", row.result
   end
   return entry and (entry.life == "dead" and "lost" or "running") or "waiting", entry
@@ -36,7 +36,7 @@ local function state_in(folder, name, known)
   return result.verdict == "finished" and "done" or "failed", result
 end
 
---- Lists of {case =, entry =} by state, and the number of all cases.
+--- Lists of {case =, entry =} by state, and the number of all cases: those of the study, or else what the folder shows and workers tell.
 local function sort_cases(plan, known)
   local states, total = { done = {}, failed = {}, running = {}, lost = {}, waiting = {} }, 0
   local function add(name, state, entry)
@@ -51,6 +51,13 @@ local function sort_cases(plan, known)
     if engine.kind_of_path(path .. "/manifest.json") then
       add(path:match("[^/]+$"), state_in(plan.folder, path:match("[^/]+$"), known))
     end
+  end
+  local seen = total
+  for _, worker in ipairs(plan.cases and {} or known.workers) do
+    total = math.max(total, worker.told.total)
+  end
+  for _ = seen + 1, total do
+    table.insert(states.waiting, {})
   end
   return states, total
 end
@@ -106,6 +113,9 @@ local function show(plan)
     #states.lost > 0 and (", %d lost: %s"):format(#states.lost, names(states.lost)) or "")
   if #states.failed > 0 then
     report.line("failed: %s", names(states.failed))
+  end
+  if not plan.cases and #known.workers == 0 then
+    report.line("cases that have not begun do not show in the folder: 'stiction status STUDY' counts them")
   end
   if left > 0 and living == 0 then
     report.line("nobody works on it; 'stiction run STUDY' goes on from here")

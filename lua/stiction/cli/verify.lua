@@ -62,10 +62,17 @@ local function show(found, asked, all, tolerance)
   show_first(found.differences, function(entry)
     return ("%s: %s was %s, is now %s"):format(entry.case, entry.name, number(entry.kept), number(entry.got))
   end)
+  show_first(found.others, function(entry)
+    return ("%s: series.h5 %s"):format(entry.case, entry.gone and "is gone" or "is not what the kept source gives")
+  end)
   report.line("%d of %s%s recomputed from the kept source: %s", found.cases, plural(asked, "case"),
     asked < all and (" chosen of %d"):format(all) or "", how_compared(found, tolerance))
   report.line("%d of %s equal to the last bit, %d differ%s too much", found.equal, plural(found.values, "result"),
     #found.differences, #found.differences == 1 and "s" or "")
+  if found.histories > 0 then
+    report.line("%d of %d histor%s equal to the last byte; fields are not compared", found.histories - #found.others, found.histories,
+      found.histories == 1 and "y" or "ies")
+  end
 end
 
 local function verify(place, options)
@@ -85,7 +92,8 @@ local function verify(place, options)
   if found.stopped then
     engine.complain("stiction: stopped\n")
   end
-  return good and not found.stopped and found.cases == #cases and #found.differences == 0 and 0 or 1
+  return good and not found.stopped and found.cases == #cases and #found.differences == 0 and #found.others == 0 and 0
+    or 1
 end
 
 return function(options)

@@ -35,7 +35,10 @@ local function why_run(plan, row)
   local folder = output.case_folder(plan.folder, row.case)
   local manifest = output.read_file(folder .. "/manifest.json")
   local kept = manifest and manifest.made_of
-  if row.result and row.result.fingerprint == row.fingerprint then
+  local damaged = row.damaged or not row.result and output.unreadable(folder)
+  if damaged then
+    return damaged .. " is damaged", {}
+  elseif row.result and row.result.fingerprint == row.fingerprint then
     return why_again(row, folder), {}
   elseif not manifest then
     return "it has not run", {}
@@ -59,7 +62,7 @@ end
 
 local function tell(plan, row)
   if row.computed then
-    return report.line("%s  reused%s", row.case.id, why_anew(plan.study, row))
+    return report.line("%s  reused%s%s", row.case.id, why_anew(plan.study, row), row.cut and ("; %s is damaged"):format(row.cut) or "")
   end
   local reason, changes = why_run(plan, row)
   report.line("%s  to run: %s", row.case.id, reason)

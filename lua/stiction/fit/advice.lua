@@ -9,6 +9,7 @@ local units = require "stiction.units"
 local advice = {}
 
 local two = math.log(2)
+local tiny = 1e-12 -- of the largest singular value: what is as good as none
 
 --- Rows of columns, in relative coordinates, weighted by the loss.
 local function rows_of(columns, judged, slopes, first, last)
@@ -39,16 +40,21 @@ local function worst_of(judged)
   return at
 end
 
---- {words =, bits = (of all parameters), shrinks = (the standard error of the worst known parameter over what it was)}.
+--- {words =, bits = (of all parameters; nil: it determines what was not determined at all), nothing = (true where it, too, determines
+--- nothing), shrinks = (the standard error of the worst known parameter over what it was)}.
 local function gain(words, base, more, judged, worst)
   local before, singular = linear.covariance(base, 0)
   local after, then_singular = linear.covariance(joined(base, more), 0)
-  local bits = 0
+  local bits, least = 0, tiny * then_singular[1]
   for i, value in ipairs(singular) do
-    bits = bits + math.log(then_singular[i] / math.max(value, 1e-150)) / two
+    if value > least then
+      bits = bits and bits + math.log(then_singular[i] / value) / two
+    elseif then_singular[i] > least then
+      bits = nil
+    end
   end
-  return { words = words, bits = bits, shrinks = math.sqrt(after[worst][worst] / before[worst][worst]),
-    parameter = judged.free[worst] }
+  return { words = words, bits = bits, nothing = then_singular[1] == 0 or nil, parameter = judged.free[worst],
+    shrinks = math.sqrt(after[worst][worst] / before[worst][worst]) }
 end
 
 --- The candidates of study.fit.further: lists of values by name become one each.
@@ -113,8 +119,18 @@ local function derivatives(model, curve, found)
   return columns
 end
 
---- Measurements in the order of what they would tell of the worst known parameter, then of all: {words =, bits =, shrinks =,
---- parameter = (its place)} or {words =, reason =}.
+--- What is said of one of them; nil if it could not be had.
+function advice.said(fit, own)
+  if own.nothing then
+    return own.words .. " would determine nothing either"
+  end
+  return own.shrinks and ("%s would bring the error of %s to %.2g of what it is (%s)"):format(own.words,
+    fit.parameters[own.parameter].name, own.shrinks, own.bits and ("%.2g bits in all"):format(own.bits)
+    or "and determine what is not determined at all")
+end
+
+--- Measurements in the order of what they would tell of the worst known parameter, then of all: {words =, bits =, nothing =, shrinks =,
+--- parameter = (its place)}, as gain has them, or {words =, reason =}.
 function advice.of(model, found, judged)
   if #judged.free == 0 then
     return {}

@@ -286,11 +286,11 @@ local function in_si(self, list, unit, axis)
 end
 
 local function series_of(self, run, name, unit, axis)
-  if name == "time" then
-    return run.time, "s"
+  local values, word = run.time, "s"
+  if name ~= "time" then
+    local group, own = name:match("^([^/]+)/(.+)$")
+    values, word = run:series(group or name, own or "")
   end
-  local group, own = name:match("^([^/]+)/(.+)$")
-  local values, word = run:series(group or name, own or "")
   local _, metre, kilogram, second = engine.parse_unit(word)
   if units.is_quantity(unit) and (unit.metre ~= metre or unit.kilogram ~= kilogram or unit.second ~= second) then
     fault.input("%s: %s of the run is in %s, %s of the file in %s", self.what, name, word, self[axis .. "_name"], self[axis .. "_word"])

@@ -13,6 +13,7 @@ local units = require "stiction.units"
 local finer = {}
 
 local farthest = 10 -- places that a step may go in a coordinate
+local floor = 1e-6 -- of a result: what solvers leave
 
 --- Settings a level finer that the study names, all at once: {settings =, factor =, words =}.
 local function of_study(fit, p)
@@ -83,9 +84,44 @@ local function add_shifts(relative, found, judged, sets, change, factor)
   end
 end
 
+--- Whether some result is another than before by more than solvers leave.
+local function differ(before, now)
+  for i, own in ipairs(before or {}) do
+    for name, value in pairs(own) do
+      local other = now[i][name]
+      if numeric.is_finite(value) and numeric.is_finite(other) and math.abs(other - value) > floor * math.abs(value) then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+local function is_same(before, now)
+  local same, any = true, false
+  for i, value in ipairs(before) do
+    same, any = same and value == now[i], any or value ~= 0
+  end
+  return same and any
+end
+
+--- Words on curves that a finer level leaves exactly as they are, though it moves others or a result: such ones take steps, and this
+--- one has shown nothing of them. nil if there are none.
+local function doubt(fit, variant, before, now)
+  local names, curves = {}, before.curves or {}
+  for i, list in ipairs(curves) do
+    names[#names + 1] = is_same(list, now.curves[i]) and fit.curves[i].name or nil
+  end
+  if variant.factor > 1 and #names > 0 and (#names < #curves or differ(before.results, now.results)) then
+    return ("%s moves other results and leaves %s exactly as %s, which may take steps"):format(variant.words, table.concat(names, ", "),
+      #names == 1 and "it is" or "they are")
+  end
+end
+
 --- What these variants change; as finer.of has it.
 function finer.shifts(model, found, judged, variants)
   local result, sets = { known = true, variants = {}, relative = {}, changes = {} }, sets_of(judged, #found.z)
+  local moved, still = false, nil
   for n, variant in ipairs(variants) do
     local answer = model:evaluate({ found.z }, "finer", variant.settings)[1]
     if answer.failed then
@@ -98,15 +134,20 @@ function finer.shifts(model, found, judged, variants)
       result.changes[i] = (result.changes[i] or 0) + math.abs(r - found.at.r[i])
     end
     add_shifts(result.relative, found, judged, sets, change, variant.factor)
-    result.variants[n] = { words = variant.words, residual = math.sqrt(sum / #answer.r) }
+    result.variants[n] = { words = variant.words, residual = math.sqrt(sum / #answer.r),
+      doubt = doubt(model.fit, variant, found.at, answer) }
+    moved, still = moved or sum > 0, still or result.variants[n].doubt
+  end
+  if still and not moved then
+    return { reason = still, variants = result.variants }
   end
   result.values = space.values(model.fit.parameters, found.z)
   return result
 end
 
---- {known =, reason = (where not), variants = {{words =, residual = (rms change in standard errors)}}, relative = {by place of a
---- parameter}}: what the parameters' relative coordinates may be off by, as a level finer moves them, times what claims of a trade
---- allow for.
+--- {known =, reason = (where not), variants = {{words =, residual = (rms change in standard errors), doubt = (words on curves left
+--- exactly as they are, or nil)}}, relative = {by place of a parameter}}: what the parameters' relative coordinates may be off by, as
+--- a level finer moves them, times what claims of a trade allow for.
 function finer.of(model, study, options, found, judged)
   local variants = finer.variants(model.fit, study, options)
   if not variants then

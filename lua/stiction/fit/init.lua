@@ -140,10 +140,9 @@ local function show(fit, result)
     report.line("%s", line)
   end
   for i = 1, math.min(3, #result.advice) do
-    local own = result.advice[i]
-    if own.shrinks then
-      report.line("%s %s would bring the error of %s to %.2g of what it is (%.2g bits in all)",
-        i == 1 and "further measurements:" or "  or", own.words, fit.parameters[own.parameter].name, own.shrinks, own.bits)
+    local words = advice.said(fit, result.advice[i])
+    if words then
+      report.line("%s %s", i == 1 and "further measurements:" or "  or", words)
     end
   end
   for i = 2, #result.minima do

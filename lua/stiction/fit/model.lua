@@ -56,9 +56,9 @@ local function modelled(self, part)
 end
 
 --- An answer at one point: {r =, J = {derivatives by place of parameter, of those that no other case tells}, curves = {model values by
---- place} | failed =, cases = {ids}}; values: of the parameters.
+--- place}, results = {of each run} | failed =, cases = {ids}}; values: of the parameters.
 local function answer_of(self, parts, values)
-  local answer = { r = {}, curves = {}, cases = {} }
+  local answer = { r = {}, curves = {}, results = {}, cases = {} }
   for i, part in ipairs(parts) do
     for _, row in ipairs(part.rows) do
       answer.cases[#answer.cases + 1] = row.case.id
@@ -68,6 +68,9 @@ local function answer_of(self, parts, values)
       return { failed = runs, cases = answer.cases }
     end
     answer.curves[i], part.list, part.runs = list, list, runs
+    for _, run in ipairs(runs) do
+      answer.results[#answer.results + 1] = run.results
+    end
     for _, r in ipairs(part.curve:residuals(list)) do
       answer.r[#answer.r + 1] = r
     end

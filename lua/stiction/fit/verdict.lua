@@ -206,6 +206,9 @@ function verdict.lines(fit, judged, own_error, found, intervals)
     .. "measurements"):format(list_words(coarse)) or nil
   lines[#lines + 1] = not own_error.known and ("the simulation's own error is NOT KNOWN (%s): the intervals are of the data alone"):format(
     own_error.reason) or nil
+  for _, variant in ipairs(own_error.known and own_error.variants or {}) do
+    lines[#lines + 1] = variant.doubt and ("the simulation's own error may be more than is told: %s"):format(variant.doubt) or nil
+  end
   on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
     lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)

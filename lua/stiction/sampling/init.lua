@@ -80,11 +80,16 @@ local function saltelli_rows(values, axes)
   return rows
 end
 
---- The points that are independent draws, with their results and places: of saltelli's design A and B alone.
+--- Whether the i-th point is a draw of its own: of saltelli's design those of A and B alone.
+local function is_draw(own, i)
+  return own.design ~= "saltelli" or (i - 1) % (#own.axes + 2) < 2
+end
+
+--- The points that are independent draws, with their results and places.
 local function independent(own, values)
-  local points, list, chosen, size = {}, {}, {}, own.design == "saltelli" and #own.axes + 2 or 1
+  local points, list, chosen = {}, {}, {}
   for i, value in ipairs(values) do
-    if value and (size == 1 or (i - 1) % size < 2) then
+    if value and is_draw(own, i) then
       list[#list + 1], chosen[#list + 1] = value, i
       points[#points + 1] = own.coordinates and numeric.map(own.coordinates[i], function(u) return u end)
     end
@@ -160,13 +165,13 @@ local function judge(own, entry, rows)
   return result
 end
 
---- Failed points: {values =, reason =}, and along which parameters they lie.
+--- Failed points: {values =, reason =}, and along which parameters they lie, as independent draws tell it.
 local function failures(own, rows, values)
   local list, coordinates = {}, {}
   for i, row in ipairs(rows) do
     if not row.done then
       list[#list + 1] = { values = values[i], reason = points_module.reason(row), case = row.case.id }
-      coordinates[#coordinates + 1] = own.coordinates and own.coordinates[i]
+      coordinates[#coordinates + 1] = own.coordinates and is_draw(own, i) and own.coordinates[i] or nil
     end
   end
   return list, spread.where(coordinates)

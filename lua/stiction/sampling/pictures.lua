@@ -1,7 +1,6 @@
 -- Figures of a sample: how each result is spread, how it goes with each parameter, whose its variance is.
 local figure = require "stiction.figure"
 local numeric = require "stiction.numeric"
-local ordered = require "stiction.ordered"
 local units = require "stiction.units"
 
 local pictures = {}
@@ -23,27 +22,19 @@ local function spread_figure(result)
     share[i] = (i - 0.5) / #values
   end
   local curves = { { label = "of all points", x = values, y = share } }
-  local levels, at, low, high = {}, {}, {}, {}
-  for _, q in ipairs(result.quantiles) do
-    levels[#levels + 1], at[#at + 1] = q.level, q.value
-    low[#low + 1], high[#high + 1] = q.low or values[1], q.high or values[#values]
+  for i, q in ipairs(result.quantiles) do
+    curves[i + 1] = { label = i == 1 and "95 % intervals" or nil, x = { q.low or values[1], q.high or values[#values] },
+      y = { q.level, q.level }, colour = 1 }
   end
-  local half = {}
-  for i in ipairs(at) do
-    half[i] = 0.5 * (high[i] - low[i])
-  end
-  local middle = {}
-  for i in ipairs(at) do
-    middle[i] = 0.5 * (high[i] + low[i])
-  end
-  curves[2] = { label = "quantiles, 95 %", x = middle, y = levels, x_error = half, style = "points", colour = 1 }
+  curves[#curves + 1] = { label = "quantiles", x = numeric.map(result.quantiles, function(q) return q.value end),
+    y = numeric.map(result.quantiles, function(q) return q.level end), style = "points", colour = 1 }
   return figure.lines { name = "spread_" .. result.name, title = "spread of " .. result.name, legend = "below",
     x = { label = result.meaning ~= "" and result.meaning or result.name, unit = result.unit }, y = { label = "share of points below" },
     curves = curves }
 end
 
 local function parameters_of(own, found)
-  return own.list and ordered.keys(found.values[1]) or numeric.map(own.axes, function(axis) return axis.name end)
+  return own.list and found.names or numeric.map(own.axes, function(axis) return axis.name end)
 end
 
 --- A result over each parameter that is a number.
@@ -51,7 +42,10 @@ local function scatter_figure(own, found, result)
   local parts = {}
   for place, name in ipairs(parameters_of(own, found)) do
     local like = own.axes[place] and own.axes[place].like
-    local list = numeric.map(found.values, function(values) return values[name] end)
+    local list = {}
+    for i, values in ipairs(found.values) do -- a point of a list need not name all: the case has the study's own
+      list[i] = values[name] == nil and found.rows[i].case.p[name] or values[name]
+    end
     local first = units.is_quantity(like) and like or list[1]
     if type(units.si(first)) == "number" then
       local unit = units.is_quantity(first) and select(2, first:display()) or "1"

@@ -110,7 +110,8 @@ local function read_results(study, t)
   return list
 end
 
-local function check(t)
+local function check(t, asked)
+  local what = asked and "--count %s" or "study.sample: count = %s"
   local ways = (t.of and 1 or 0) + (t.fit and 1 or 0)
   if t.list and ways > 0 or not t.list and ways == 0 then
     fault.script("study.sample needs of = { name = { uniform = { low, high } }, ... } or fit = true or \"fit.json\", or, alone, list = "
@@ -119,9 +120,9 @@ local function check(t)
     fault.script("study.sample: design = '%s'%s; it is one of %s", tostring(t.design), fault.meant(tostring(t.design),
       ordered.keys(designs)), table.concat(ordered.keys(designs), ", "))
   elseif not t.list and (math.type(t.count) ~= "integer" or t.count < 2) then
-    fault.script("study.sample: count = %s; a whole number of points, 2 or more, is wanted", tostring(t.count))
+    fault.script(what .. "; a whole number of points, 2 or more, is wanted", tostring(t.count))
   elseif not t.list and t.count > most_points then
-    fault.script("study.sample: count = %d; it is 2 to %d, each a case of its own: take fewer points", t.count, most_points)
+    fault.script(what .. "; it is 2 to %d, each a case of its own: take fewer points", t.count, most_points)
   elseif math.type(t.seed) ~= "integer" or t.seed < 0 then
     fault.script("study.sample: seed = %s; a whole number, which is written down, is wanted", tostring(t.seed))
   end
@@ -177,8 +178,9 @@ end
 --- fitted.read)}.
 function spec.read(study, options)
   local t = declared(study, options, "sample", keys, "{ of = { ... } }")
-  t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count and math.floor(options.count) or t.count or 64
-  check(t)
+  t.design, t.seed, t.count = t.design or "sobol", t.seed or 1, options.count or t.count or 64
+  t.count = math.tointeger(t.count) or t.count
+  check(t, options.count)
   local own = { design = t.design, count = t.count, seed = t.seed, results = read_results(study, t), set = copy(t.set or {}), axes = {} }
   if t.list then
     own.list, own.design = listed(study, t, options), "list"

@@ -27,13 +27,13 @@ end
 
 --- The number of successes in n trials of chance p that is not exceeded with this probability.
 local function binomial(n, p, probability)
-  local term, sum = (1 - p) ^ n, 0
+  local term, sum = n * math.log(1 - p), 0 -- term: its logarithm, as (1 - p)^n may be less than any number
   for k = 0, n do
-    sum = sum + term
+    sum = sum + math.exp(term)
     if sum >= probability then
       return k
     end
-    term = term * (n - k) / (k + 1) * p / (1 - p)
+    term = term + math.log((n - k) / (k + 1) * p / (1 - p))
   end
   return n
 end

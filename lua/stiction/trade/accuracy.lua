@@ -102,7 +102,7 @@ function accuracy.choose(study, options)
   local run, nearest = accuracy.cheapest(kept.runs, share, bound_of)
   if not run then
     fault.input("--accuracy %s: the best that was measured is %.2g%%; give 'trade' finer levels and measure them: "
-      .. "./stiction trade %s", options.accuracy, 100 * nearest, options.study)
+      .. "'stiction trade %s'", options.accuracy, 100 * nearest, options.study)
   end
   local settings, words = {}, {}
   for _, name in ipairs(ordered.keys(run.settings)) do
@@ -176,6 +176,9 @@ end
 local function share_words(its)
   if not its then
     return "not known"
+  elseif its.unmoved then
+    return ("not known: %s = %s moves others and leaves it exactly as it is; it may take steps"):format(its.unmoved.knob,
+      report.value(its.unmoved.value))
   end
   return its.relative < math.huge and ("%.2g%%"):format(100 * its.relative)
     or its.absolute < math.huge and ("%.2g in SI, and it is 0 here"):format(its.absolute) or "of a curve that is 0 here"

@@ -53,8 +53,8 @@ function claim.finer(study, p, levels)
   return p
 end
 
---- What to run beside a case with parameters p: {knob =, value =, factor = (of the difference)}, one for each number a
---- level finer and each choice that is not the default.
+--- What to run beside a case with parameters p: {knob =, value =, factor = (of the difference), choice = true or nil}, one for
+--- each number a level finer and each choice that is not the default.
 function claim.variants(knobs, p)
   local list = {}
   for _, knob in ipairs(knobs) do
@@ -63,7 +63,7 @@ function claim.variants(knobs, p)
       local finer, ratio = ladder.finer(knob, value)
       list[#list + 1] = finer and { knob = knob.name, value = finer, factor = claim.factor(ratio) } or nil
     elseif not ladder.same(value, default) then
-      list[#list + 1] = { knob = knob.name, value = default, factor = 1 }
+      list[#list + 1] = { knob = knob.name, value = default, factor = 1, choice = true }
     end
   end
   return list
@@ -104,27 +104,52 @@ local function distances(quantity, runs)
   return list, scale_of(quantity, base), quantity_module.size(quantity, base)
 end
 
+--- By place of a variant: true where it moves some quantity by more than solvers leave.
+local function moving(all, count)
+  local moved = {}
+  for i = 1, count do
+    moved[i] = numeric.first_where(all, function(own)
+      return own.scale > 0 and own.list[i + 1] > floor * math.max(own.size, own.scale)
+    end) and true
+  end
+  return moved
+end
+
+--- The variant that leaves a quantity exactly as it is, though it moves others: such a result takes steps, of which this one was
+--- too small to show anything. nil if there is none, or if the quantity is 0 beside what errors are relative to.
+local function without_effect(variants, moved, own)
+  for i, variant in ipairs(variants) do
+    if own.size > floor * own.scale and moved[i] and not variant.choice and own.list[i + 1] == 0 then
+      return variant
+    end
+  end
+end
+
 --- Of a finished case and its variants in their order, by quantity: {absolute =, relative =, judged =, changes = (of each
---- variant, relative)}; `against`, another run or nil, adds error = (its distance, relative).
+--- variant, relative)}, or {unmoved = (a variant that leaves it exactly as it is, as it does not others), relative = infinite, ...};
+--- `against`, another run or nil, adds error = (its distance, relative).
 function claim.judge(study, case, variants, cases, against)
   local quantities, all = quantity_module.list(study, case.p), { case }
   table.move(cases, 1, #cases, 2, all)
   all[#all + 1] = against
-  local runs, claims = numeric.map(all, function(one) return measure(quantities, one) end), {}
+  local runs, known, claims = numeric.map(all, function(one) return measure(quantities, one) end), {}, {}
   for _, quantity in ipairs(quantities) do
     if quantity.curve then
       quantity_module.align(quantity, runs)
     end
     local list, scale, size = distances(quantity, runs)
-    if list then
-      local sum, changes = floor * size, {}
-      for i, variant in ipairs(variants) do
-        sum, changes[i] = sum + variant.factor * list[i + 1], numeric.share(list[i + 1], scale)
-      end
-      claims[quantity.name] = { absolute = quantity.curve and numeric.share(sum, scale) or sum,
-        relative = numeric.share(sum, scale), judged = not quantity.watched, changes = changes,
-        error = against and numeric.share(list[#list], scale) }
+    known[#known + 1] = list and { quantity = quantity, list = list, scale = scale, size = size } or nil
+  end
+  local moved = moving(known, #variants)
+  for _, own in ipairs(known) do
+    local list, scale, sum, changes = own.list, own.scale, floor * own.size, {}
+    for i, variant in ipairs(variants) do
+      sum, changes[i] = sum + variant.factor * list[i + 1], numeric.share(list[i + 1], scale)
     end
+    local unmoved = without_effect(variants, moved, own)
+    local relative = unmoved and math.huge or numeric.share(sum, scale)
+    claims[own.quantity.name] = { absolute = not unmoved and (own.quantity.curve and relative or sum) or nil, relative = relative,
+      judged = not own.quantity.watched, changes = changes, unmoved = unmoved, error = against and numeric.share(list[#list], scale) }
   end
   return claims
 end

@@ -163,6 +163,10 @@ local function show_references(trade)
       report.line("%s: reference %s%s", quantity.name, value, quantity.exact and ", exact" or " +- " .. doubt)
     end
   end
+  for _, own in ipairs(reference.still(trade.knobs, trade.runs, trade.quantities)) do
+    report.line("remark: %s moves others and leaves %s exactly as it is; if that takes steps, its reference is less sure than is told",
+      own.knob, own.quantity)
+  end
 end
 
 --- Where the scene's model is a knob: what each rung is off by with the other settings at their default.

@@ -138,7 +138,7 @@ end
 --- The kept trade of a study; bad input with the command that makes one where there is none of its present words.
 function record.read(study, name)
   local text = engine.read_file(record.kept_file(study))
-  local command = "./stiction trade " .. name
+  local command = ("'stiction trade %s'"):format(name)
   if not text then
     fault.input("--accuracy: what accuracy costs in '%s' was not measured yet; measure it with: %s", study.name,
       command)

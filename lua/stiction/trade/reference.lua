@@ -6,6 +6,8 @@ local quantity_module = require "stiction.trade.quantity"
 
 local reference = {}
 
+local floor = 1e-6 -- of a value: what solvers leave
+
 --- {h =, value =, work =, run =} of the finished runs along one numeric knob through the default, the finest last; the
 --- value of a curve is how far it has moved from the coarsest, distance by distance.
 function reference.line(knobs, runs, knob, quantity)
@@ -40,21 +42,22 @@ end
 
 --- The corner and, knob by knob, the correction to its limit. The corrections are those of the lines through the
 --- default; how far the corner is from the sum of these lines tells how much less they hold there, and adds to the
---- uncertainty.
+--- uncertainty: up to the corrections, where all lines have one.
 local function extrapolated(knobs, runs, quantity, default, corner)
-  local sum, correction, squares = default, 0, 0
+  local sum, correction, squares, whole = default, 0, 0, true
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local line = reference.line(knobs, runs, knob, quantity)
       local limit = extrapolation.limit(line)
       sum = sum + line[#line].value - default
       correction, squares = correction + limit.correction, squares + limit.uncertainty ^ 2
+      whole = whole and (limit.correction ~= 0 or limit.uncertainty == 0)
     end
   end
   local interaction = 0.5 * math.abs(corner - sum)
   return {
     value = corner + correction,
-    uncertainty = math.sqrt(squares + math.min(interaction, math.abs(correction)) ^ 2),
+    uncertainty = math.sqrt(squares + (whole and math.min(interaction, math.abs(correction)) or interaction) ^ 2),
   }
 end
 
@@ -95,6 +98,29 @@ local function scale_of(quantity, value)
     return quantity.scale * math.sqrt(quantity.x[#quantity.x] - quantity.x[1])
   end
   return quantity_module.size(quantity, value)
+end
+
+--- Whether a line moves at all, by more than this share of its values.
+local function moves(line, share)
+  return numeric.first_where(line, function(own)
+    return math.abs(own.value - line[1].value) > share * math.abs(line[1].value)
+  end) ~= nil
+end
+
+--- {{quantity =, knob =}} where a number leaves a judged quantity exactly as it is, though it moves others: if it takes steps its
+--- reference is less sure than it looks. What is known exactly, or is 0, is left out.
+function reference.still(knobs, runs, quantities)
+  local list = {}
+  for _, knob in ipairs(knobs) do
+    local lines = knob.numeric and numeric.map(quantities, function(quantity) return reference.line(knobs, runs, knob, quantity) end) or {}
+    local any = numeric.first_where(lines, function(line) return moves(line, floor) end)
+    for i, quantity in ipairs(any and quantities or {}) do
+      local line = lines[i]
+      local open = not quantity.watched and not quantity.exact and #line > 1 and (quantity.curve or line[1].value ~= 0)
+      list[#list + 1] = open and not moves(line, 0) and { quantity = quantity.name, knob = knob.name } or nil
+    end
+  end
+  return list
 end
 
 --- References of all quantities: by name {value =, uncertainty =, scale =}, the last two in the quantity's unit; nil

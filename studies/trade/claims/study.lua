@@ -64,7 +64,7 @@ local function verdicts(cases)
   for _, scene in ipairs(scenes) do
     local found, good = judged(cases, scene), true
     for name, its in pairs(found or {}) do
-      if its.judged then
+      if its.judged and not its.unmoved then
         rows[#rows + 1] = { scene = scene, quantity = name, claim = its.relative, error = its.error, changes = its.changes }
         good = good and its.error <= its.relative
       end

@@ -1,0 +1,55 @@
+-- Limits of a trade's results as one resolution is refined, with their uncertainty.
+local test, equal = ...
+local extrapolation = require "stiction.trade.extrapolation"
+
+local function near(got, wanted, tolerance)
+  if got ~= got or math.abs(got - wanted) > (tolerance or 1e-9) * math.max(1, math.abs(wanted)) then
+    error(("got %.17g, wanted %.17g"):format(got, wanted), 2)
+  end
+end
+
+local function levels(limit, c, p, hs)
+  local list = {}
+  for i, h in ipairs(hs) do
+    list[i] = { h = h, value = limit + c * h ^ p }
+  end
+  return list
+end
+
+test("a power law is continued to its limit, with its order", function()
+  for _, p in ipairs { 0.8, 1, 2, 3.5 } do
+    local found = extrapolation.limit(levels(3, -0.7, p, { 0.9, 0.5, 0.3, 0.1 }))
+    near(found.order, p, 1e-6)
+    near(3 - 0.7 * 0.1 ^ p + found.correction, 3)
+    near(found.uncertainty, 0.5 * 0.7 * 0.1 ^ p, 1e-6)
+  end
+end)
+
+test("an order above 2 from three levels alone is uncertain by the last difference", function()
+  -- a pull-off at n = 64, 128 and 256; 92132 where n grows on
+  local three = { { h = 1 / 64, value = 91008.8 }, { h = 1 / 128, value = 91863.2 }, { h = 1 / 256, value = 91964.3 } }
+  local found = extrapolation.limit(three)
+  assert(found.order > 3 and found.order < 3.2, found.order)
+  near(found.uncertainty, 101.1)
+  -- nor does a level before confirm it that has another order
+  table.insert(three, 1, { h = 1 / 32, value = 88000 })
+  near(extrapolation.limit(three).uncertainty, 101.1)
+  for _, p in ipairs { 0.8, 1, 2 } do
+    near(extrapolation.limit(levels(3, -0.7, p, { 0.5, 0.3, 0.1 })).uncertainty, 0.5 * 0.7 * 0.1 ^ p, 1e-6)
+  end
+end)
+
+test("levels that do not approach one limit are not continued", function()
+  local found = extrapolation.limit { { h = 4, value = 1 }, { h = 2, value = 1.5 }, { h = 1, value = 1.2 } }
+  equal(found.correction, 0)
+  near(found.uncertainty, 0.5)
+  equal(found.order, nil)
+  near(extrapolation.limit({ { h = 2, value = 1 }, { h = 1, value = 1.25 } }).uncertainty, 0.5)
+  equal(extrapolation.limit({ { h = 1, value = 1 } }).uncertainty, math.huge)
+end)
+
+test("an order beyond belief is no order", function()
+  local found = extrapolation.limit(levels(1, 1, 0.2, { 4, 2, 1 }))
+  near(found.order, 0.2, 1e-6)
+  equal(found.correction, 0)
+end)
