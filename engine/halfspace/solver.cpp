@@ -448,7 +448,7 @@ private:
     answer_.reason =
         answer_.interrupted
             ? "it was left off"
-            : fmt::format("contact is solved to {:.1e} of the largest traction only, not to {:.1e}, after {} "
+            : fmt::format("contact is solved to {:.2e} of the largest traction only, not to {:.2e}, after {} "
                           "iterations",
                           answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
     if (!answer_.interrupted && !balanced())

@@ -21,6 +21,8 @@ expect 0 "adhesion.rcc|w: |J/m^2" "$stiction" help rcc
 expect 0 "MPa|kg m^-1 s^-2" "$stiction" help units
 expect 0 "given|chosen|sweep|check" "$stiction" help study
 expect 0 "Exit codes" "$stiction" help commands
+expect 0 "run the cases of a study|--worker|stiction run --help" "$stiction" help run
+expect 0 "whether workers live|stiction status --help" "$stiction" help status
 expect 0 "page/index.html" "$stiction" help --html page
 grep -q 'id="adhesion.rcc"' page/index.html || complain "the page has no adhesion.rcc"
 : > file

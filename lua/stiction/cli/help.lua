@@ -122,6 +122,20 @@ local function known_topics(catalog)
   return topics
 end
 
+--- What the page of commands says of one; nil if it is none.
+local function of_command(topic)
+  local lines = {}
+  for line in (pages.commands .. "\n"):gmatch("([^\n]*)\n") do
+    local goes_on = #lines > 0 and line:find("^ ")
+    if #lines > 0 and not goes_on then
+      break
+    elseif goes_on or line:match("^%l+") == topic then
+      lines[#lines + 1] = line
+    end
+  end
+  return #lines > 0 and table.concat(lines, "\n") or nil
+end
+
 --- "materials" and "bodies" mean material and body.
 local function singular(topic)
   return (topic:gsub("ies$", "y"):gsub("s$", ""))
@@ -160,6 +174,8 @@ return function(options)
       if category.name == "probe" then
         show_probes(category.kinds)
       end
+    elseif of_command(topic) then
+      report.line("%s\n\n'stiction %s --help' lists its options.", of_command(topic), topic)
     elseif not show_kinds(catalog, topic) then
       fault.input("there is no help on '%s'%s", options.topic, fault.meant(topic, known_topics(catalog)))
     end
