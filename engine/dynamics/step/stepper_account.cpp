@@ -3,6 +3,26 @@
 
 namespace stiction::dynamics {
 
+namespace {
+
+/// Work of a node's force on an obstacle that is carried and turned, J.
+struct Carriage {
+  Model const& model;
+  RigidBody const& rigid;
+  Vec3 carried, turned;
+  [[nodiscard]] double work(Index node, State const& end, Vector const& reaction) const {
+    Vec3 force = Vec3::Zero(), arm = -rigid.pivot - rigid.offset(end.t);
+    for (int c = 0; c < model.dim(); ++c) {
+      Index const dof = model.dim() * node + c;
+      force[c] = reaction[dof];
+      arm[c] += model.reference(node, c) + end.u[dof];
+    }
+    return force.dot(carried + turned.cross(arm));
+  }
+};
+
+} // namespace
+
 /// Work of an obstacle that follows a path: what it gives the body it gives where the node is, J.
 double Stepper::obstacle_work(std::size_t index, State const& old, State const& next) const {
   auto const& pair = model_->pairs[index];
@@ -14,21 +34,12 @@ double Stepper::obstacle_work(std::size_t index, State const& old, State const& 
   Vec3 const turned = (rigid.angle.value(next.t) - rigid.angle.value(old.t)) * rigid.axis;
   if (carried.isZero(0) && turned.isZero(0))
     return 0;
-  int const dim = model_->dim();
+  Carriage const carriage{*model_, rigid, carried, turned};
   double const chi = weights_.contact_work;
   double work = 0;
-  for (Index const node : pair.nodes()) {
-    auto const at = [&](State const& end, Vector const& reaction) {
-      Vec3 force = Vec3::Zero(), arm = -rigid.pivot - rigid.offset(end.t);
-      for (int c = 0; c < dim; ++c) {
-        Index const dof = dim * node + c;
-        force[c] = reaction[dof];
-        arm[c] += model_->reference(node, c) + end.u[dof];
-      }
-      return force.dot(carried + turned.cross(arm));
-    };
-    work += chi * at(next, next.reaction_of(index)) + (1 - chi) * at(old, old.reaction_of(index));
-  }
+  for (Index const node : pair.nodes())
+    work += chi * carriage.work(node, next, next.reaction_of(index)) +
+            (1 - chi) * carriage.work(node, old, old.reaction_of(index));
   return work;
 }
 

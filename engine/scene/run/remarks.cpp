@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
+#include <utility>
 
 #include "contact/solvers/answers.hpp"
 #include "scene/description/human.hpp"
@@ -20,25 +22,32 @@ constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
 constexpr double bonded = 0.01; ///< part of a bond whose loss is told
 constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
 
+/// Largest change of a way from the first node to another one of a cell, over its length.
+double largest_change(dynamics::Model const& model, std::span<Index const> nodes, Index first_node,
+                      Vector const& u) {
+  int const dim = model.dim();
+  Index const from = first_node + nodes.front();
+  double most = 0;
+  for (Index const node : nodes.subspan(1)) {
+    Index const to = first_node + node;
+    most = std::max(most, (u.segment(dim * to, dim) - u.segment(dim * from, dim)).norm() /
+                              (model.reference.row(to) - model.reference.row(from)).norm());
+  }
+  return most;
+}
+
 /// Cells of laws for small strains of a body: how many, and how many of them change by more than that.
 std::pair<Index, Index> cells_beyond(dynamics::Model const& model, std::size_t b, Vector const& u) {
   auto const& body = *model.bodies[b];
-  int const dim = model.dim();
   Index cells = 0, beyond = 0;
   for (std::size_t block = 0; block < body.mesh.blocks.size(); ++block) {
     if (!solid::small_strain(body.law_of(block)))
       continue;
-    auto const& nodes = body.mesh.blocks[block].nodes;
+    std::span<Index const> const nodes = body.mesh.blocks[block].nodes;
     auto const size = static_cast<std::size_t>(mesh::info(body.mesh.blocks[block].kind).nodes);
-    for (std::size_t first = 0; first < nodes.size(); first += size, ++cells) {
-      double most = 0;
-      for (std::size_t k = 1; k < size; ++k) {
-        Index const from = model.first_node[b] + nodes[first], to = model.first_node[b] + nodes[first + k];
-        most = std::max(most, (u.segment(dim * to, dim) - u.segment(dim * from, dim)).norm() /
-                                  (model.reference.row(to) - model.reference.row(from)).norm());
-      }
-      beyond += most > large_strain ? 1 : 0;
-    }
+    for (std::size_t first = 0; first < nodes.size(); first += size, ++cells)
+      beyond +=
+          largest_change(model, nodes.subspan(first, size), model.first_node[b], u) > large_strain ? 1 : 0;
   }
   return {cells, beyond};
 }
