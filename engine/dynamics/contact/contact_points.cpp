@@ -250,7 +250,7 @@ void ContactPoints<D, C>::finish(Point const& point, ContactState& after, State&
   auto const x = point.x();
   after.dry.template head<C>() = point.force / point.data.area;
   if (point.data.adhesion >= 0)
-    settle_bond<C>(problem_->adhesions[ix(point.data.adhesion)], point.data, before(point).gap, x, after,
+    settle_bond<C>(problem_->adhesions[ix(point.data.adhesion)], point.data, {before(point).gap, x}, after,
                    next.ledger);
   if (point.rho > 0)
     after.status = contact::evaluate<C>(*problem_, point.data, point.force, x, point.rho).status;

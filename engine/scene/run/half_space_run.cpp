@@ -13,6 +13,7 @@
 #include "record/fields.hpp"
 #include "record/file.hpp"
 #include "record/step_log.hpp"
+#include "scene/description/human.hpp"
 #include "scene/explain/preview.hpp"
 #include "scene/probes/half_space_probes.hpp"
 #include "scene/run/alone.hpp"
