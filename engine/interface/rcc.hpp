@@ -48,8 +48,11 @@ struct Rcc {
   }
   /// Openings sqrt(w / C_n) up to which bonds grow in a gap: farther, 1/800 of the work is left to do.
   static constexpr double felt = 20;
-  /// What that leaves of a bond at rest: with less an open point forgets where it was bonded.
-  static constexpr double torn = 1 / (felt * felt);
+  /// Is a bond torn that has so much left at this gap, m? Lifted beyond that way, with less than it leaves at
+  /// rest; what slides away in contact is not.
+  [[nodiscard]] bool torn(double gap, double beta) const {
+    return gap > 0 && C_n * gap * gap > felt * felt * w && beta * felt * felt < 1;
+  }
   static constexpr bool evolves = true;
   static constexpr Wording wording{
       "sqrt(w C_n)",
@@ -150,7 +153,7 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
 /// any more, and the point may bond to another one.
 template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
   auto next = stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
-  if (x[0] > 0 && next.beta < Rcc::torn)
+  if (law.torn(x[0], next.beta))
     next.stretch.setZero();
   return next;
 }

@@ -108,6 +108,17 @@ test("what slides while it is bonded, or is lifted less than that, stays with it
   near(run(scene):last("sole", "beta"), 0.8 / (0.6e6 * 0.0198 ^ 2), 1e-6) -- bonded at the end of the first step
 end)
 
+test("what slid away in contact and comes off by little does not bond anew", function()
+  local times = { 0*s, 1*s, 2*s, 3*s, 4*s }
+  local scene = { bodies = { block = block {} }, obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+    pairs = { sole = stiction.pair { secondary = "block.bottom", primary = "floor", adhesion = laws.slow } },
+    motions = { drive { set = "block.all", times = times, x = { 0*mm, 60*mm, 60*mm, 60*mm, 60*mm },
+      y = { 0*mm, 0*mm, 0.1*mm, 0*mm, 0*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 4*s, steps = 400 } } },
+    probes = { sole = stiction.probe.contact_point { pair = "sole", near = { 0*m, 0*m } } } }
+  equal(run(scene):last("sole", "beta") < 1 / 400, true)
+end)
+
 test("a bond without viscosity that forms takes what it gains; the scheme loses none of it", function()
   local _, case = twice(laws.quick, 20*mm)
   local lost = case:last("energy", "bonding_loss")

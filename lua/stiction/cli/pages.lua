@@ -386,7 +386,7 @@ pages.notes = {
     speed V it lasts longer than its strength: the peak of the traction is 1 % above sqrt(w C) where V b / (w u0) is 0.1
     and 11 % where it is 1 (u0 = sqrt(w / C)), and the work of separation rises with it. b = 0 is the law without rate:
     a point that closes has a whole bond in that very step, as often as it closes; pulled beyond u0 the bond is
-    beta = w / (C u^2) at once. Opened until 1/400 of it is left, from 20 u0 on, it is torn: the point forgets where it was
+    beta = w / (C u^2) at once. Lifted beyond 20 u0, where 1/400 of it is left, it is torn: the point forgets where it was
     bonded, and may bond anew at any other place. Such bonds snap where the bodies are softer than they (explain tells): a quasi-static
     run may then need a small b.
     bonding says where beta may grow. contact: where the point is closed, so pressing time decides what has to be broken
