@@ -48,10 +48,12 @@ struct Rcc {
   }
   /// Openings sqrt(w / C_n) up to which bonds grow in a gap: farther, 1/800 of the work is left to do.
   static constexpr double felt = 20;
-  /// Is a bond torn that has so much left at this gap, m? Lifted beyond that way, with less than it leaves at
-  /// rest; what slides away in contact is not.
-  [[nodiscard]] bool torn(double gap, double beta) const {
-    return gap > 0 && C_n * gap * gap > felt * felt * w && beta * felt * felt < 1;
+  /// Does a step to this gap, m, leave a torn bond? Lifted beyond that way, with less than it leaves at rest;
+  /// and from there, with no stretch, until the point touches. What slides away in contact is not torn.
+  [[nodiscard]] bool tears(Bond const& old, double gap, double beta) const {
+    constexpr double left = 1 / (felt * felt);
+    bool const was = old.beta < left && old.stretch.isZero(0);
+    return gap > 0 && beta < left && (was || C_n * gap * gap > felt * felt * w);
   }
   static constexpr bool evolves = true;
   static constexpr Wording wording{
@@ -153,7 +155,7 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
 /// any more, and the point may bond to another one.
 template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
   auto next = stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
-  if (law.torn(x[0], next.beta))
+  if (law.tears(step.old, x[0], next.beta))
     next.stretch.setZero();
   return next;
 }
