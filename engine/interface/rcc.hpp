@@ -169,7 +169,7 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
 
 /// What a change of beta takes, J/m^2: b beta'^2 over the step, which is (w - q beta) times the change by
 /// (13); of a bond that becomes whole the latter, of which b = 0 leaves all.
-[[nodiscard]] inline double taken(Rcc const& law, BondMove const& move) {
+[[nodiscard]] inline double dissipation(Rcc const& law, BondMove const& move) {
   double const growth = move.beta_to - move.beta_from;
   if (move.beta_to < 1 || !(growth > 0))
     return law.b * growth * growth / move.dt;
@@ -184,19 +184,16 @@ template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step,
   double const b0 = move.beta_from, b1 = move.beta_to;
   Local<3> const pull = bond_stiffness<3>(law).cwiseProduct(x1);
   return (pull.dot(b1 * x1 - 0.5 * (b0 + b1) * x0) + law.w - pull.dot(x1) * b1) * (b1 - b0) -
-         taken(law, move);
+         dissipation(law, move);
 }
 
-[[nodiscard]] inline double dissipation(Rcc const& law, BondMove const& move) {
-  return taken(law, move);
-}
 template<int D> [[nodiscard]] double dissipation(Rcc const& law, BondStep const& step, Local<D> const& x) {
   BondMove move;
   move.to.head<D>() = opening<D>(x, step.old);
   move.beta_from = step.old.beta;
   move.beta_to = adhere<D>(law, step, x).beta;
   move.dt = step.dt;
-  return taken(law, move);
+  return dissipation(law, move);
 }
 
 } // namespace stiction::interface

@@ -50,13 +50,12 @@ PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, Co
   Vec3 const pull = (1 - chi) * pull_0 + chi * pull_1;
   double loss = -dry.dot(moved) - step.rubbed - pull.dot(moved);
   if (adhesion && interface::evolves(*adhesion)) {
+    auto const move = move_of(before, after, step.dt);
+    auto held = after.bond; // a torn one has forgotten its stretch
+    held.stretch = move.to.tail<2>();
     loss += 0.5 * (pull_1 + before.area * pull_of(*adhesion, before)).dot(moved) +
-            after.area * interface::integration_loss(*adhesion, move_of(before, after, step.dt));
-    auto stretched = after.bond; // a torn bond forgets its origin
-    stretched.stretch = before.bond.beta > 0 && after.bond.beta > 0
-                            ? Eigen::Vector2d(before.bond.stretch + after.slip)
-                            : after.bond.stretch;
-    loss += after.area * (interface::bond_energy(*adhesion, stretched, after.gap) -
+            after.area * (interface::integration_loss(*adhesion, move) +
+                          interface::bond_energy(*adhesion, held, after.gap) -
                           interface::bond_energy(*adhesion, after.bond, after.gap));
   } else if (adhesion) {
     Vec3 const from(before.gap, 0, 0);

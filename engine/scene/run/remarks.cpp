@@ -17,9 +17,10 @@ namespace {
 
 /// Parts of the largest energy of a run from which on what its scheme made or lost is told.
 constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
+/// Part of a bond whose loss is told.
+constexpr double bonded = 0.01;
 /// Change of a cell's edge over its length from which on a law for small strains is far off, and the part of
 /// a body's cells from which on that is told: peaks at corners are not.
-constexpr double bonded = 0.01; ///< part of a bond whose loss is told
 constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
 
 /// Largest change of a way from the first node to another one of a cell, over its length.

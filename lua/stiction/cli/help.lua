@@ -168,14 +168,14 @@ return function(options)
   elseif pages[topic] then
     report.line("%s", pages[topic])
   else
-    local category = find(catalog, topic) or find(catalog, singular(topic))
+    local category, command = find(catalog, topic) or find(catalog, singular(topic)), of_command(topic)
     if category then
       show_category(category)
       if category.name == "probe" then
         show_probes(category.kinds)
       end
-    elseif of_command(topic) then
-      report.line("%s\n\n'stiction %s --help' lists its options.", of_command(topic), topic)
+    elseif command then
+      report.line("%s\n\n'stiction %s --help' lists its options.", command, topic)
     elseif not show_kinds(catalog, topic) then
       fault.input("there is no help on '%s'%s", options.topic, fault.meant(topic, known_topics(catalog)))
     end
