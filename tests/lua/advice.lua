@@ -1,7 +1,6 @@
 -- What explain advises, followed: each kind on scenes that it was not made from, run as written and as advised; and scenes
 -- that tempt to the advice where it would be wrong.
-local test, equal = ...
-local case_module = require "stiction.case"
+local test, equal, _, shared = ...
 local engine = require "stiction.engine"
 local stiction = require "stiction"
 local units = stiction.units
@@ -28,19 +27,7 @@ local function silent(scene, part)
   end
 end
 
-local runs = 0
-
---- The finished case of a scene, with its result.
-local function run(scene)
-  runs = runs + 1
-  local folder = "advice_runs/" .. runs
-  engine.make_folder(folder)
-  scene.output = stiction.output { frames = 0 }
-  local result = engine.run(scene, { out = folder, case_id = "case", manifest = "{}" }, function() end)
-  local case = case_module.new("case", {}, folder)
-  rawset(case, "result", result)
-  return case
-end
+local run = shared("runs").below "advice_runs"
 
 local function finished(scene)
   local case = run(scene)

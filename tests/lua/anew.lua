@@ -1,7 +1,6 @@
 -- Bonds that form anew at another place, works of runs without inertia, and what runs say of surfaces, pairs and strains that a
 -- model does not hold.
-local test, equal = ...
-local case_module = require "stiction.case"
+local test, equal, _, shared = ...
 local engine = require "stiction.engine"
 local stiction = require "stiction"
 local units = stiction.units
@@ -9,19 +8,7 @@ local mm, s, kg, m, N, J, Pa, kPa, MPa, GPa = units.mm, units.s, units.kg, units
   units.GPa
 local drive, fix = stiction.motion.drive, stiction.motion.fix
 
-local runs = 0
-local function run(scene)
-  runs = runs + 1
-  local folder = "anew_runs/" .. runs
-  engine.make_folder(folder)
-  scene.output = stiction.output { frames = 0 }
-  scene.scheme = stiction.scheme.quasi_static {}
-  local result = engine.run(scene, { out = folder, case_id = "case", manifest = "{}" }, function() end)
-  equal(result.verdict, "finished")
-  local case = case_module.new("case", {}, folder)
-  rawset(case, "result", result)
-  return case
-end
+local run = shared("runs").quasi_static "anew_runs"
 
 local function near(got, wanted, part)
   if got ~= got or math.abs(got - wanted) > part * math.abs(wanted) then
@@ -126,8 +113,8 @@ test("a bond without viscosity that forms takes what it gains; the scheme loses 
   equal(math.abs(case:last("energy", "scheme_loss")) < 0.02 * lost, true)
 end)
 
-local function dragged(steps)
-  return run { bodies = { pad = stiction.body { mesh = stiction.mesh.block { origin = { -5*mm, 0*mm }, size = { 10*mm, 4*mm },
+local function pad(steps)
+  return { bodies = { pad = stiction.body { mesh = stiction.mesh.block { origin = { -5*mm, 0*mm }, size = { 10*mm, 4*mm },
       cells = { 10, 4 } }, material = stiction.material.neo_hookean { young = 1*MPa, poisson = 0.35 }, density = 1000*kg/m^3 } },
     obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
     pairs = { sole = stiction.pair { secondary = "pad.bottom", primary = "floor", friction = stiction.friction.coulomb { mu = 0.4 } } },
@@ -137,13 +124,25 @@ local function dragged(steps)
 end
 
 test("works and what friction takes of runs without inertia are of second order in the step", function()
-  local coarse, middle, fine = dragged(20), dragged(40), dragged(320)
+  local coarse, middle, fine = run(pad(20)), run(pad(40)), run(pad(320))
   for _, column in ipairs { "motion_work", "friction_loss" } do
     local wanted = fine:last("energy", column)
     near(coarse:last("energy", column), wanted, 0.01)
     near(middle:last("energy", column), wanted, 0.003)
   end
   equal(math.abs(middle:last("energy", "unaccounted")) < 1e-6 * middle:last("energy", "motion_work"), true)
+end)
+
+test("their ledger closes under weight from the first step on, and with stabilisation", function()
+  local scene = pad(20)
+  scene.gravity, scene.scheme = { 0*m/s^2, -2000*m/s^2 }, stiction.scheme.quasi_static { stabilisation = 0.01 }
+  local case = shared("runs").below "anew_runs/heavy" (scene)
+  equal(case.result.verdict, "finished")
+  local work = case:last("energy", "motion_work")
+  equal(case:last("energy", "stabilisation_loss") > 1e-4 * work, true)
+  for _, left in ipairs(case:series("energy", "unaccounted")) do
+    equal(math.abs(left) < 1e-6 * work, true)
+  end
 end)
 
 test("a block that is only lifted off makes no energy, whatever its rounding is", function()
@@ -273,3 +272,5 @@ test("a sheet in plane stress is not advised to change its cells, which do not l
   equal(warns(scene(true), "lock"), false)
   equal(warns(scene(false), "lock"), true)
 end)
+
+engine.remove("anew_runs")

@@ -1,26 +1,13 @@
 -- Bonds that open where no motion tells it beforehand: steps that would pass a barrier, what explain says of them, and bonds
 -- across a gap at the start.
-local test, equal = ...
-local case_module = require "stiction.case"
+local test, equal, _, shared = ...
 local engine = require "stiction.engine"
 local stiction = require "stiction"
 local units = stiction.units
 local mm, um, s, kg, m, N, J, MPa = units.mm, units.um, units.s, units.kg, units.m, units.N, units.J, units.MPa
 local fix = stiction.motion.fix
 
-local runs = 0
-local function run(scene)
-  runs = runs + 1
-  local folder = "opening_runs/" .. runs
-  engine.make_folder(folder)
-  scene.output = stiction.output { frames = 0 }
-  scene.scheme = stiction.scheme.quasi_static {}
-  local result = engine.run(scene, { out = folder, case_id = "case", manifest = "{}" }, function() end)
-  equal(result.verdict, "finished")
-  local case = case_module.new("case", {}, folder)
-  rawset(case, "result", result)
-  return case
-end
+local run = shared("runs").quasi_static "opening_runs"
 
 local function near(got, wanted, part)
   if got ~= got or math.abs(got - wanted) > part then
@@ -111,3 +98,5 @@ test("accuracy without inertia says what it does not see, with bonds or events a
   scene.bodies.beam.relaxing = { { share = 0.5, time = 0.01*s } }
   equal(told(run(scene)), true)
 end)
+
+engine.remove("opening_runs")

@@ -1,4 +1,5 @@
--- Runs a file of unit tests of this library; it receives test(name, function), equal and fails as `...`.
+-- Runs a file of unit tests of this library; it receives test(name, function), equal, fails and shared(name), what the file of that
+-- name in its folder `shared` returns, as `...`.
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 
@@ -37,7 +38,10 @@ return function(options)
       engine.write(("FAILED %s: %s%s\n"):format(name, tostring(value), value.trace or ""))
     end
   end
-  load(options.file)(test, equal, fails)
+  local function shared(name)
+    return load((options.file:match("^.*/") or "") .. "shared/" .. name .. ".lua")()
+  end
+  load(options.file)(test, equal, fails, shared)
   engine.write(("%d passed, %d failed\n"):format(passed, failed))
   return failed == 0 and passed > 0 and 0 or 1
 end
