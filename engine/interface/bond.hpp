@@ -66,6 +66,9 @@ struct BondMove {
   double dt = 0; ///< s; > 0
 };
 
+/// From this part of a bond on it holds its point beyond a border, and its loss there is told.
+inline constexpr double bonded = 0.01;
+
 /// Below this a damaged bond counts as broken, so that its point may leave the contact problem.
 inline constexpr double least_beta = 1e-16;
 

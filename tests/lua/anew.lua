@@ -229,20 +229,37 @@ test("points of several pairs, or of mortar and periodic sides, that share a nod
   end
 end)
 
-test("bonds that slide past the border of their counterpart are let go with a remark", function()
-  local function sheared(beyond)
+test("bonds hold past the border of their counterpart as far as one of its facets, and are let go with a remark", function()
+  local function sheared(beyond, cells)
     local strip = { 20*mm, 5*mm }
     return run { bodies = { up = block { size = strip, cells = { 4, 1 }, young = 20*MPa },
-        low = block { origin = { 0*mm, -5*mm }, size = { (20 + beyond) * mm, 5*mm }, cells = { 8, 1 }, young = 20*MPa } },
+        low = block { origin = { 0*mm, -5*mm }, size = { (20 + beyond) * mm, 5*mm }, cells = { cells, 1 }, young = 20*MPa } },
       pairs = { glue = stiction.pair { secondary = "up.bottom", primary = "low.top", adhesion = stiction.adhesion.bilinear {
         K = 1e6*N/m^3, sigma_n = 900*Pa, sigma_t = 900*Pa, G_I = 1.9*J/m^2, G_II = 1.9*J/m^2 } } },
       motions = { fix { set = "low.all" }, drive { set = "up.all", times = { 0*s, 1*s }, x = { 0*mm, 5*mm }, y = { 0*mm, 0*mm } } },
       schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 50 } } }, probes = { e = stiction.probe.energy {} } }
   end
-  local flush, longer = sheared(0), sheared(10)
-  equal(says(flush, "loses its counterpart, past the border"), true)
+  local flush, finer, longer = sheared(0, 4), sheared(0, 8), sheared(10, 8) -- bonds end at a slip of 4.2 mm
+  equal(says(finer, "loses its counterpart, past the border"), true)
+  equal(says(flush, "loses its counterpart"), false)
   equal(says(longer, "loses its counterpart"), false)
+  near(flush:last("e", "motion_work"), 1.9 * 0.02, 1e-3)
   near(longer:last("e", "motion_work"), 1.9 * 0.02, 1e-3)
+end)
+
+test("a lap joint in space with flush ends takes the whole energy of its bonds", function()
+  local function body(z)
+    return stiction.body { mesh = stiction.mesh.box { origin = { 0*mm, 0*mm, z }, size = { 20*mm, 10*mm, 5*mm }, cells = { 3, 2, 1 } },
+      density = 1000*kg/m^3, material = stiction.material.linear_elastic { young = 20*MPa, poisson = 0 } }
+  end
+  local joint = run { kinematics = "three_dimensional", bodies = { up = body(0*mm), low = body(-5*mm) },
+    pairs = { glue = stiction.pair { secondary = "up.bottom", primary = "low.top", adhesion = stiction.adhesion.bilinear {
+      K = 1e6*N/m^3, sigma_n = 900*Pa, sigma_t = 900*Pa, G_I = 1.9*J/m^2, G_II = 1.9*J/m^2 } } },
+    motions = { fix { set = "low.all" },
+      drive { set = "up.all", times = { 0*s, 1*s }, x = { 0*mm, 4*mm }, y = { 0*mm, -3*mm }, z = { 0*mm, 0*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 50 } } }, probes = { e = stiction.probe.energy {} } }
+  equal(says(joint, "loses its counterpart"), false)
+  near(joint:last("e", "motion_work"), 1.9 * 0.02 * 0.01, 1e-3)
 end)
 
 test("two pairs of the same surfaces are refused, and bonds in both directions", function()

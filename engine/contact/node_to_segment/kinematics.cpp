@@ -91,12 +91,10 @@ PointKinematics<2> kinematics(Curve const& curve, Index node, Foot start, Foot g
   return kinematics_at(curve, node, start, curve.project(node_position(x, node), guess, x), x);
 }
 
-PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
+PointKinematics<2> kinematics(Search<2> const& search, Index node, Start const& start, Foot guess,
                               std::span<double const> x) {
-  return kinematics_at(search.primary(), node, start,
-                       search.project(node, node_position(x, node), guess, x,
-                                      start.found() ? Overhang::kept : Overhang::found),
-                       x);
+  return kinematics_at(search.primary(), node, start.foot,
+                       search.project(node, node_position(x, node), guess, x, start.overhang), x);
 }
 
 Block<2> geometric_stiffness(Curve const& curve, PointKinematics<2> const& point, std::span<double const> x,

@@ -43,8 +43,8 @@ template<int D> struct PointKinematics {
                                            std::span<double const> x, Vec2 const& force_nt);
 
 /// With a search for new feet, which also knows the node's own part of a curve that may touch itself.
-[[nodiscard]] PointKinematics<2> kinematics(Search<2> const& search, Index node, Foot start, Foot guess,
-                                            std::span<double const> x);
+[[nodiscard]] PointKinematics<2> kinematics(Search<2> const& search, Index node, Start const& start,
+                                            Foot guess, std::span<double const> x);
 
 /// Against a deformable surface; slip is the way of P2 along it (SurfacePath), from x2(start) to x2(foot),
 /// both at the present positions, in the frame at its end. The rows of H are those of the forces: they
@@ -54,8 +54,8 @@ template<int D> struct PointKinematics {
 /// facet H is the derivative of gap and slip, elsewhere `motion_rows` is.
 [[nodiscard]] PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Foot guess,
                                             std::span<double const> x);
-[[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
-                                            std::span<double const> x);
+[[nodiscard]] PointKinematics<3> kinematics(Search<3> const& search, Index node, Start const& start,
+                                            Foot guess, std::span<double const> x);
 /// The derivative of gap and slip by the positions of all nodes that they depend on, those of the point
 /// first.
 struct MotionRows {

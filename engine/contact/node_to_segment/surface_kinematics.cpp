@@ -380,11 +380,10 @@ PointKinematics<3> kinematics(Surface const& surface, Index node, Foot start, Fo
   return kinematics_at(surface, node, start, surface.project(p1, guess, x), x);
 }
 
-PointKinematics<3> kinematics(Search<3> const& search, Index node, Foot start, Foot guess,
+PointKinematics<3> kinematics(Search<3> const& search, Index node, Start const& start, Foot guess,
                               std::span<double const> x) {
   Vec3 const p1 = Eigen::Map<Vec3 const>(&x[3 * ix(node)]);
-  return kinematics_at(search.primary(), node, start,
-                       search.project(node, p1, guess, x, start.found() ? Overhang::kept : Overhang::found),
+  return kinematics_at(search.primary(), node, start.foot, search.project(node, p1, guess, x, start.overhang),
                        x);
 }
 

@@ -17,14 +17,6 @@ using interface::Local;
 using Obstacle = std::variant<RigidPlane, RigidCircle, RigidSphere, RigidCylinder, RigidTorus, RigidPolyline,
                               RigidSurface, RigidHeights>;
 
-/// Where a step found a point.
-struct Start {
-  Foot foot;
-  std::optional<Vec3> normal; ///< in 3D, of the obstacle there; none: it is looked up
-  Start() = default;
-  Start(Foot at) : foot(at) {}
-};
-
 /// What a point sees of an obstacle, in the obstacle's frame.
 template<int D> struct ObstacleView {
   /// Not where the nearest point is not unique (the centre of a sphere) or does not exist (past an open end).

@@ -182,8 +182,13 @@ double Curve::reference_distance(Foot from, Foot to) const {
 }
 
 std::array<Eigen::Vector4d, 4> Curve::shape(Foot foot) const {
-  double const s = foot.xi;
+  double const s = std::clamp(foot.xi, 0.0, 1.0), beyond = foot.xi - s;
   auto const& C = segments_[ix(foot.segment)].coefficients;
+  if (beyond != 0) { // on the tangent at the end
+    Eigen::Vector4d const along = C * Eigen::Vector4d(0, 1, 2 * s, 3 * s * s);
+    return {C * Eigen::Vector4d(1, s, s * s, s * s * s) + beyond * along, along, Eigen::Vector4d::Zero(),
+            Eigen::Vector4d::Zero()};
+  }
   return {C * Eigen::Vector4d(1, s, s * s, s * s * s), C * Eigen::Vector4d(0, 1, 2 * s, 3 * s * s),
           C * Eigen::Vector4d(0, 0, 2, 6 * s), C * Eigen::Vector4d(0, 0, 0, 6)};
 }

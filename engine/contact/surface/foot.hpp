@@ -1,5 +1,7 @@
 // Where a contact point meets its counterpart: points of surfaces, and vectors and matrices by dimension.
 #pragma once
+#include <optional>
+
 #include "core/types.hpp"
 
 namespace stiction::contact {
@@ -17,14 +19,24 @@ struct Foot {
   [[nodiscard]] bool found() const { return segment >= 0; }
 };
 
-/// How far beyond the borders of a surface a foot may lie: a little, so that a corner flush with one does not
-/// lose its counterpart to rounding or to the turning of an iterate; and farther where a point had one when
-/// the step began, or it would come and go within the step as bodies bulge.
-enum class Overhang { found, kept };
+/// How far beyond the borders of a surface, on the plane in which it ends, a foot may lie: a little, so that
+/// a corner flush with one does not lose its counterpart to rounding or to the turning of an iterate; farther
+/// where a point had one when the step began, or it would come and go within the step as bodies bulge; and as
+/// far as the mesh tells apart where a bond holds the point, whose other end is the border.
+enum class Overhang { found, kept, bonded };
 /// In parts of a facet.
 [[nodiscard]] constexpr double reaches(Overhang overhang) {
-  return overhang == Overhang::kept ? 0.05 : 0.01;
+  return overhang == Overhang::bonded ? 1 : overhang == Overhang::kept ? 0.05 : 0.01;
 }
+
+/// Where a step found a point.
+struct Start {
+  Foot foot;
+  std::optional<Vec3> normal;          ///< in 3D, of the obstacle there; none: it is looked up
+  Overhang overhang = Overhang::found; ///< from here on, over the borders of a surface
+  Start() = default;
+  Start(Foot at) : foot(at), overhang(at.found() ? Overhang::kept : Overhang::found) {}
+};
 
 /// Most nodes that the force and the stiffness of one node-to-segment point may reach: the secondary node,
 /// then those of the primary.

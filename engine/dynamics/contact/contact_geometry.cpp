@@ -128,15 +128,19 @@ template<int D> PointKinematics<D> ContactGeometry<D>::of_node(PointId point, Fo
   auto const& pair = model_->pairs[ix(point.pair)];
   Index const node = pair.secondary[ix(point.index)];
   if (auto const& search = searches_[ix(point.pair)])
-    return contact::kinematics(*search, node, start(point).foot, guess, positions());
+    return contact::kinematics(*search, node, start(point), guess, positions());
   return contact::kinematics(posed(std::get<RigidSide>(pair.primary), point), node, start(point), guess,
                              positions());
 }
 
 /// With the normal of an obstacle in space, looked up once a step.
 template<int D> contact::Start ContactGeometry<D>::start(PointId point) const {
-  contact::Start start = old_->contacts[ix(point.pair)][ix(point.index)].foot;
-  auto const* side = std::get_if<RigidSide>(&model_->pairs[ix(point.pair)].primary);
+  auto const& pair = model_->pairs[ix(point.pair)];
+  auto const& old = old_->contacts[ix(point.pair)][ix(point.index)];
+  contact::Start start = old.foot;
+  if (old.foot.found() && pair.law.lasts() && old.bond.beta >= interface::bonded)
+    start.overhang = contact::Overhang::bonded;
+  auto const* side = std::get_if<RigidSide>(&pair.primary);
   if (D == 2 || side == nullptr)
     return start;
   auto& normal = normals_[ix(point.pair)][ix(point.index)];

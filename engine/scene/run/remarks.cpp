@@ -17,8 +17,6 @@ namespace {
 
 /// Parts of the largest energy of a run from which on what its scheme made or lost is told.
 constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
-/// Part of a bond whose loss is told.
-constexpr double bonded = 0.01;
 /// Change of a cell's edge over its length from which on a law for small strains is far off, and the part of
 /// a body's cells from which on that is told: peaks at corners are not.
 constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
@@ -125,7 +123,7 @@ void Remarks::seek_let_go(dynamics::State const& old, dynamics::State const& nex
   for (std::size_t pair = 0; pair < next.contacts.size(); ++pair) {
     auto const &before = old.contacts[pair], &after = next.contacts[pair];
     for (std::size_t i = 0; i < after.size(); ++i) {
-      if (before[i].bond.beta < bonded || !before[i].foot.found() || after[i].foot.found())
+      if (before[i].bond.beta < interface::bonded || !before[i].foot.found() || after[i].foot.found())
         continue;
       if (++let_go_.steps == 1)
         let_go_.text = fmt::format(
