@@ -51,6 +51,14 @@ Solution solve_from(Problem const& problem, Vector const& start, double toleranc
   return newton_from(problem, start, tolerance);
 }
 
+/// As far as Newton gets from there: of a badly conditioned problem what is within a tolerance lies apart.
+Vector sharp(Problem const& problem, Vector const& force) {
+  if (force.size() > sought_rows)
+    return force;
+  auto const solution = newton_from(problem, force, 1e-14);
+  return solution.verdict.residual < judge(problem, force).residual ? solution.force : force;
+}
+
 void add(std::vector<Vector>& found, Vector const& force) {
   for (auto const& other : found)
     if ((other - force).norm() <= apart * std::max(other.norm(), force.norm()))
@@ -85,18 +93,21 @@ Answers seek_answers(Problem const& problem, Vector const& force, double toleran
     return answers;
   double const there = forces_there(problem, Vector::Zero(force.size()));
   auto const is_answer = [&](Vector const& p) {
-    return p.allFinite() && judge(problem, p).relative() <= tolerance && felt(problem, p, there);
+    Solution given;
+    given.force = p;
+    given.verdict = judge(problem, p);
+    return p.allFinite() && given.verdict.relative() <= tolerance && felt(problem, given, there);
   };
   if ((answers.given = is_answer(force)))
-    answers.found.push_back(force);
+    answers.found.push_back(sharp(problem, force));
   for (auto const& start : starts_of(problem, force))
     if (auto const solution = solve_from(problem, start, tolerance);
-        solution.converged && felt(problem, solution.force, there))
-      add(answers.found, solution.force);
+        solution.converged && felt(problem, solution, there))
+      add(answers.found, sharp(problem, solution.force));
   auto const tried = enumerate(problem, force);
   for (auto const& other : tried.answers)
     if (is_answer(other))
-      add(answers.found, other);
+      add(answers.found, sharp(problem, other));
   answers.all = tried.all && plain(problem);
   return answers.found.empty() ? without_answer(problem, force) : answers;
 }

@@ -144,7 +144,7 @@ template<int D> Solution run(Problem const& problem, Vector const& guess, double
     exact = false;
   }
   solution.force = newton.force();
-  solution.converged = solution.converged && felt(problem, solution.force, there);
+  solution.converged = solution.converged && felt(problem, solution, there);
   solution.rounded = solution.rounded && solution.converged;
   solution.method = solution.converged ? Method::newton : Method::none;
   return solution;

@@ -79,6 +79,8 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
       break; // in vain, or diverges
     }
   }
+  if (best.converged && !felt(problem, best, forces_there(problem, guess)))
+    best.converged = best.rounded = false;
   return best;
 }
 

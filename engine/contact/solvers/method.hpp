@@ -12,6 +12,7 @@ enum class Method {
   sweeps,       ///< Gauss-Seidel with Anderson's mixing
   newton,       ///< also with plain sweeps between its steps
   proximal,     ///< with more compliance, less and less of it
+  uphill,       ///< Newton from other starts, on two maps, also where nothing descends
   descent,      ///< of the potential, in displacements
   minimisation, ///< of the potential, in generalised displacements
   gauss_seidel, ///< point after point
@@ -20,8 +21,8 @@ enum class Method {
   enumeration ///< every status of every point
 };
 
-inline constexpr std::array<std::string_view, 10> method_names = {
-    "none",         "sweeps",       "newton", "proximal", "descent",
+inline constexpr std::array<std::string_view, 11> method_names = {
+    "none",         "sweeps",       "newton", "proximal", "uphill",     "descent",
     "minimisation", "gauss_seidel", "uzawa",  "pivoting", "enumeration"};
 
 [[nodiscard]] constexpr std::string_view name_of(Method method) {

@@ -9,6 +9,7 @@
 #include "contact/solvers/pivoting.hpp"
 #include "contact/solvers/rounding.hpp"
 #include "contact/solvers/solver.hpp"
+#include "contact/solvers/uphill.hpp"
 #include "linear/decompositions.hpp"
 
 namespace stiction::contact {
@@ -17,11 +18,12 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
-constexpr double near_by = 0.3; // residual of a guess that Newton takes first
-constexpr long huge = 150;      // rows, from which on sweeps cost less than its factorizations
-constexpr int quick = 12;       // iterations, before what is sure takes over
-constexpr int proximals = 80;   // in which the residual has to halve: rigid walls take many
-constexpr int pivotings = 12;   // with the bonds linear about the last answer
+constexpr double near_by = 0.3;  // residual of a guess that Newton takes first
+constexpr long huge = 150;       // rows, from which on sweeps cost less than its factorizations
+constexpr int quick = 12;        // iterations, before what is sure takes over
+constexpr int proximals = 80;    // in which the residual has to halve: rigid walls take many
+constexpr int few_proximals = 8; // of them, before another map is tried
+constexpr int pivotings = 12;    // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -190,7 +192,7 @@ public:
   [[nodiscard]] Solution polish(Problem const& problem, Vector const& guess, Stuck stuck) {
     auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
     spend(solution.iterations, solution.work);
-    if (solution.converged && !felt(problem, solution.force, there_)) {
+    if (solution.converged && !felt(problem, solution, there_)) {
       solution.converged = solution.rounded = false;
       solution.method = Method::none;
     }
@@ -212,8 +214,23 @@ private:
     if (rows < huge && judge(problem, guess).relative() <= near_by)
       if (auto found = polish(problem, guess, Stuck::hand_over); found.converged)
         return found;
-    auto solution = sweep_and_polish(problem, guess, settings_.tolerance);
-    return proximal(problem, std::move(solution));
+    return plainly(problem, sweep_and_polish(problem, guess, settings_.tolerance));
+  }
+
+  /// What a plain problem is answered by where Newton's descent is not.
+  [[nodiscard]] Solution plainly(Problem const& problem, Solution solution) {
+    if (solution.converged || !plain(problem))
+      return solution;
+    solution = proximal(problem, std::move(solution), few_proximals);
+    if (solution.converged)
+      return solution;
+    auto other = go_on(problem, settings_.tolerance);
+    spend(other.iterations, other.work);
+    if (other.converged) // the same, but for what rounding leaves, and no forces without bounds
+      other = by(Method::uphill, polish(problem, other.force, Stuck::give_up));
+    if (other.converged)
+      return other;
+    return proximal(problem, std::move(solution), proximals);
   }
 
   [[nodiscard]] Solution sweep_and_polish(Problem const& problem, Vector const& guess, double tolerance) {
@@ -225,7 +242,7 @@ private:
 
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
   /// It goes there where W takes no energy from any forces.
-  [[nodiscard]] Solution proximal(Problem const& problem, Solution solution) {
+  [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most) {
     Dense const& W = problem.W.dense();
     double const mean = W.diagonal().mean();
     if (solution.converged || !monotone(W, 1e-10 * mean))
@@ -234,7 +251,7 @@ private:
     nearby.W = W;
     double part = 0.1 * mean;
     double halved = solution.verdict.residual;
-    for (int idle = 0; idle < proximals && !solution.converged; ++idle) {
+    for (int idle = 0; idle < most && !solution.converged; ++idle) {
       nearby.W.entries().diagonal() = (W.diagonal().array() + part).matrix();
       nearby.free = problem.free - part * solution.force;
       double const close = std::max(settings_.tolerance, 1e-2 * solution.verdict.relative());
@@ -275,7 +292,7 @@ private:
       }
     }
     if (!downhill_first)
-      return polish(problem, guess, Stuck::sweep);
+      return at_last(problem, polish(problem, guess, Stuck::sweep));
     auto last = near(problem, guess); // where a descent does not settle, Newton may answer
     return last.converged || solution.force.size() == 0 ? last : solution;
   }
@@ -307,7 +324,14 @@ private:
     for (auto const from : {From::nothing, From::statuses, From::closed})
       if (!solution.converged)
         pivot_from(problem, from, from == From::statuses ? guess : stuck, solution);
+    solution = at_last(problem, std::move(solution));
     return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// Few rows were not swept, and nothing of what many are answered by was tried.
+  [[nodiscard]] Solution at_last(Problem const& problem, Solution solution) {
+    bool const tried = static_cast<long>(problem.free.size()) >= many;
+    return tried ? solution : plainly(problem, std::move(solution));
   }
 
   /// Again and again with the bonds linear about the last answer.

@@ -10,7 +10,8 @@ namespace stiction::contact {
 namespace {
 constexpr double no_answer =
     1e-8; ///< relative: so much is not rounding's, whatever it may do to a point that hardly gives way
-constexpr double unfelt = 1e9; ///< times the forces there are: displacements have no digits left
+constexpr double left_undone = 0.4; ///< of the forces there without any: half of two gaps, if nothing gives
+constexpr double unfelt = 1e9;      ///< times the forces there are: displacements have no digits left
 } // namespace
 
 double forces_there(Problem const& problem, Vector const& guess) {
@@ -26,9 +27,12 @@ double forces_there(Problem const& problem, Vector const& guess) {
   return there > 0 ? there : std::numeric_limits<double>::infinity();
 }
 
-bool felt(Problem const& problem, Vector const& force, double there) {
+bool felt(Problem const& problem, Solution const& solution, double there) {
+  if (solution.verdict.residual > left_undone * forces_there(problem, Vector::Zero(problem.free.size())))
+    return false;
   for (Index i = 0; i < problem.size(); ++i)
-    if (force.segment(problem.dim * i, problem.dim).norm() > unfelt * there * problem.points[ix(i)].area)
+    if (solution.force.segment(problem.dim * i, problem.dim).norm() >
+        unfelt * there * problem.points[ix(i)].area)
       return false;
   return true;
 }

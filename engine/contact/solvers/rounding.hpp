@@ -12,7 +12,8 @@ namespace stiction::contact {
 /// slips away point by point, of whole bonds. Infinite where there is none of it.
 [[nodiscard]] double forces_there(Problem const& problem, Vector const& guess);
 /// Does W p say where the points are, beside the forces there? Forces that W feels by rounding alone may grow
-/// without end, and their own size hides from every judge what they leave.
-[[nodiscard]] bool felt(Problem const& problem, Vector const& force, double there);
+/// without end, and their own size hides from every judge what they leave: that has to be less than what was
+/// there without them.
+[[nodiscard]] bool felt(Problem const& problem, Solution const& solution, double there);
 
 } // namespace stiction::contact

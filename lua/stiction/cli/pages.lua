@@ -52,9 +52,11 @@ steps.csv has a row for every step with contact problems (without fields: where 
 and for every cut and growth of the step with its reason;
 its column `contact` counts what answered the problems of that attempt ("sweeps 3 newton 1"), as that of summary.csv
 does for a whole case. The newton solver, the default, tries in this order: sweeps (Gauss-Seidel with Anderson's
-mixing; many points without bonds), newton, proximal (the proximal point method); without friction descent and
+mixing; many points without bonds), newton, proximal (the proximal point method), uphill (newton from no forces and
+from those with which all points stick, on two maps, also where the residual rises); without friction descent and
 minimisation of the potential; with it gauss_seidel (plain sweeps), pivoting (Lemke's method) and enumeration (every
-status of every point). none: nothing did.
+status of every point). Fewer than 60 rows, or points with bonds, are newton's first; proximal and uphill are then
+tried late, without bonds. none: nothing did.
 
 A remark at the end of a case (also in its manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall
