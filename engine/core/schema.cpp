@@ -32,6 +32,14 @@ Parameter const* Schema::find(std::string_view parameter) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+std::vector<Parameter const*> Schema::idle(void const* object) const {
+  std::vector<Parameter const*> found;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (auto const& p = parameters[i]; p.acts && !p.acts(object) && p.get(object) != fallback(i))
+      found.push_back(&p);
+  return found;
+}
+
 std::optional<double> whole_number(double value) {
   double const whole = std::round(value);
   if (std::abs(value - whole) <= 1e-9 * std::max(1.0, std::abs(value)))

@@ -43,6 +43,8 @@ struct Parameter {
   std::vector<std::string> choices;
   std::function<void(void*, Value const&)> set;
   std::function<Value(void const*)> get;
+  std::function<bool(void const*)> acts = {}; ///< does it do anything beside the others? none: always
+  std::string where = {};                     ///< the same in words: "mix = \"linear\""
 };
 
 /// The description of one struct: its script name, what it is, where it comes from, its parameters.
@@ -53,6 +55,8 @@ struct Schema {
   std::vector<Parameter> parameters;
   std::function<Value(std::size_t)> fallback; ///< default of parameter i, from a default-made struct
   [[nodiscard]] Parameter const* find(std::string_view parameter) const;
+  /// Parameters that are not as by default and do nothing beside the others.
+  [[nodiscard]] std::vector<Parameter const*> idle(void const* object) const;
 };
 
 /// Consecutive values of an enumeration from `first` on, by their names.
@@ -132,6 +136,13 @@ public:
                 {},
                 [member](void* p, Value const& v) { static_cast<T*>(p)->*member = std::get<Numbers>(v); },
                 [member](void const* p) { return Value{static_cast<T const*>(p)->*member}; }});
+  }
+  /// The parameter before does something only `where` ... `acts`.
+  Describe& only(std::string where, bool (*acts)(T const&)) {
+    auto& last = schema_.parameters.back();
+    last.where = std::move(where);
+    last.acts = [acts](void const* p) { return acts(*static_cast<T const*>(p)); };
+    return *this;
   }
   /// A table that is read by its own schema; described here for help and for the check of keys.
   Describe& nested(std::string name, std::string category, Need need, std::string meaning) {

@@ -38,6 +38,8 @@ struct Bilinear {
                     "G_I + (G_II - G_I) B^exponent, or 1 = (1 - B) G/G_I + B G/G_II; B: share of shear")
             .number("exponent", &Bilinear::exponent, "1", {1, 10, false, false}, Need::optional,
                     "exponent of mix = \"benzeggagh_kenane\"")
+            .only("mix = \"benzeggagh_kenane\"",
+                  [](Bilinear const& law) { return law.mix == ModeMix::benzeggagh_kenane; })
             .number("beta0", &Bilinear::beta0, "1", core::unit_interval, Need::optional,
                     "intact part at the start, less where the surfaces are apart")
             .choice("friction", &Bilinear::friction, {"full", "damage"}, Need::optional,

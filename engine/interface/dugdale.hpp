@@ -26,6 +26,7 @@ struct Dugdale {
                     "damage with unloading to the origin, or the same traction at every approach")
             .number("beta0", &Dugdale::beta0, "1", core::unit_interval, Need::optional,
                     "intact part at the start of an irreversible law, less where the surfaces are apart")
+            .only("memory = \"irreversible\"", [](Dugdale const& law) { return law.lasts(); })
             .build();
     return made;
   }

@@ -34,6 +34,8 @@ struct Exponential {
             .number("r", &Exponential::r, "1", {0, 1, false, true}, Need::optional,
                     "coupling of a reversible law with q not 1: normal opening over delta_n without normal "
                     "traction after complete shear")
+            .only("memory = \"reversible\" and q is not 1",
+                  [](Exponential const& law) { return !law.lasts() && law.q != 1; })
             .choice(
                 "memory", &Exponential::memory, {"irreversible", "reversible"}, Need::optional,
                 "damage with unloading to the origin, or the potential itself; with damage both tractions "
@@ -41,6 +43,7 @@ struct Exponential {
                 "down to 0.68 phi_n, where opening / delta_n is 1.1 slip / delta_t")
             .number("beta0", &Exponential::beta0, "1", core::unit_interval, Need::optional,
                     "intact part at the start of an irreversible law, less where the surfaces are apart")
+            .only("memory = \"irreversible\"", [](Exponential const& law) { return law.lasts(); })
             .choice("friction", &Exponential::friction, {"full", "damage"}, Need::optional,
                     "friction coefficient mu, or mu (1 - beta)")
             .build();

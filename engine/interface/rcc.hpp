@@ -43,6 +43,8 @@ struct Rcc {
                     "friction coefficient mu, or mu (1 - beta)^damage_power as (10)")
             .number("damage_power", &Rcc::damage_power, "1", {1, 10, false, false}, Need::optional,
                     "exponent p of friction = \"damage\"")
+            .only("friction = \"damage\"",
+                  [](Rcc const& law) { return law.friction == BondFriction::damage; })
             .build();
     return made;
   }

@@ -181,17 +181,21 @@ test("contact that reaches the border of a free surface's points is remarked on,
   equal(says(pressed(16, "periodic"), "reaches the border"), false)
 end)
 
-test("surfaces that are steep where they touch are remarked on", function()
-  local function touched(radius, depth)
-    return run { kinematics = space, bodies = { plate = stiction.body.half_space { young = 1*MPa, poisson = 0.3, size = { 4*mm, 4*mm },
-        points = { 32, 32 }, boundary = "free" } },
+test("surfaces that are steep where they touch are warned of and remarked on", function()
+  local function touching(radius, depth, model)
+    return { kinematics = space, model = model, bodies = { plate = stiction.body.half_space { young = 1*MPa, poisson = 0.3,
+        size = { 4*mm, 4*mm }, points = { 32, 32 }, boundary = "free" } },
       obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = radius },
         times = { 0*s, 1*s }, z = { 0*mm, -depth } } },
       pairs = { touch = stiction.pair { secondary = "plate.surface", primary = "ball" } },
       schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 2 } } }, probes = {} }
   end
-  equal(says(touched(2.2*mm, 0.5*mm), "have a slope of"), true) -- a/R = 0.48
-  equal(says(touched(22*mm, 0.05*mm), "have a slope of"), false) -- the same radius of contact
+  for _, case in ipairs { { 2.2*mm, 0.5*mm, true }, { 22*mm, 0.05*mm, false } } do -- the same radius of contact; a/R = 0.48
+    local radius, depth, steep = table.unpack(case)
+    equal(says(run(touching(radius, depth)), "have a slope of"), steep)
+    equal(warns(touching(radius, depth), "the contact grows to a/R = 0.48"), steep)
+    equal(warns(touching(radius, depth, "formula"), "the contact grows to a/R = 0.48"), steep)
+  end
 end)
 
 test("linear bodies that are strained or turned by more than their law knows are remarked on", function()

@@ -45,7 +45,9 @@ core::Schema const& ThetaXi::schema() {
                   "weight of the end velocity in the displacement")
           .number("xi", &ThetaXi::xi, "1", {0.5, 1, false, false}, Need::optional, "weight of the end forces")
           .number("contact_weight", &ThetaXi::contact_weight, "1", {0.5, 1, false, false}, Need::optional,
-                  "weight of the end reaction where contact_inertia = \"full\"; 1 is (45)"));
+                  "weight of the end reaction where contact_inertia = \"full\"; 1 is (45)")
+          .only("contact_inertia = \"full\"",
+                [](ThetaXi const& scheme) { return scheme.contact_inertia == ContactInertia::full; }));
   return made;
 }
 

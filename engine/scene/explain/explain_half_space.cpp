@@ -9,6 +9,7 @@
 #include "formula/follow.hpp"
 #include "halfspace/surface.hpp"
 #include "scene/description/human.hpp"
+#include "scene/explain/facts.hpp"
 #include "scene/explain/forecast.hpp"
 
 namespace stiction::scene {
@@ -35,29 +36,29 @@ void count(Section& section, std::string name, double value, char const* unit, s
   section.lines.push_back({std::move(name), human(value, unit), value, unit, std::move(meaning)});
 }
 
-/// "a/R at most 0.05": of the largest contact at the knots of the drive; "" where no radius goes with it.
-std::string slenderness(GridFacts const& facts, FormulaChoice const& choice) {
+/// a/R of the largest contact at the knots of the drive; nothing where no radius goes with it.
+std::optional<double> slenderness(GridFacts const& facts, FormulaChoice const& choice) {
   auto const& surface = facts.scene.part.height_maps.begin()->second.surface;
   auto const* sphere = std::get_if<halfspace::Sphere>(&surface);
   auto const* cylinder = std::get_if<halfspace::Cylinder>(&surface);
   if (sphere == nullptr && cylinder == nullptr)
-    return "";
+    return std::nullopt;
   formula::Follower follower(*choice.normal, choice.drive);
   bool const forced = choice.drive == formula::Drive::force;
   double most = 0;
   for (double const drive : forced ? facts.model.force->values : facts.model.shift[2].values)
     if (auto const state = follower.follow(forced ? drive : -drive))
       most = std::max(most, state->area);
-  double const ratio =
-      sphere != nullptr ? std::sqrt(most / std::numbers::pi) / sphere->radius : 0.5 * most / cylinder->radius;
-  return fmt::format(", a/R at most {:.2g}", ratio);
+  return sphere != nullptr ? std::sqrt(most / std::numbers::pi) / sphere->radius
+                           : 0.5 * most / cylinder->radius;
 }
 
 /// Which formula answers the scene, would answer it, or why none does.
 void tell_of_formula(GridFacts const& facts, Section& section) {
   auto const words = [&](FormulaChoice const& choice) {
+    auto const ratio = slenderness(facts, choice);
     return fmt::format("{} ({}), {}{}{}", choice.normal->name(), choice.normal->source(), choice.fits,
-                       slenderness(facts, choice),
+                       ratio ? fmt::format(", a/R at most {:.2g}", *ratio) : "",
                        choice.neglects.empty() ? "" : "; it leaves out " + choice.neglects);
   };
   if (facts.scene.formula)
@@ -226,6 +227,20 @@ void warn_of_seam(GridFacts const& facts, std::vector<Warning>& warnings) {
        "the period"});
 }
 
+/// Half spaces and formulas alike leave out what goes with the square of the slope, a/R at the rim.
+void warn_of_slope(GridFacts const& facts, std::vector<Warning>& warnings) {
+  constexpr double steep = 0.42; // root mean square slope 0.3 of a sphere, which runs remark on
+  auto const choice = choose_formula(facts.model, facts.scene.part.height_maps.begin()->second.surface);
+  auto const* formula = std::get_if<FormulaChoice>(&choice);
+  auto const ratio = formula != nullptr ? slenderness(facts, *formula) : std::nullopt;
+  if (ratio && *ratio > steep)
+    warnings.push_back(
+        {fmt::format("the contact grows to a/R = {:.2g}: half spaces, and formulas, know small "
+                     "slopes only",
+                     *ratio),
+         "a body of finite elements"});
+}
+
 } // namespace
 
 Explanation explain_half_space(Scene const& scene) {
@@ -234,12 +249,14 @@ Explanation explain_half_space(Scene const& scene) {
       scene, model, halfspace::Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr)};
   Explanation explanation;
   explanation.sections = {describe_grid(facts), grid_numbers(facts)};
+  warn_of_slope(facts, explanation.warnings);
   if (scene.formula)
     return explanation;
   explanation.sections.push_back(grid_cost(facts));
   warn_of_range(facts, explanation.warnings);
   warn_of_shortest(facts, explanation.warnings);
   warn_of_seam(facts, explanation.warnings);
+  warn_of_idle_law(scene.part.pairs.begin()->first, model.law, model.grid.line ? 2 : 3, explanation.warnings);
   return explanation;
 }
 

@@ -1,0 +1,72 @@
+// What a scene gives and what does nothing in it.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "scene/explain/facts.hpp"
+
+namespace stiction::scene {
+
+namespace {
+
+void warn_of_parameters(std::string const& owner, core::Schema const& schema, void const* object,
+                        std::vector<Warning>& warnings) {
+  for (auto const* parameter : schema.idle(object))
+    warnings.push_back({fmt::format("{}: {} of {} acts only where {}", owner, parameter->name, schema.name,
+                                    parameter->where),
+                        fmt::format("leave {} out", parameter->name)});
+}
+
+/// Is a node of the set moved, held or bound to others?
+bool any_held(dynamics::Model const& model, Indices const& nodes) {
+  auto const among = [&](Index node) { return std::ranges::find(nodes, node) != nodes.end(); };
+  auto const dim = model.dim();
+  return std::ranges::any_of(model.motions,
+                             [&](auto const& motion) { return std::ranges::any_of(motion.nodes, among); }) ||
+         std::ranges::any_of(model.links, [&](dynamics::Link const& link) {
+           return among(link.dof / dim) || std::ranges::any_of(link.masters, [&](auto const& master) {
+                    return among(master.first / dim);
+                  });
+         });
+}
+
+} // namespace
+
+void warn_of_idle_law(std::string const& pair, interface::Law const& law, int dim,
+                      std::vector<Warning>& warnings) {
+  if (!law.adhesion)
+    return;
+  auto const owner = fmt::format("pair {}", pair);
+  std::visit(
+      [&](auto const& bond) {
+        auto const& schema = bond.schema();
+        warn_of_parameters(owner, schema, &bond, warnings);
+        auto const* friction = schema.find("friction");
+        if (friction != nullptr && !law.friction &&
+            friction->get(&bond) == core::Value{std::string("damage")})
+          warnings.push_back({fmt::format("{}: friction = \"damage\" of {} has no friction to take away",
+                                          owner, schema.name),
+                              "friction = stiction.friction.coulomb { ... } in the pair, or leave it out"});
+      },
+      *law.adhesion);
+  auto const* rcc = std::get_if<interface::Rcc>(&*law.adhesion);
+  if (dim == 2 && rcc != nullptr && rcc->C_t2 != rcc->C_t)
+    warnings.push_back({fmt::format("{}: C_t2 of rcc acts only in space", owner), "leave C_t2 out"});
+}
+
+void warn_of_idle(Facts const& all, std::vector<Warning>& warnings) {
+  auto const& model = *all.scene->model;
+  for (auto const& pair : model.pairs)
+    warn_of_idle_law(pair.name, pair.law, model.dim(), warnings);
+  std::visit([&](auto const& scheme) { warn_of_parameters("scheme", scheme.schema(), &scheme, warnings); },
+             model.scheme);
+  for (auto const& [name, probe] : all.scene->part.probes) {
+    auto const* force = std::get_if<ForceProbe>(&probe);
+    if (force != nullptr && !any_held(model, *all.scene->nodes_of(force->set)))
+      warnings.push_back(
+          {fmt::format("probe {}: nothing moves or holds {}, so that its force is 0", name, force->set),
+           "probe.contact or probe.rigid for the force of contact; probe.energy and probe.momentum "
+           "for loads"});
+  }
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,107 @@
+-- What a scene gives and what does nothing in it: explain says so, and is silent where it does.
+local test, equal = ...
+local engine = require "stiction.engine"
+local stiction = require "stiction"
+local units = stiction.units
+local m, s, kg, N, J, Pa = units.m, units.s, units.kg, units.N, units.J, units.Pa
+
+local function scene_of(pair, change)
+  local scene = { bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 1*m, 1*m }, cells = { 1, 1 } },
+      density = 1000*kg/m^3, material = stiction.material.linear_elastic { young = 1e9*Pa, poisson = 0 } } },
+    obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+    pairs = { glue = stiction.pair { secondary = "block.bottom", primary = "floor", adhesion = pair.adhesion, friction = pair.friction } },
+    motions = { stiction.motion.fix { set = "block.top" } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } }, probes = {},
+    scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 0 } }
+  for key, value in pairs(change or {}) do
+    scene[key] = value
+  end
+  return scene
+end
+
+local function warned(scene, words)
+  for _, warning in ipairs(engine.explain(scene).warnings) do
+    if warning.text:find(words, 1, true) then
+      return true
+    end
+  end
+  return false
+end
+
+local adhesion = stiction.adhesion
+local function bilinear(more)
+  local t = { K = 1e6*N/m^3, sigma_n = 900*Pa, sigma_t = 900*Pa, G_I = 1.9*J/m^2, G_II = 1.9*J/m^2 }
+  for key, value in pairs(more) do
+    t[key] = value
+  end
+  return adhesion.bilinear(t)
+end
+local function rcc(more)
+  local t = { w = 1*J/m^2, C_n = 1e6*N/m^3, C_t = 1e6*N/m^3, b = 0*N*s/m, beta0 = 1 }
+  for key, value in pairs(more) do
+    t[key] = value
+  end
+  return adhesion.rcc(t)
+end
+local function exponential(more)
+  local t = { phi_n = 1*J/m^2, sigma_max = 900*Pa, delta_t = 1e-3*m }
+  for key, value in pairs(more) do
+    t[key] = value
+  end
+  return adhesion.exponential(t)
+end
+local coulomb = stiction.friction.coulomb { mu = 0.3 }
+
+for _, case in ipairs {
+  { "exponent of bilinear acts only where mix", idle = bilinear { mix = "linear", exponent = 3 }, acts = bilinear { exponent = 3 } },
+  { "r of exponential acts only where memory", idle = exponential { r = 0.5, q = 0.5 },
+    acts = exponential { r = 0.5, q = 0.5, memory = "reversible" } },
+  { "beta0 of exponential acts only where memory", idle = exponential { beta0 = 0.5, memory = "reversible" },
+    acts = exponential { beta0 = 0.5 } },
+  { "beta0 of dugdale acts only where memory", idle = adhesion.dugdale { sigma0 = 1*Pa, h0 = 1*m, beta0 = 0.5 },
+    acts = adhesion.dugdale { sigma0 = 1*Pa, h0 = 1*m, beta0 = 0.5, memory = "irreversible" } },
+  { "damage_power of rcc acts only where friction", idle = rcc { damage_power = 2 },
+    acts = rcc { damage_power = 2, friction = "damage" } },
+  { "C_t2 of rcc acts only in space", idle = rcc { C_t2 = 2e6*N/m^3 }, acts = rcc { C_t2 = 1e6*N/m^3 } },
+} do
+  test("an option that does nothing is warned of: " .. case[1], function()
+    equal(warned(scene_of { adhesion = case.idle, friction = coulomb }, case[1]), true)
+    equal(warned(scene_of { adhesion = case.acts, friction = coulomb }, "acts only"), false)
+  end)
+end
+
+test("friction that a bond takes away is missed where there is none", function()
+  local words = "has no friction to take away"
+  equal(warned(scene_of { adhesion = bilinear { friction = "damage" } }, words), true)
+  equal(warned(scene_of { adhesion = bilinear { friction = "damage" }, friction = coulomb }, words), false)
+end)
+
+test("the weight of contact forces acts with the inertia of contact nodes alone", function()
+  local function with(inertia)
+    return scene_of({ friction = coulomb }, { scheme = stiction.scheme.theta_xi { contact_weight = 0.6, contact_inertia = inertia } })
+  end
+  equal(warned(with("implicit"), "contact_weight of theta_xi acts only where contact_inertia"), true)
+  equal(warned(with("full"), "contact_weight"), false)
+end)
+
+test("a probe of the force on what nothing holds is warned of", function()
+  local function on(set)
+    return scene_of({ friction = coulomb }, { probes = { force = stiction.probe.force { set = set } } })
+  end
+  equal(warned(on("block.bottom"), "nothing moves or holds block.bottom"), true)
+  equal(warned(on("block.top"), "nothing moves or holds"), false)
+end)
+
+test("half spaces are told of options that do nothing, too", function()
+  local function with(law)
+    return { kinematics = "plane_strain",
+      bodies = { block = stiction.body.half_space { young = 1e6*Pa, poisson = 0.3, size = { 1*m }, points = { 4 } } },
+      obstacles = { tip = stiction.obstacle.height_map { surface = stiction.surface.map { heights = { 0, 0, 0, 0 } },
+        times = { 0*s, 1*s }, y = { 0*m, 1e-3*m } } },
+      pairs = { glue = stiction.pair { secondary = "block.surface", primary = "tip", adhesion = law } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } }, probes = {},
+      scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 0 } }
+  end
+  equal(warned(with(bilinear { mix = "linear", exponent = 3 }), "exponent of bilinear acts only where mix"), true)
+  equal(warned(with(bilinear { exponent = 3 }), "acts only"), false)
+end)
