@@ -10,6 +10,7 @@ namespace stiction::scene {
 namespace {
 constexpr double factorizations = 1000; ///< whose work may be lost where it is more than the limit
 constexpr double hopeless = 100;        ///< times the limit, in one attempt
+constexpr double tries = 6;             ///< steps cut in half may cost far less: so many are tried at least
 } // namespace
 
 Patience::Patience(SchedulePart const& limits, Work work) : limits_(&limits), work_(std::move(work)) {}
@@ -29,13 +30,14 @@ bool Patience::spent() const {
 }
 
 std::string Patience::lost() {
-  lost_ += work_.so_far() - before_;
+  lost_ += std::min(work_.so_far() - before_, most() / tries);
   if (++cuts_ > limits_->cuts)
     return fmt::format("{} attempts from t = {:g} s on failed, more than schedule.cuts", cuts_, since_);
   if (lost_ > most())
     return fmt::format(
-        "{} failed attempts from t = {:g} s on took {:.3g} operations, more than schedule.work", cuts_,
-        since_, lost_);
+        "{} failed attempts from t = {:g} s on took more than schedule.work = {:g} allows; shorter steps may "
+        "need none, a larger work more of them",
+        cuts_, since_, limits_->work);
   return "";
 }
 
