@@ -193,8 +193,9 @@ std::string words(SofteningDoubt const& doubt) {
                              "with inertia also a smaller step";
   if (doubt.points > 0)
     return fmt::format(
-        "1/W_nn = {:.3g} N/m <= {:.3g} N/m by which the bond's force may fall per opening: at some loads "
-        "there is more than one answer, and the bond snaps from one to another; {}",
+        "1/W_nn = {:.3g} N/m <= {:.3g} N/m by which the bond's force may fall per opening: by itself, all "
+        "other forces held, it has at some loads more than one answer, and snaps from one to another where "
+        "other bonds do not hold it; {}",
         doubt.stiffness, doubt.fall, remedy);
   return fmt::format(
       "the bonds together may weaken {:.3g} times as fast as what they hold follows: at some loads there "

@@ -220,17 +220,26 @@ void quadratic_faces(Facts const& all, PairFacts const& pair, Warnings& warnings
     }
 }
 
+bool has_midside_nodes(mesh::Mesh const& mesh) {
+  return std::ranges::any_of(mesh.blocks, [](auto const& block) {
+    auto const& cell = mesh::info(block.kind);
+    return !block.nodes.empty() && cell.nodes > cell.corners;
+  });
+}
+
 /// Single points far apart dent a finer surface each by itself; slides of such pairs were seen to find no
 /// balance.
-void coarse_points(PairFacts const& pair, Warnings& warnings) {
+void coarse_points(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  bool const halved = has_midside_nodes(all.bodies[pair.secondary].body->mesh); // as a primary's segments are
+  double const apart = halved ? 0.5 * pair.size : pair.size;
   if (pair.pair->mortar || pair.pair->self || pair.adheres() || !pair.primary ||
-      !(pair.size > coarse * pair.primary_size))
+      !(apart > coarse * pair.primary_size))
     return;
   warnings.push_back(
       {fmt::format(
            "pair {}: node to segment with points {} apart, on a primary whose nodes are {} apart and go "
            "into the other body between them: steps in which it slides may find no balance",
-           pair.pair->name, human(pair.size, "m"), human(pair.primary_size, "m")),
+           pair.pair->name, human(apart, "m"), human(pair.primary_size, "m")),
        fmt::format("in stiction.pair of {}: secondary = \"{}\", primary = \"{}\", or discretisation = "
                    "\"mortar\"",
                    pair.pair->name, pair.part->primary, pair.part->secondary)});
@@ -437,7 +446,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     closing_steps(all, pair, warnings);
     strain(all, pair, warnings);
     quadratic_faces(all, pair, warnings);
-    coarse_points(pair, warnings);
+    coarse_points(all, pair, warnings);
     sharp_peaks(all, pair, warnings);
     if (pair.pair->law.adhesion)
       adhesion(all, pair, warnings);
@@ -445,6 +454,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   warn_of_relief(all, warnings);
   warn_of_shared_nodes(all, warnings);
   warn_of_springs(all, warnings);
+  warn_of_idle(all, warnings);
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);
