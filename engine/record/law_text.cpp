@@ -45,9 +45,20 @@ template<class T, class Laws> bool read_kind(json const& entry, Laws& laws, std:
   if (!entry.is_object() || !entry.contains("kind") || entry["kind"] != T::schema().name)
     return false;
   T law;
-  for (auto const& parameter : T::schema().parameters)
-    if (entry.contains(parameter.name) && !set(parameter, entry[parameter.name], &law))
-      why = fmt::format("{} of law {} is not admissible", parameter.name, T::schema().name);
+  auto const& schema = T::schema();
+  for (auto const& [key, value] : entry.items())
+    if (key != "kind" && schema.find(key) == nullptr)
+      why = fmt::format("law {} has no {}", schema.name, key);
+  for (auto const& parameter : schema.parameters)
+    if (entry.contains(parameter.name)) {
+      if (!set(parameter, entry[parameter.name], &law))
+        why = fmt::format("{} of law {} is not admissible", parameter.name, schema.name);
+    } else if (parameter.need == core::Need::required && why.empty()) {
+      why = fmt::format("law {} lacks {}", schema.name, parameter.name);
+    }
+  if constexpr (requires { law.check(); })
+    if (auto const complaints = law.check(); why.empty() && !complaints.empty())
+      why = fmt::format("law {}: {} {}", schema.name, complaints.front().path, complaints.front().text);
   laws.push_back(law);
   return true;
 }

@@ -114,7 +114,8 @@ public:
 
   /// The number of one of `count` laws, or -1 for none.
   [[nodiscard]] int index(double value, std::size_t count) const {
-    require(value >= -1 && value < static_cast<double>(count), "a point's law is out of range");
+    require(value >= -1 && value < static_cast<double>(count) && value == std::floor(value),
+            "a point's law is out of range");
     return static_cast<int>(value);
   }
 

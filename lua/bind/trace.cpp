@@ -13,6 +13,9 @@ namespace stiction::bind {
 
 namespace {
 
+constexpr int deepest = 200;            ///< level looked at: each costs a walk down to it
+constexpr std::size_t told_frames = 20; ///< of a function that calls itself for ever
+
 lua_Debug last_line; ///< the user's line that ran last; currentline 0 before any
 
 bool is_user_frame(lua_Debug const& frame) {
@@ -42,6 +45,10 @@ std::vector<UserFrame> user_frames(lua_State* lua) {
   std::vector<UserFrame> frames;
   lua_Debug frame;
   for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
+    if (level == deepest || frames.size() == told_frames) {
+      frames.push_back({"...", ""});
+      break;
+    }
     lua_getinfo(lua, "Slnt", &frame);
     if (is_user_frame(frame)) {
       UserFrame found{place_of(frame), ": " + name_of(frame)};

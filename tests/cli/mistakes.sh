@@ -74,6 +74,12 @@ end }
 L
 expect 2 "deep.lua:3: |deep.lua:3: in function 'innermost'|deep.lua:6: in function 'middle'|deep.lua:10: in function 'scene'" \
   "$stiction" run scripts/deep.lua
+printf 'local function again(x) return again(x) + 1 end\nlocal y = again(1)\n' >scripts/again.lua
+expect 2 "again.lua:1: stack overflow|in function|  ..." "$stiction" run scripts/again.lua
+holds "the trace of a function that calls itself ends after some of its calls" [ "$(wc -l <output)" -lt 40 ]
+for tolerance in 0 1 nan; do
+  expect 2 "solve: tolerance = $tolerance must be in [1e-16, 1)" "$stiction" solve "$(dirname "$0")/../contact/problems/rod_slides_mu16.h5" --tolerance $tolerance
+done
 echo 'local x = = 3' >scripts/syntax.lua
 expect 2 "syntax.lua:1: unexpected symbol" "$stiction" run scripts/syntax.lua
 echo 'return 3' >scripts/nothing.lua

@@ -72,4 +72,15 @@ TEST_CASE("texts that are no laws are refused with the reason") {
             .find("w of law potential") != std::string::npos);
   CHECK(refused("{\"adhesions\": [{\"kind\": \"dugdale\", \"memory\": \"no\"}], \"frictions\": []}")
             .find("memory of law dugdale") != std::string::npos);
+  auto const rcc = [](std::string const& more) {
+    return refused("{\"adhesions\": [{\"kind\": \"rcc\", \"C_n\": 1, \"C_t\": 1, \"b\": 0" + more +
+                   "}], \"frictions\": []}");
+  };
+  CHECK(rcc(", \"w\": 1").empty());
+  CHECK(rcc("").find("law rcc lacks w") != std::string::npos);
+  CHECK(rcc(", \"w\": 1, \"Cn\": 1").find("law rcc has no Cn") != std::string::npos);
+  CHECK(refused(
+            "{\"adhesions\": [{\"kind\": \"bilinear\", \"K\": 1, \"sigma_n\": 2, \"sigma_t\": 1, \"G_I\": 1, "
+            "\"G_II\": 1}], \"frictions\": []}")
+            .find("G_I") != std::string::npos); // less than is stored before damage begins
 }

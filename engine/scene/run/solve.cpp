@@ -98,6 +98,9 @@ std::vector<std::string> doubts_of(contact::Problem const& problem,
 } // namespace
 
 SolveReport solve_file(std::filesystem::path const& path, std::string const& solver, double tolerance) {
+  if (auto const& range = contact::BipotentialNewton::schema().find("tolerance")->range;
+      !range.contains(tolerance))
+    throw core::InputError(fmt::format("solve: tolerance = {:g} must be {}", tolerance, range.words("1")));
   auto const chosen = choices(solver, tolerance, std::type_identity<contact::SolverChoice>{});
   auto const problem = record::load_problem(path);
   SolveReport report;
