@@ -4,8 +4,8 @@ local test, equal, _, shared = ...
 local engine = require "stiction.engine"
 local stiction = require "stiction"
 local units = stiction.units
-local mm, um, s, kg, m, N, J, MPa = units.mm, units.um, units.s, units.kg, units.m, units.N, units.J, units.MPa
-local fix = stiction.motion.fix
+local mm, um, s, kg, m, N, J, MPa, GPa = units.mm, units.um, units.s, units.kg, units.m, units.N, units.J, units.MPa, units.GPa
+local fix, drive = stiction.motion.fix, stiction.motion.drive
 
 local run = shared("runs").quasi_static "opening_runs"
 
@@ -100,3 +100,29 @@ test("accuracy without inertia says what it does not see, with bonds or events a
 end)
 
 engine.remove("opening_runs")
+
+test("the end-notched flexure of a specimen that bonds alone hold goes on past the start of its crack", function()
+  local edge, h, l, notch = stiction.edge, 2*mm, 40*mm, 32*mm
+  local function half(edges)
+    return stiction.body { mesh = stiction.mesh.gmsh { size = 1*mm, kind = "quad8", start = { 0*mm, 0*mm }, edges = edges },
+      material = stiction.material.linear_elastic { young = 100*GPa, poisson = 0 }, density = 1000*kg/m^3 }
+  end
+  local up = half { edge { to = { notch, 0*mm }, name = "crack" }, edge { to = { 2*l, 0*mm }, name = "bond" },
+    edge { to = { 2*l, h }, name = "far" }, edge { to = { l, h }, name = "out" }, edge { to = { 0*mm, h }, name = "out" },
+    edge { to = { 0*mm, 0*mm }, name = "near" } }
+  local low = half { edge { to = { 0*mm, -h }, name = "near" }, edge { to = { 2*l, -h }, name = "out" },
+    edge { to = { 2*l, 0*mm }, name = "far" }, edge { to = { notch, 0*mm }, name = "bond" }, edge { to = { 0*mm, 0*mm }, name = "crack" } }
+  local case = run { bodies = { up = up, low = low },
+    pairs = { bond = stiction.pair { secondary = "up.bond", primary = "low.bond", adhesion = stiction.adhesion.bilinear {
+      K = 1e14*N/m^3, sigma_n = 6*MPa, sigma_t = 6*MPa, G_I = 6*J/m^2, G_II = 6*J/m^2 } } },
+    motions = { fix { set = "up.out", near = { 0*mm, h }, y = true }, fix { set = "low.out", near = { 0*mm, -h }, y = true },
+      fix { set = "low.out", near = { 2*l, -h }, x = true, y = true },
+      drive { set = "up.out", near = { l, h }, times = { 0*s, 1*s }, y = { 0*mm, -0.112*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 0.5*s, steps = 2 }, stiction.stage { to = 1*s, steps = 10 } } },
+    probes = { press = stiction.probe.force { set = "up.out", near = { l, h } }, e = stiction.probe.energy {} } }
+  -- G_II = 9 P^2 a^2 / (16 E h^3) with the length a that the compliance (3 a^3 + 2 l^3) / (8 E h^3) tells
+  local force, stiffness = -case:last("press", "force_y"), 8 * 100e9 * 0.002^3
+  local grown = ((stiffness * 0.112e-3 / force - 2 * 0.04^3) / 3)^(1 / 3)
+  equal(grown > 0.034, true)
+  near(9 * force^2 * grown^2 / (2 * stiffness), 6, 0.2)
+end)

@@ -9,7 +9,8 @@
 namespace stiction::dynamics {
 
 namespace {
-constexpr double loosest = 0.05, tighter = 10, tightest = 0.5; ///< grip, of the bonds' stiffness
+constexpr double lightest = 1e-4, loosest = 0.05, tighter = 10,
+                 tightest = 0.5; ///< grip, of the bonds' stiffness
 } // namespace
 
 template<int D, int C>
@@ -32,7 +33,7 @@ template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points)
     auto const& point = points.active(row);
     bonded = points.pair_of(point).law.adhesion && point.data.bond.old.beta > interface::least_beta;
   }
-  grip_ = bonded ? (grip_ > 0 ? tighter * grip_ : loosest) : grip_;
+  grip_ = bonded ? (grip_ >= loosest ? tighter * grip_ : loosest) : grip_;
   return bonded;
 }
 
@@ -40,7 +41,7 @@ template<int D, int C>
 Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bulk, Vector const& y,
                                    double weight, contact::Problem& problem) {
   if (model_->held_by_bonds || bulk.hold() > 0)
-    grip_ = std::max(grip_, loosest);
+    grip_ = std::max(grip_, lightest);
   auto* const together = bulk.coupled();
   turning_ = turning_ && together == nullptr;
   gather(points, weight);
