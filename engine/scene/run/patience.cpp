@@ -30,7 +30,8 @@ bool Patience::spent() const {
 }
 
 std::string Patience::lost() {
-  lost_ += std::min(work_.so_far() - before_, most() / tries);
+  double const attempt = work_.so_far() - before_;
+  lost_ += spent() ? attempt : std::min(attempt, most() / tries);
   if (++cuts_ > limits_->cuts)
     return fmt::format("{} attempts from t = {:g} s on failed, more than schedule.cuts", cuts_, since_);
   if (lost_ > most())

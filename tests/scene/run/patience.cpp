@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "folder.hpp"
+#include "scene/run/patience.hpp"
 #include "scene/run/run.hpp"
 #include "scene/scenes.hpp"
 
@@ -90,6 +91,27 @@ TEST_CASE("a case ends when the attempts at one step have lost so many operation
   auto const result = run(crushed());
   CHECK(result.verdict == "not converged");
   CHECK(says(result.reason, "more than schedule.work"));
+}
+
+TEST_CASE("one attempt that takes more than may be lost does not end the run: six do") {
+  scene::SchedulePart limits;
+  limits.work = 1;
+  double done = 0;
+  scene::Patience patience(limits, {[&] { return done; }, [] { return 1.0; }});
+  patience.begin(1);
+  int failed = 0;
+  for (std::string why; why.empty() && failed < 20; ++failed) {
+    patience.begin_attempt();
+    done += 5e9;
+    CHECK_FALSE(patience.spent());
+    why = patience.lost();
+  }
+  CHECK(failed == 7);
+  patience.reached(1);
+  patience.begin_attempt();
+  done += 200e9; // as good as lost: so many of these are not tried
+  CHECK(patience.spent());
+  CHECK(says(patience.lost(), "more than schedule.work = 1 allows"));
 }
 
 TEST_CASE("a single attempt that loses too many operations is left off before its iterations end") {
