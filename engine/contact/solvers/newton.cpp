@@ -237,7 +237,9 @@ private:
     auto const rows = static_cast<long>(problem.free.size());
     auto solution = mix_sweeps(problem, guess, tolerance, std::max(100L, rows / 2));
     spend(solution.iterations, solution.work);
-    return solution.converged ? solution : polish(problem, solution.force, Stuck::give_up);
+    return solution.converged && felt(problem, solution, there_)
+               ? solution
+               : polish(problem, solution.force, Stuck::give_up);
   }
 
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
@@ -262,7 +264,7 @@ private:
         continue;
       solution.force = inner.force;
       solution.verdict = verdict;
-      solution.converged = verdict.relative() <= settings_.tolerance;
+      solution.converged = verdict.relative() <= settings_.tolerance && felt(problem, solution, there_);
       solution = by(Method::proximal, std::move(solution));
       if (verdict.residual < 0.5 * halved) {
         halved = verdict.residual;
