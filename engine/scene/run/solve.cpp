@@ -2,6 +2,7 @@
 #include "scene/run/solve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "contact/solvers/answers.hpp"
 #include "core/error.hpp"
 #include "record/problem_file.hpp"
+#include "scene/description/human.hpp"
 
 namespace stiction::scene {
 
@@ -95,6 +97,29 @@ std::vector<std::string> doubts_of(contact::Problem const& problem,
   return lines;
 }
 
+/// Solvers that converged to other displacements than the first that did: more than tolerances tell apart.
+std::vector<std::string> differences(contact::Problem const& problem,
+                                     std::vector<SolverAnswer> const& answers, double tolerance) {
+  double const apart = std::max(1e-4, std::sqrt(tolerance)); // of the largest motion that forces make
+  std::vector<std::string> lines;
+  SolverAnswer const* first = nullptr;
+  for (auto const& answer : answers) {
+    if (!answer.converged)
+      continue;
+    if (first == nullptr) {
+      first = &answer;
+      continue;
+    }
+    double const moved = (first->displacement - problem.free).lpNorm<Eigen::Infinity>();
+    double const between = (answer.displacement - first->displacement).lpNorm<Eigen::Infinity>();
+    if (between > apart * moved)
+      lines.push_back(fmt::format("{} and {} answer differently, by {} of the largest displacement: there is "
+                                  "more than one answer, or hardly one",
+                                  first->solver, answer.solver, percent(between / moved)));
+  }
+  return lines;
+}
+
 } // namespace
 
 SolveReport solve_file(std::filesystem::path const& path, std::string const& solver, double tolerance) {
@@ -116,6 +141,8 @@ SolveReport solve_file(std::filesystem::path const& path, std::string const& sol
     report.text += line_of(answer);
   }
   report.doubts = doubts_of(problem, report.answers);
+  for (auto& line : differences(problem, report.answers, tolerance))
+    report.doubts.push_back(std::move(line));
   for (auto const& doubt : report.doubts)
     report.text += doubt + "\n";
   return report;

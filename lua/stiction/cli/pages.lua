@@ -225,7 +225,8 @@ solved by SOLVER ('stiction help solver' lists them; default: all in turn) to a 
 measure stands beside it, |r - P(r - (u + mu |u_t| n))| / |q| over all points, in units in which the mean diagonal of W and the
 largest component of q are 1. Each line tells whether the solver converged, by which method ('stiction help commands' lists
 them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
-single answer ('stiction help commands' on remarks). Exit code 0: all converged; 1: one did not; 2: no such file or
+single answer at a point that presses or is pulled ('stiction help commands' on remarks), and which solvers answer
+differently. Exit code 0: all converged; 1: one did not; 2: no such file or
 solver. A study may do the same in place of a scene: problem = function(p) return { file =
 "...h5", solver = "newton", tolerance = 1e-8 } end.]]
 

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <regex>
 
 #include "folder.hpp"
+#include "record/problem_file.hpp"
 #include "scene/run/run.hpp"
 #include "scene/run/solve.hpp"
 #include "scene/scenes.hpp"
@@ -132,6 +134,40 @@ TEST_CASE("solving a saved problem tells of what theory does not promise") {
   CHECK(report.doubts[0].find("contact 1 (1 such): W_nn") != std::string::npos);
   CHECK(report.answers.size() == 3);
   CHECK(report.contacts == 1);
+}
+
+TEST_CASE("solvers that answer a saved problem differently are told, and only those") {
+  test::Folder const folder;
+  Eigen::Matrix<double, 6, 1> mobility, velocity;
+  mobility << 1, 1, 1, 2.5, 2.5, 1.7; // of a rigid box, that comes down on 50 points and slides
+  velocity << 1, 0, -1, 0.3, -0.1, 1;
+  int told = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    std::mt19937 random(seed);
+    auto const any = [&] { return 2.0 * random() / 4294967296.0 - 1; };
+    Dense H(150, 6);
+    contact::Problem problem;
+    problem.dim = 3;
+    for (Index k = 0; k < 50; ++k) {
+      double const x = any(), y = any(), z = -1;
+      H.middleRows<3>(3 * k) << 0, 0, 1, y, -x, 0, 1, 0, 0, 0, z, -y, 0, 1, 0, -z, 0, x;
+      problem.points.push_back({1, 0.8, -1, {}});
+    }
+    problem.W = Dense(H * mobility.asDiagonal() * H.transpose());
+    problem.free = H * velocity;
+    record::save_problem(folder / "box.h5", problem);
+    auto const report = scene::solve_file(folder / "box.h5", "all", 1e-10);
+    REQUIRE(report.converged);
+    bool differ = false;
+    for (auto const& answer : report.answers)
+      differ = differ || (answer.displacement - report.answers[0].displacement).norm() >
+                             1e-2 * report.answers[0].displacement.norm();
+    bool const says = report.text.find("answer differently") != std::string::npos;
+    CHECK((says || !differ));
+    told += says ? 1 : 0;
+  }
+  CHECK(told > 0);
+  CHECK(told < 6);
 }
 
 TEST_CASE(
