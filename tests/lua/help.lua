@@ -26,6 +26,8 @@ test("every kind of probe tells its columns", function()
   end
   equal(unit_of("contact", "force_y"), "N (N/m in plane strain)")
   equal(unit_of("contact_line", "friction_2"), "Pa (in space)")
+  equal(unit_of("force", "moment"), "N (in the plane)")
+  equal(unit_of("momentum", "j_angular_impulse"), "N s (in the plane)")
   equal(unit_of("node", "u_x"), "m")
   equal(unit_of("contact", "gap_mean"), "m (of half spaces)")
   equal(unit_of("energy", "stabilisation_loss"), "J (J/m in plane strain)")

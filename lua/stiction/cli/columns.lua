@@ -72,7 +72,8 @@ end
 --- By kind of probe a list of {name, unit, meaning}, of the kinds of the catalog's category "probe".
 function columns.by_kind(kinds)
   local found, plane, known = {}, {}, {}
-  for _, column in ipairs(engine.probe_columns(scene_of(kinds, "plane_strain"))) do
+  local in_plane = engine.probe_columns(scene_of(kinds, "plane_strain"))
+  for _, column in ipairs(in_plane) do
     plane[column.probe .. "/" .. column.name] = column.unit
   end
   for _, column in ipairs(engine.probe_columns(scene_of(kinds, "three_dimensional"))) do
@@ -81,6 +82,11 @@ function columns.by_kind(kinds)
     list[#list + 1] = { column.name, column.unit .. note, column.meaning }
     found[column.probe] = list
     known[column.probe .. "/" .. column.name] = true
+  end
+  for _, column in ipairs(in_plane) do
+    if not known[column.probe .. "/" .. column.name] then
+      table.insert(found[column.probe], { column.name, column.unit .. " (in the plane)", column.meaning })
+    end
   end
   for _, column in ipairs(engine.probe_columns(half_space_scene(kinds))) do
     if not known[column.probe .. "/" .. column.name] then
