@@ -136,14 +136,15 @@ TEST_CASE("solving a saved problem tells of what theory does not promise") {
   CHECK(report.contacts == 1);
 }
 
-TEST_CASE("solvers that answer a saved problem differently are told, and only those") {
+TEST_CASE("solvers that answer a saved problem differently are told, and only those: none without friction") {
   test::Folder const folder;
   Eigen::Matrix<double, 6, 1> mobility, velocity;
   mobility << 1, 1, 1, 2.5, 2.5, 1.7; // of a rigid box, that comes down on 50 points and slides
   velocity << 1, 0, -1, 0.3, -0.1, 1;
   int told = 0;
-  for (unsigned seed = 1; seed <= 6; ++seed) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
+    double const mu = seed <= 6 ? 0.8 : 0;
     auto const any = [&] { return 2.0 * random() / 4294967296.0 - 1; };
     Dense H(150, 6);
     contact::Problem problem;
@@ -151,7 +152,7 @@ TEST_CASE("solvers that answer a saved problem differently are told, and only th
     for (Index k = 0; k < 50; ++k) {
       double const x = any(), y = any(), z = -1;
       H.middleRows<3>(3 * k) << 0, 0, 1, y, -x, 0, 1, 0, 0, 0, z, -y, 0, 1, 0, -z, 0, x;
-      problem.points.push_back({1, 0.8, -1, {}});
+      problem.points.push_back({1, mu, -1, {}});
     }
     problem.W = Dense(H * mobility.asDiagonal() * H.transpose());
     problem.free = H * velocity;
@@ -164,10 +165,10 @@ TEST_CASE("solvers that answer a saved problem differently are told, and only th
                              1e-2 * report.answers[0].displacement.norm();
     bool const says = report.text.find("answer differently") != std::string::npos;
     CHECK((says || !differ));
+    CHECK_FALSE((says && mu == 0));
     told += says ? 1 : 0;
   }
   CHECK(told > 0);
-  CHECK(told < 6);
 }
 
 TEST_CASE(
