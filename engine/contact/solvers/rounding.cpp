@@ -12,6 +12,24 @@ constexpr double no_answer =
     1e-8; ///< relative: so much is not rounding's, whatever it may do to a point that hardly gives way
 constexpr double left_undone = 0.4; ///< of the forces there without any: half of two gaps, if nothing gives
 constexpr double unfelt = 1e9;      ///< times the forces there are: displacements have no digits left
+
+/// Where nothing can move a point, is it pressed in by more than rounding beside the tractions elsewhere? Its
+/// own force may be any.
+bool jams(Problem const& problem, Vector const& force) {
+  double deepest = 0, elsewhere = 0; // Pa
+  double const last_digits = 1e-12 * problem.free.lpNorm<Eigen::Infinity>();
+  for (Index i = 0; i < problem.size(); ++i) {
+    auto const& point = problem.points[ix(i)];
+    Index const row = problem.dim * i;
+    double const pressed = point.shift[0] - problem.free[row];
+    if (problem.W.diagonal(row) == 0)
+      deepest =
+          std::max(deepest, pressed > last_digits ? natural_scale(problem, i) * pressed / point.area : 0.0);
+    else
+      elsewhere = std::max(elsewhere, force.segment(row, problem.dim).norm() / point.area);
+  }
+  return deepest > no_answer * elsewhere;
+}
 } // namespace
 
 double forces_there(Problem const& problem, Vector const& guess) {
@@ -28,6 +46,8 @@ double forces_there(Problem const& problem, Vector const& guess) {
 }
 
 bool felt(Problem const& problem, Solution const& solution, double there) {
+  if (jams(problem, solution.force))
+    return false;
   if (solution.verdict.residual > left_undone * forces_there(problem, Vector::Zero(problem.free.size())))
     return false;
   for (Index i = 0; i < problem.size(); ++i)
