@@ -9,8 +9,8 @@
 namespace stiction::dynamics {
 
 namespace {
-constexpr double lightest = 1e-4, loosest = 0.05, tighter = 10,
-                 tightest = 0.5; ///< grip, of the bonds' stiffness
+/// Grip, of the bonds' stiffness: of free bodies, for a finite compliance; of unstable ones, more and more.
+constexpr double lightest = 1e-4, loosest = 0.05, tighter = 10, tightest = 0.5;
 } // namespace
 
 template<int D, int C>
@@ -40,8 +40,10 @@ template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points)
 template<int D, int C>
 Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bulk, Vector const& y,
                                    double weight, contact::Problem& problem) {
-  if (model_->held_by_bonds || bulk.hold() > 0)
+  if (model_->held_by_bonds)
     grip_ = std::max(grip_, lightest);
+  else if (bulk.hold() > 0) // unstable, not only free
+    grip_ = std::max(grip_, loosest);
   auto* const together = bulk.coupled();
   turning_ = turning_ && together == nullptr;
   gather(points, weight);
