@@ -46,11 +46,12 @@ void warn_of_idle_law(std::string const& pair, interface::Law const& law, int di
           warnings.push_back({fmt::format("{}: friction = \"damage\" of {} has no friction to take away",
                                           owner, schema.name),
                               "friction = stiction.friction.coulomb { ... } in the pair, or leave it out"});
+        auto const *across = schema.find("C_t2"), *along = schema.find("C_t");
+        if (dim == 2 && across != nullptr && across->get(&bond) != along->get(&bond))
+          warnings.push_back(
+              {fmt::format("{}: C_t2 of {} acts only in space", owner, schema.name), "leave C_t2 out"});
       },
       *law.adhesion);
-  auto const* rcc = std::get_if<interface::Rcc>(&*law.adhesion);
-  if (dim == 2 && rcc != nullptr && rcc->C_t2 != rcc->C_t)
-    warnings.push_back({fmt::format("{}: C_t2 of rcc acts only in space", owner), "leave C_t2 out"});
 }
 
 void warn_of_idle(Facts const& all, std::vector<Warning>& warnings) {
