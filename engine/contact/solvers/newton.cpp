@@ -18,12 +18,12 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
-constexpr double near_by = 0.3;  // residual of a guess that Newton takes first
-constexpr long huge = 150;       // rows, from which on sweeps cost less than its factorizations
-constexpr int quick = 12;        // iterations, before what is sure takes over
-constexpr int proximals = 80;    // in which the residual has to halve: rigid walls take many
-constexpr int few_proximals = 8; // of them, before another map is tried
-constexpr int pivotings = 12;    // with the bonds linear about the last answer
+constexpr double near_by = 0.3;   // residual of a guess that Newton takes first
+constexpr long huge = 150;        // rows, from which on sweeps cost less than its factorizations
+constexpr int quick = 12;         // iterations, before what is sure takes over
+constexpr int proximals = 80;     // in which the residual has to halve: rigid walls take many
+constexpr int few_proximals = 25; // of them, before another map is tried
+constexpr int pivotings = 12;     // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -221,7 +221,8 @@ private:
   [[nodiscard]] Solution plainly(Problem const& problem, Solution solution) {
     if (solution.converged || !plain(problem))
       return solution;
-    solution = proximal(problem, std::move(solution), few_proximals);
+    double part = 0.1 * problem.W.dense().diagonal().mean();
+    solution = proximal(problem, std::move(solution), few_proximals, part);
     if (solution.converged)
       return solution;
     auto other = go_on(problem, settings_.tolerance);
@@ -230,7 +231,7 @@ private:
       other = by(Method::uphill, polish(problem, other.force, Stuck::give_up));
     if (other.converged)
       return other;
-    return proximal(problem, std::move(solution), proximals);
+    return proximal(problem, std::move(solution), proximals, part);
   }
 
   [[nodiscard]] Solution sweep_and_polish(Problem const& problem, Vector const& guess, double tolerance) {
@@ -244,14 +245,14 @@ private:
 
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
   /// It goes there where W takes no energy from any forces.
-  [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most) {
+  /// part: a, and what it has become.
+  [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most, double& part) {
     Dense const& W = problem.W.dense();
     double const mean = W.diagonal().mean();
     if (solution.converged || !monotone(W, 1e-10 * mean))
       return solution;
     Problem nearby = problem;
     nearby.W = W;
-    double part = 0.1 * mean;
     double halved = solution.verdict.residual;
     for (int idle = 0; idle < most && !solution.converged; ++idle) {
       nearby.W.entries().diagonal() = (W.diagonal().array() + part).matrix();
