@@ -22,12 +22,7 @@ end
 
 local function warns(scene, words)
   scene.scheme, scene.output = stiction.scheme.quasi_static {}, stiction.output { frames = 0 }
-  for _, warning in ipairs(engine.explain(scene).warnings) do
-    if warning.text:find(words, 1, true) then
-      return true
-    end
-  end
-  return false
+  return shared("scenes").warned(scene, words)
 end
 
 local function block(t)

@@ -1,54 +1,31 @@
 -- What a scene gives and what does nothing in it: explain says so, and is silent where it does.
-local test, equal = ...
-local engine = require "stiction.engine"
+local test, equal, _, shared = ...
 local stiction = require "stiction"
 local units = stiction.units
 local m, s, kg, N, J, Pa = units.m, units.s, units.kg, units.N, units.J, units.Pa
 
+local scenes = shared "scenes"
+local with, warned = scenes.with, scenes.warned
+
 local function scene_of(pair, change)
-  local scene = { bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 1*m, 1*m }, cells = { 1, 1 } },
+  return with({ bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 1*m, 1*m }, cells = { 1, 1 } },
       density = 1000*kg/m^3, material = stiction.material.linear_elastic { young = 1e9*Pa, poisson = 0 } } },
     obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
     pairs = { glue = stiction.pair { secondary = "block.bottom", primary = "floor", adhesion = pair.adhesion, friction = pair.friction } },
     motions = { stiction.motion.fix { set = "block.top" } },
     schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } }, probes = {},
-    scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 0 } }
-  for key, value in pairs(change or {}) do
-    scene[key] = value
-  end
-  return scene
-end
-
-local function warned(scene, words)
-  for _, warning in ipairs(engine.explain(scene).warnings) do
-    if warning.text:find(words, 1, true) then
-      return true
-    end
-  end
-  return false
+    scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 0 } }, change)
 end
 
 local adhesion = stiction.adhesion
 local function bilinear(more)
-  local t = { K = 1e6*N/m^3, sigma_n = 900*Pa, sigma_t = 900*Pa, G_I = 1.9*J/m^2, G_II = 1.9*J/m^2 }
-  for key, value in pairs(more) do
-    t[key] = value
-  end
-  return adhesion.bilinear(t)
+  return adhesion.bilinear(with({ K = 1e6*N/m^3, sigma_n = 900*Pa, sigma_t = 900*Pa, G_I = 1.9*J/m^2, G_II = 1.9*J/m^2 }, more))
 end
 local function rcc(more)
-  local t = { w = 1*J/m^2, C_n = 1e6*N/m^3, C_t = 1e6*N/m^3, b = 0*N*s/m, beta0 = 1 }
-  for key, value in pairs(more) do
-    t[key] = value
-  end
-  return adhesion.rcc(t)
+  return adhesion.rcc(with({ w = 1*J/m^2, C_n = 1e6*N/m^3, C_t = 1e6*N/m^3, b = 0*N*s/m, beta0 = 1 }, more))
 end
 local function exponential(more)
-  local t = { phi_n = 1*J/m^2, sigma_max = 900*Pa, delta_t = 1e-3*m }
-  for key, value in pairs(more) do
-    t[key] = value
-  end
-  return adhesion.exponential(t)
+  return adhesion.exponential(with({ phi_n = 1*J/m^2, sigma_max = 900*Pa, delta_t = 1e-3*m }, more))
 end
 local coulomb = stiction.friction.coulomb { mu = 0.3 }
 
@@ -77,11 +54,11 @@ test("friction that a bond takes away is missed where there is none", function()
 end)
 
 test("the weight of contact forces acts with the inertia of contact nodes alone", function()
-  local function with(inertia)
+  local function of(inertia)
     return scene_of({ friction = coulomb }, { scheme = stiction.scheme.theta_xi { contact_weight = 0.6, contact_inertia = inertia } })
   end
-  equal(warned(with("implicit"), "contact_weight of theta_xi acts only where contact_inertia"), true)
-  equal(warned(with("full"), "contact_weight"), false)
+  equal(warned(of("implicit"), "contact_weight of theta_xi acts only where contact_inertia"), true)
+  equal(warned(of("full"), "contact_weight"), false)
 end)
 
 test("a probe of the force on what nothing holds is warned of", function()
@@ -93,7 +70,7 @@ test("a probe of the force on what nothing holds is warned of", function()
 end)
 
 test("half spaces are told of options that do nothing, too", function()
-  local function with(law)
+  local function under(law)
     return { kinematics = "plane_strain",
       bodies = { block = stiction.body.half_space { young = 1e6*Pa, poisson = 0.3, size = { 1*m }, points = { 4 } } },
       obstacles = { tip = stiction.obstacle.height_map { surface = stiction.surface.map { heights = { 0, 0, 0, 0 } },
@@ -102,6 +79,20 @@ test("half spaces are told of options that do nothing, too", function()
       schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } }, probes = {},
       scheme = stiction.scheme.quasi_static {}, output = stiction.output { frames = 0 } }
   end
-  equal(warned(with(bilinear { mix = "linear", exponent = 3 }), "exponent of bilinear acts only where mix"), true)
-  equal(warned(with(bilinear { exponent = 3 }), "acts only"), false)
+  equal(warned(under(bilinear { mix = "linear", exponent = 3 }), "exponent of bilinear acts only where mix"), true)
+  equal(warned(under(bilinear { exponent = 3 }), "acts only"), false)
+end)
+
+test("matching meshes of quadratic cells are not told to swap sides, coarser ones are", function()
+  local function half(y, cells)
+    return stiction.body { mesh = stiction.mesh.block { origin = { 0*m, y }, size = { 1*m, 0.5*m }, cells = { cells, 2 }, kind = "quad8" },
+      density = 1000*kg/m^3, material = stiction.material.linear_elastic { young = 1e9*Pa, poisson = 0 } }
+  end
+  for cells, coarse in pairs { [8] = false, [2] = true } do
+    local scene = scene_of({}, { bodies = { low = half(0*m, 8), up = half(0.5*m, cells) },
+      pairs = { joint = stiction.pair { secondary = "up.bottom", primary = "low.top", friction = coulomb } },
+      motions = { stiction.motion.fix { set = "low.bottom" }, stiction.motion.fix { set = "up.top" } } })
+    scene.obstacles = nil
+    equal(warned(scene, "steps in which it slides may find no balance"), coarse)
+  end
 end)

@@ -1,6 +1,7 @@
 // What a scene gives and what does nothing in it.
 #include <algorithm>
 #include <fmt/format.h>
+#include <unordered_set>
 
 #include "scene/explain/facts.hpp"
 
@@ -18,7 +19,8 @@ void warn_of_parameters(std::string const& owner, core::Schema const& schema, vo
 
 /// Is a node of the set moved, held or bound to others?
 bool any_held(dynamics::Model const& model, Indices const& nodes) {
-  auto const among = [&](Index node) { return std::ranges::find(nodes, node) != nodes.end(); };
+  std::unordered_set<Index> const all(nodes.begin(), nodes.end());
+  auto const among = [&](Index node) { return all.contains(node); };
   auto const dim = model.dim();
   return std::ranges::any_of(model.motions,
                              [&](auto const& motion) { return std::ranges::any_of(motion.nodes, among); }) ||

@@ -110,7 +110,10 @@ std::vector<std::string> differences(contact::Problem const& problem,
       first = &answer;
       continue;
     }
-    double const moved = (first->displacement - problem.free).lpNorm<Eigen::Infinity>();
+    auto const moved_by = [&](SolverAnswer const& one) {
+      return (one.displacement - problem.free).lpNorm<Eigen::Infinity>();
+    };
+    double const moved = std::max(moved_by(*first), moved_by(answer));
     double const between = (answer.displacement - first->displacement).lpNorm<Eigen::Infinity>();
     if (between > apart * moved)
       lines.push_back(fmt::format("{} and {} answer differently, by {} of the largest displacement: there is "
