@@ -81,11 +81,18 @@ std::string read_attribute(hid_t object, char const* name) {
   if (!attribute.valid())
     return {};
   Handle const type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+  if (H5Tget_class(type) != H5T_STRING)
     return {};
   Handle const space(H5Aget_space(attribute), H5Sclose);
   if (!space.valid() || H5Sget_simple_extent_npoints(space) != 1)
-    return {}; // an array of texts
+    return {};                        // an array of texts
+  if (H5Tis_variable_str(type) > 0) { // as Python's h5py writes them
+    char* kept = nullptr;
+    bool const held = H5Aread(attribute, type, &kept) >= 0 && kept != nullptr;
+    std::string text = held ? kept : "";
+    H5free_memory(kept);
+    return text;
+  }
   std::string text(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, text.data()) < 0)
     return {};

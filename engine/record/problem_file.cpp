@@ -81,8 +81,11 @@ public:
   explicit ProblemReader(std::filesystem::path const& path) : path_(path) {
     hdf5::keep_reasons();
     file_ = hdf5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, hdf5::file_access()), H5Fclose);
-    if (!file_.valid())
-      refuse("cannot be read as a contact problem (" + hdf5::last_reason() + ")");
+    if (!file_.valid()) {
+      auto const reason = hdf5::last_reason();
+      bool const foreign = std::filesystem::is_regular_file(path) && H5Fis_hdf5(path.c_str()) == 0;
+      refuse("cannot be read as a contact problem (" + (foreign ? "not an HDF5 file" : reason) + ")");
+    }
   }
   [[nodiscard]] bool has(char const* name) const { return H5Lexists(file_, name, H5P_DEFAULT) > 0; }
   [[nodiscard]] std::vector<double> read(char const* name) const {

@@ -5,6 +5,7 @@ local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local field_pictures = require "stiction.field_pictures"
 local figure = require "stiction.figure"
+local obstacles = require "stiction.obstacles"
 local provenance = require "stiction.provenance"
 local report = require "stiction.report"
 
@@ -23,6 +24,11 @@ function film.draw(outcome, cases, file, options)
   local unit = field_pictures.unit(field)
   if not field_pictures.file(case.folder) then
     fault.input("--animate: case %s has no fields (fields.pvd); a scene's output{ frames = ... } says how many", case.name)
+  end
+  local kept = #obstacles.frame_times(case)
+  if options.frames and options.frames > kept then
+    fault.input("--frames %g: case %s has %d, and a film shows 2 of them or more; more are kept where output{ frames = ... } "
+      .. "says so", options.frames, case.name, kept)
   end
   local run = case_module.new(case.name, {}, case.folder, engine.absolute(case.folder))
   local picture = figure.field { name = "film", title = case.name, case = run, array = field, unit = unit, deformed = true,

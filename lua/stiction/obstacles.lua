@@ -40,7 +40,7 @@ shape_of["rigid.height_map"] = function(_, settings) -- over its size, as a line
 end
 
 --- The times of a case's frames, s.
-local function frame_times(case)
+function obstacles.frame_times(case)
   local times = {}
   for time in (engine.read_file(case.folder .. "/fields.pvd") or ""):gmatch('timestep="([^"]+)"') do
     times[#times + 1] = tonumber(time)
@@ -62,7 +62,7 @@ end
 local function path_of(case, scene, name)
   local given, probe = scene.obstacles[name], probe_of(scene, name)
   if probe then
-    local path = { times = frame_times(case), x = {}, y = {}, angle = {} }
+    local path = { times = obstacles.frame_times(case), x = {}, y = {}, angle = {} }
     for i, time in ipairs(path.times) do
       path.x[i], path.y[i] = case:at(time, probe, "u_x"), case:at(time, probe, "u_y")
       path.angle[i] = case:at(time, probe, "angle")

@@ -1,8 +1,10 @@
 // Saved contact problems: every law comes back as it was, and what cannot be one is refused.
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <hdf5.h>
 
 #include "contact/solvers.hpp"
+#include "core/handle.hpp"
 #include "folder.hpp"
 #include "interface/laws.hpp"
 #include "record/law_text.hpp"
@@ -60,6 +62,25 @@ TEST_CASE("a saved problem with every law asks the same again, bit by bit") {
   }
   auto const force = test::solve(contact::GaussSeidel{}, problem).force;
   CHECK(contact::judge(back, force).residual == contact::judge(problem, force).residual);
+}
+
+TEST_CASE("laws written as a text of any length, as by Python, are read") {
+  test::Folder const folder;
+  auto const path = folder / "problem.h5";
+  auto const problem = with_all_laws();
+  record::save_problem(path, problem);
+  {
+    using core::Handle;
+    Handle const file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    REQUIRE(H5Adelete(file, "laws") >= 0);
+    Handle const type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+    H5Tset_size(type, H5T_VARIABLE);
+    Handle const attribute(H5Acreate2(file, "laws", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    auto const text = record::text_of_laws(problem);
+    char const* start = text.c_str();
+    REQUIRE(H5Awrite(attribute, type, &start) >= 0);
+  }
+  CHECK(record::text_of_laws(record::load_problem(path)) == record::text_of_laws(problem));
 }
 
 TEST_CASE("texts that are no laws are refused with the reason") {
