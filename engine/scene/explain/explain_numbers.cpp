@@ -58,8 +58,7 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   auto const scales = interface::scales(*facts.pair->law.adhesion);
   auto const wording = interface::wording(*facts.pair->law.adhesion);
   auto const& motion = facts.motion;
-  double const length = facts.cohesive_length(),
-               elastic = facts.modulus * scales.work / (scales.strength * scales.strength);
+  double const length = facts.cohesive_length(), elastic = facts.elastic_length();
   auto const spaced = [](std::string_view formula) {
     return formula.empty() ? std::string() : " " + std::string(formula);
   };
@@ -69,7 +68,9 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
       "strain that the bonds can put into the bodies");
   add(section, "cohesive length", length,
       fmt::format("{}, over which a bond fails",
-                  length > elastic ? "sqrt(surface stress u0 / sigma0)" : wording.length),
+                  length > elastic                 ? "sqrt(surface stress u0 / sigma0)"
+                  : elastic < facts.thick_length() ? "(E' h^3 w / sigma0^2)^(1/4), h: thickness of what bends"
+                                                   : wording.length),
       "m");
   add(section, "cohesive length / cell", length / facts.size, "below 3 the pull-off depends on the mesh");
   bool const product = wording.softening.find(' ') != std::string_view::npos;

@@ -55,6 +55,7 @@ struct PairFacts {
   int facets = 0;                      ///< of the primary
   double modulus = 0;                  ///< E* = 1 / sum (1 - nu^2) / E, Pa
   double column = 0;                   ///< 1 / sum thickness / E along the normal, Pa/m
+  double bending = 0;                  ///< 1 / sum (1 - nu^2) / (E thickness^3), N m; of plates 12 times that
   double size = 0, primary_size = 0;   ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
   double gap = -1;                     ///< smallest at the start, m; < 0: beyond the search
   double bond = 0;                     ///< most whole bond at the start, 1
@@ -64,12 +65,19 @@ struct PairFacts {
   double tension = 0;                  ///< surface stress of the secondary, N/m
   std::array<double, 2> strain{};      ///< expected in the secondary and the primary body, 1
   RelativeMotion motion;
-  /// Over which bonds fail, m: elastic bodies' E* w / sigma0^2, stretched surfaces' sqrt(tension u0 /
-  /// sigma0).
+  /// Over which bonds fail, m: thick bodies' E* w / sigma0^2, of slender ones that bend (bending w /
+  /// sigma0^2)^(1/4) where that is less (Yang and Cox 2005).
+  [[nodiscard]] double thick_length() const {
+    auto const scales = interface::scales(*pair->law.adhesion);
+    return modulus * scales.work / (scales.strength * scales.strength);
+  }
+  [[nodiscard]] double elastic_length() const {
+    return std::min(thick_length(), std::sqrt(std::sqrt(thick_length() * bending / modulus)));
+  }
+  /// The same, or stretched surfaces' sqrt(tension u0 / sigma0) where that is more.
   [[nodiscard]] double cohesive_length() const {
     auto const scales = interface::scales(*pair->law.adhesion);
-    return std::max(modulus * scales.work / (scales.strength * scales.strength),
-                    std::sqrt(tension * scales.opening / scales.strength));
+    return std::max(elastic_length(), std::sqrt(tension * scales.opening / scales.strength));
   }
   /// Will there be no bond at all, as none is left at the start and the law makes none?
   [[nodiscard]] bool bondless() const {

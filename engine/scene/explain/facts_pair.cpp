@@ -311,19 +311,21 @@ void add_primary(Facts const& all, PairFacts& facts, Vec3 const& position, std::
   curved = curvature(facts.primary_fit, mean_normal(model, side.body, *side.set), position);
 }
 
-/// E* and the stiffness of the two bodies as columns along the normal.
+/// E*, and the stiffness of the two bodies as columns along the normal and as plates across it.
 void add_stiffness(Facts const& all, PairFacts& facts) {
-  double compliance = 0, column = 0;
+  double compliance = 0, column = 0, bending = 0;
   auto const add = [&](BodyFacts const& body) {
     compliance += 1 / body.plane_modulus();
     double const thickness = facts.normal.isZero(0) ? body.extent() : facts.normal.cwiseAbs().dot(body.sides);
     column += thickness / body.moduli.young;
+    bending += 1 / (body.plane_modulus() * thickness * thickness * thickness);
   };
   add(all.bodies[facts.secondary]);
   if (facts.primary && *facts.primary != facts.secondary)
     add(all.bodies[*facts.primary]);
   facts.modulus = 1 / compliance;
   facts.column = 1 / column;
+  facts.bending = 1 / bending;
 }
 
 /// Of the bodies as columns, depth K_column / E, or beneath a Hertz contact of radius a = sqrt(R depth),

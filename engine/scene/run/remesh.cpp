@@ -69,10 +69,8 @@ MeshControl::MeshControl(Scene const& scene, dynamics::State const& start) : sce
   auto const facts = facts_of(scene, start);
   for (auto const& pair : facts.pairs) {
     cohesive_.push_back(std::numeric_limits<double>::infinity());
-    if (!pair.adheres())
-      continue;
-    auto const scales = interface::scales(*pair.pair->law.adhesion);
-    cohesive_.back() = pair.modulus * scales.work / (scales.strength * scales.strength);
+    if (pair.adheres())
+      cohesive_.back() = pair.elastic_length();
   }
 }
 
