@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "contact/problem/held_bonds.hpp"
 #include "linear/decompositions.hpp"
 
 namespace stiction::contact {
@@ -31,7 +32,8 @@ template<int D> struct Yielding {
 
 template<int D> class Check {
 public:
-  Check(Problem const& problem, Checked which) : problem_(problem), which_(which) {}
+  Check(Problem const& problem, Checked which, Snapped snapped)
+      : problem_(problem), which_(which), snapped_(snapped) {}
 
   Doubts operator()(Vector const& force, Vector const& x) {
     for (Index i = 0; i < problem_.size(); ++i) {
@@ -47,6 +49,9 @@ public:
     if (doubts_.friction.points == 0)
       look_at_friction_together();
     doubts_.softening.together = together(bonded_);
+    if (doubts_.softening.any() && which_ == Checked::bearing)
+      if (auto const held = held_bonds(problem_, force, x, snapped_))
+        doubts_.softening = *held;
     doubts_.weakening.together = together(weakened_);
     return doubts_;
   }
@@ -109,10 +114,26 @@ private:
   void look_at_bond(Index i, double pull) {
     auto const& point = problem_.points[ix(i)];
     auto const& law = problem_.adhesions[ix(point.adhesion)];
-    if (which_ == Checked::bearing && !(-pull >= bearing_part * point.area * interface::scales(law).strength))
+    if (which_ == Checked::bearing && !pulls(i, pull) && !pulled(i))
       return;
     note({i, Local<D>::Unit(0), point.area * interface::steepest_fall(law, point.bond)}, bonded_,
          doubts_.softening);
+  }
+
+  /// By more than a small part of its strength?
+  [[nodiscard]] bool pulls(Index i, double normal) const {
+    auto const& point = problem_.points[ix(i)];
+    auto const scales = interface::scales(problem_.adhesions[ix(point.adhesion)]);
+    return -normal >= bearing_part * point.area * scales.strength;
+  }
+  /// Did it at the step's start? Of a bond that snapped nothing is left at the end.
+  [[nodiscard]] bool pulled(Index i) const {
+    auto const& point = problem_.points[ix(i)];
+    if (problem_.start.size() == 0)
+      return false;
+    auto const at = interface::adhere<D>(problem_.adhesions[ix(point.adhesion)], point.bond,
+                                         problem_.start.segment<D>(D * i));
+    return pulls(i, point.area * at.traction[0]);
   }
 
   void note(Yielding<D> const& point, std::vector<Yielding<D>>& all, LeapDoubt& worst) const {
@@ -159,6 +180,7 @@ private:
 
   Problem const& problem_;
   Checked which_;
+  Snapped snapped_;
   Doubts doubts_;
   std::vector<Dragged<D>> dragged_;
   std::vector<Yielding<D>> bonded_, weakened_;
@@ -167,8 +189,8 @@ private:
 
 } // namespace
 
-Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Checked which) {
-  return by_dimension(problem.dim, [&]<int D>() { return Check<D>(problem, which)(force, x); });
+Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Checked which, Snapped snapped) {
+  return by_dimension(problem.dim, [&]<int D>() { return Check<D>(problem, which, snapped)(force, x); });
 }
 
 std::string words(FrictionDoubt const& doubt) {
@@ -191,6 +213,17 @@ std::string words(FrictionDoubt const& doubt) {
 std::string words(SofteningDoubt const& doubt) {
   std::string const remedy = "a less stiff law, a smaller area per point or stiffer bodies make it single, "
                              "with inertia also a smaller step";
+  if (doubt.points > 0 && doubt.held)
+    return fmt::format(
+        "{:.3g} N/m, with which the bodies and the other bonds hold it, <= {:.3g} N/m by which the "
+        "bond's force fell in this step: it snaps there, or nearly, and there may be more than one answer; "
+        "{}",
+        doubt.stiffness, doubt.fall, remedy);
+  if (doubt.held)
+    return fmt::format(
+        "the bonds that weakened in this step did so together {:.3g} times as fast as what holds them "
+        "follows: they snap there, or nearly, and there may be more than one answer; {}",
+        doubt.together, remedy);
   if (doubt.points > 0)
     return fmt::format(
         "1/W_nn = {:.3g} N/m <= {:.3g} N/m by which the bond's force may fall per opening: by itself, all "

@@ -20,15 +20,17 @@ struct FrictionDoubt {
 
 /// Points whose force falls as they move on, faster than what it holds follows: they leap.
 struct LeapDoubt {
-  Index points = 0;     ///< how many leap alone, all other forces held: 1 / W <= fall, along the point's way
+  Index points = 0;     ///< how many leap alone: 1 / W <= fall, along the point's way
   Index worst = -1;     ///< the one with the largest W fall
   double stiffness = 0; ///< 1 / W of the worst, N/m
+  bool held = false;    ///< W with what presses and what other bonds hold; else with all other forces held
   double fall = 0;      ///< of the worst, N/m
   double together =
       0; ///< largest eigenvalue of W fall over all points looked at; below 1 the answer is single
   [[nodiscard]] bool any() const { return together >= 1; }
 };
-/// Bonds that weaken with their opening, fall: A steepest_fall; they snap.
+/// Bonds that weaken with their opening, fall: A steepest_fall, or the most on the way of a step whose start
+/// the problem knows; they snap.
 struct SofteningDoubt : LeapDoubt {};
 /// Friction that falls with the slip of a step, fall: p_n steepest_fall.
 struct WeakeningDoubt : LeapDoubt {};
@@ -43,8 +45,12 @@ struct Doubts {
 /// Which points are looked at: those that press, or pull with 1 % of their law's strength; or all.
 enum class Checked { bearing, all };
 
+/// Did the step lose energy as bodies at rest do that snap?
+enum class Snapped { unknown, yes };
+
 /// force[dim n], x[dim n]: an answer, or what stands for one.
-[[nodiscard]] Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Checked which);
+[[nodiscard]] Doubts doubts(Problem const& problem, Vector const& force, Vector const& x, Checked which,
+                            Snapped snapped = Snapped::unknown);
 
 /// A sentence without its place; only where there are such points.
 [[nodiscard]] std::string words(FrictionDoubt const& doubt);

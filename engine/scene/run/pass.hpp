@@ -295,7 +295,7 @@ private:
 
   void unanswered(dynamics::Outcome const& outcome, double dt) {
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
-      remarks_.examine(stepper_.contact(), state_.t + dt, contact::Checked::all);
+      remarks_.examine_unanswered(stepper_.contact(), state_.t + dt);
   }
 
   /// Always false. enough: which limit has been passed, if one has.
@@ -316,12 +316,13 @@ private:
       recorder_->change({state_.t, dt, course_.wanted(dt), "step", "", "", contact});
     Beside::follow(beside_, stepper_, outcome, dt);
     remarks_.seek_let_go(state_, outcome.state);
+    double const lost = lost_part(state_.ledger, outcome.state.ledger);
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
     if (!blocks_)
       blocks_ = linear::blocks_from_system();
-    remarks_.examine(stepper_.contact(), state_.t, contact::Checked::bearing);
+    remarks_.examine(stepper_.contact(), state_.t, lost);
     remarks_.seek_beneath(state_);
     remarks_.weigh(state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);

@@ -17,6 +17,8 @@ namespace {
 
 /// Parts of the largest energy of a run from which on what its scheme made or lost is told.
 constexpr double worth_telling_made = 0.01, worth_telling_lost = 0.1;
+/// Of the energy that a step without inertia turns over, what its works miss where it follows its bonds.
+constexpr double leapt = 0.01;
 /// Change of a cell's edge over its length from which on a law for small strains is far off, and the part of
 /// a body's cells from which on that is told: peaks at corners are not.
 constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
@@ -51,11 +53,13 @@ std::pair<Index, Index> cells_beyond(dynamics::Model const& model, std::size_t b
   return {cells, beyond};
 }
 
-contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked which) {
+contact::Doubts doubts(dynamics::ContactSystem const& contact, contact::Checked which,
+                       contact::Snapped snapped) {
   auto const& problem = contact.problem();
   if (problem.points.empty() || problem.W.together())
     return {};
-  return contact::doubts(problem, contact.forces(), contact::displacement(problem, contact.forces()), which);
+  return contact::doubts(problem, contact.forces(), contact::displacement(problem, contact.forces()), which,
+                         snapped);
 }
 
 /// "2 answers were found ..." to the last problem.
@@ -85,20 +89,30 @@ char const* tamer_scheme(Scene const& scene) {
 
 } // namespace
 
-void Remarks::examine(dynamics::ContactSystem const& contact, double t, contact::Checked which) {
+void Remarks::examine(dynamics::ContactSystem const& contact, double t, double lost) {
+  bool const inertia = dynamics::weights(scene_->model->scheme).inertia;
+  note(contact, t,
+       doubts(contact, contact::Checked::bearing,
+              !inertia && lost > leapt ? contact::Snapped::yes : contact::Snapped::unknown));
+}
+
+void Remarks::examine_unanswered(dynamics::ContactSystem const& contact, double t) {
+  note(contact, t, doubts(contact, contact::Checked::all, contact::Snapped::unknown));
+}
+
+void Remarks::note(dynamics::ContactSystem const& contact, double t, contact::Doubts const& found) {
   ++steps_;
-  auto const found = doubts(contact, which);
-  auto const note = [&](Remark& remark, auto const& doubt) {
+  auto const add = [&](Remark& remark, auto const& doubt) {
     if (++remark.steps == 1)
       remark.text = fmt::format("at t = {}, {}: {}; here {}", human(t, "s"),
                                 words_of(*scene_, contact, doubt.worst), words(doubt), answers_of(contact));
   };
   if (found.friction.any())
-    note(friction_, found.friction);
+    add(friction_, found.friction);
   if (found.softening.any())
-    note(softening_, found.softening);
+    add(softening_, found.softening);
   if (found.weakening.any())
-    note(weakening_, found.weakening);
+    add(weakening_, found.weakening);
 }
 
 void Remarks::seek_beneath(dynamics::State const& state) {
@@ -221,6 +235,15 @@ std::vector<std::string> Remarks::texts() const {
                           "results stay"
                         : ""));
   return all;
+}
+
+double lost_part(dynamics::Ledger const& old, dynamics::Ledger const& next) {
+  double const turned_over =
+      std::max({std::abs(next.motion_work - old.motion_work), std::abs(next.load_work - old.load_work),
+                std::abs(next.potential - old.potential), std::abs(next.strain - old.strain),
+                std::abs(next.bond - old.bond) + std::abs(next.bonding_loss - old.bonding_loss),
+                std::abs(next.spring - old.spring), std::abs(next.surface - old.surface)});
+  return turned_over > 0 ? (next.scheme_loss() - old.scheme_loss()) / turned_over : 0;
 }
 
 std::string unseen_by_accuracy(Scene const& scene) {

@@ -11,8 +11,11 @@ namespace stiction::scene {
 class Remarks {
 public:
   explicit Remarks(Scene const& scene) : scene_(&scene) {}
-  /// A step to time t, accepted, or without an answer to its contact problem: then all points are looked at.
-  void examine(dynamics::ContactSystem const& contact, double t, contact::Checked which);
+  /// An accepted step to time t. lost: the part of the energy that it turned over which its scheme lost, as
+  /// bodies at rest do that snap.
+  void examine(dynamics::ContactSystem const& contact, double t, double lost);
+  /// A step to time t without an answer to its contact problem.
+  void examine_unanswered(dynamics::ContactSystem const& contact, double t);
   /// The account of energy after an accepted step; rounded: what its works are rounded by, J.
   void weigh(dynamics::Ledger const& ledger, double rounded);
   /// How well an accepted step meets the balance of forces.
@@ -36,6 +39,7 @@ public:
   }
 
 private:
+  void note(dynamics::ContactSystem const& contact, double t, contact::Doubts const& found);
   void add_rounded(std::vector<std::string>& all) const;
   struct Remark {
     std::string text;
@@ -53,6 +57,9 @@ private:
   double stabilised_ = 0;        ///< dissipated by the stabilisation of quasi-statics, J
   double made_ = 0, lost_ = 0;   ///< by the time scheme: the most so far, and in the end, J
 };
+
+/// Part of the energy that a step turned over which its scheme lost, 1.
+[[nodiscard]] double lost_part(dynamics::Ledger const& old, dynamics::Ledger const& next);
 
 /// What a run without inertia does that `accuracy` does not see, where it decides over the steps; or empty.
 [[nodiscard]] std::string unseen_by_accuracy(Scene const& scene);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+#include "contact/problem/held_bonds.hpp"
 #include "contact/problem/uniqueness.hpp"
 #include "contact/solvers.hpp"
 #include "contact/solvers/pivoting.hpp"
@@ -268,5 +269,81 @@ TEST_SUITE("contact") {
       if (found.any())
         CHECK(words(found).find("1.2 times as fast") != std::string::npos);
     }
+  }
+
+  TEST_CASE(
+      "a bond that falls beside an elastic one snaps exactly where both bodies and bond do not hold it") {
+    Bilinear law;
+    law.K = 10;
+    law.sigma_n = law.sigma_t = 1;
+    law.G_I = law.G_II = 0.5; // falls from 0.1 to 1
+    double const fall = 1 / 0.9;
+    auto const force_at = [&](double x) {
+      return adhere<1>(AdhesionLaw(law), {{1, {0, 0}}, 0.1, false}, Local<1>(x)).traction[0];
+    };
+    for (double const softness : {4.5, 5.0}) {
+      Problem problem;
+      problem.dim = 1;
+      problem.points.assign(2, {1, 0, 0, {{1, {0, 0}}, 0.1, false}});
+      problem.adhesions = {law};
+      Dense const W = (Dense(2, 2) << 1, 0.9, 0.9, 1).finished() * softness / fall;
+      problem.W = W;
+      double const second = W(1, 0) + 0.05; // leaves the other below 0.1 whatever the first pulls
+      auto const beside = [&](double x) { return (second + W(1, 0) * force_at(x)) / (1 + law.K * W(1, 1)); };
+      double last = -1e9;
+      bool folds = false;
+      for (int k = 0; k <= 1000; ++k) {
+        double const x = 0.1 + 0.9 * k / 1000;
+        REQUIRE(beside(x) < 0.1);
+        double const gap = x - W(0, 0) * force_at(x) + W(0, 1) * law.K * beside(x);
+        folds = folds || gap < last - 1e-12;
+        last = gap;
+      }
+      problem.free = Vector::Zero(2);
+      problem.start = Eigen::Vector2d(0.11, beside(0.11));
+      Eigen::Vector2d const x(0.2, beside(0.2)), force(force_at(x[0]), force_at(x[1]));
+      auto const found = doubts(problem, force, x, Checked::bearing).softening;
+      CHECK(folds == (softness > 4.9));
+      CHECK(found.held);
+      CHECK(found.any() == folds);
+      CHECK(found.points == (folds ? 1 : 0));
+      double const held = softness * (1 - 0.81 * law.K * W(1, 1) / (1 + law.K * W(1, 1)));
+      CHECK(found.together == doctest::Approx(held));
+      CHECK(found.stiffness == doctest::Approx(fall / held));
+      if (folds)
+        CHECK(words(found).find("the other bonds hold it") != std::string::npos);
+      // before damage nothing has fallen
+      problem.start = Eigen::Vector2d(0.01, 0.01);
+      CHECK_FALSE(doubts(problem, Eigen::Vector2d(-0.9, -0.2), Eigen::Vector2d(0.09, 0.02), Checked::bearing)
+                      .softening.any());
+    }
+  }
+
+  TEST_CASE("bonds that fall in one step do so together, and one that was passed over counts") {
+    Bilinear law;
+    law.K = 10;
+    law.sigma_n = law.sigma_t = 1;
+    law.G_I = law.G_II = 0.5;
+    Problem problem;
+    problem.dim = 1;
+    problem.points.assign(2, {1, 0, 0, {{1, {0, 0}}, 0.1, false}});
+    problem.adhesions = {law};
+    problem.W = Dense((Dense(2, 2) << 0.6, 0.54, 0.54, 0.6).finished() * 0.9);
+    problem.free = Vector::Zero(2);
+    problem.start = Eigen::Vector2d(0.05, 0.05);
+    for (double const end : {0.3, 2.0, 200.0}) { // 2, 200: both broken
+      Eigen::Vector2d const x(end, end);
+      double const pull = adhere<1>(AdhesionLaw(law), problem.points[0].bond, Local<1>(end)).traction[0];
+      auto const found = doubts(problem, Eigen::Vector2d(pull, pull), x, Checked::all).softening;
+      CAPTURE(end);
+      CHECK(found.together == doctest::Approx(1.14));
+      CHECK(found.points == 0);
+      auto const held = held_bonds(problem, Eigen::Vector2d(pull, pull), x, Snapped::unknown);
+      REQUIRE(held.has_value());
+      CHECK(held->together == doctest::Approx(1.14));
+      CHECK(words(*held).find("1.14 times as fast") != std::string::npos);
+    }
+    problem.points[0].bond.old.beta = problem.points[1].bond.old.beta = 0; // had none before
+    CHECK_FALSE(held_bonds(problem, Eigen::Vector2d::Zero(), Eigen::Vector2d(2, 2), Snapped::unknown)->any());
   }
 }
