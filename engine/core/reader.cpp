@@ -172,7 +172,8 @@ Numbers Reader::numbers(std::string_view key, std::string_view unit, Need need) 
   if (!has(key))
     return values;
   if (given.list() == nullptr) {
-    complain_at(key, fmt::format("is {}; a list of numbers in {} is wanted", kind_of(given), unit));
+    complain_at(key, fmt::format("is {}; a list of numbers{} is wanted", kind_of(given),
+                                 unit == "1" ? "" : fmt::format(" in {}", unit)));
     return values;
   }
   for (auto const& element : *given.list()) {

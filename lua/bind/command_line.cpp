@@ -2,6 +2,7 @@
 #include "bind/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fmt/format.h>
 #include <iostream>
 
@@ -47,9 +48,20 @@ private:
     auto const keep = [this, key](T const& given) { line_.options[key] = given; };
     return sub.add_option_function<T>(name, keep, meaning)->type_name(type);
   }
-  void threads(CLI::App& sub, std::string const& meaning) {
-    value<double>(sub, "--threads", "N", meaning)->check(CLI::Range(1, 1024).description(""));
+  /// A whole number from `least` to `most`.
+  void whole(CLI::App& sub, std::string const& name, std::string const& meaning, long most, long least = 1) {
+    auto const check = [=](std::string const& text) -> std::string {
+      double number = 0;
+      bool const good = CLI::detail::lexical_cast(text, number) && number == std::floor(number) &&
+                        number >= static_cast<double>(least) && number <= static_cast<double>(most);
+      return good ? "" : fmt::format("{} is no whole number from {} to {}", text, least, most);
+    };
+    value<double>(sub, name, "N", meaning)->check(CLI::Validator(check, ""));
   }
+  void jobs(CLI::App& sub, std::string const& what = "Cases") {
+    whole(sub, "--jobs", what + " at a time (default: number of cores)", 4096);
+  }
+  void threads(CLI::App& sub, std::string const& meaning) { whole(sub, "--threads", meaning, 1024); }
   void study_options(CLI::App& sub) {
     flag(sub, "quick", "The study's quick form: fewer cases, coarser");
     value<std::vector<std::string>>(sub, "--set", "NAME=VALUE",
@@ -91,8 +103,7 @@ void Commands::add_sharing(CLI::App& run) {
        "sees "
        "the folder");
   value<std::string>(run, "--on", "SYSTEM", "Submit workers to a batch system: slurm");
-  value<double>(run, "--workers", "N", "--on: how many (default: 16, or one a case)")
-      ->check(CLI::Range(1, 100000).description(""));
+  whole(run, "--workers", "--on: how many (default: 16, or one a case)", 100000);
   value<std::string>(run, "--time", "TIME", "--on: time limit of each, as sbatch takes it, e.g. 12:00:00");
   value<std::string>(run, "--partition", "NAME", "--on: partition (queue)");
   value<std::vector<std::string>>(run, "--sbatch", "OPTION",
@@ -110,15 +121,13 @@ void Commands::add_run() {
                      "Only cases for which this holds, in SI, e.g. 'mu > 0.3 and speed < 0.01'");
   flag(run, "list", "List the cases and whether they are done; run nothing");
   add_sharing(run);
-  value<double>(run, "--jobs", "N", "Cases at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(run);
   threads(run,
           "Threads of each case, whose numbers do not depend on it (default: cores that --jobs leaves free; "
           "one where runs share a sweep)");
-  value<double>(
-      run, "--ranks", "N",
-      "Processes that share each case, by MPI: its cells, matrix and vectors (default: one has it all)")
-      ->check(CLI::Range(1, 100000).description(""));
+  whole(run, "--ranks",
+        "Processes that share each case, by MPI: its cells, matrix and vectors (default: one has it all)",
+        100000);
   out(run);
   value<std::string>(run, "--accuracy", "SHARE",
                      "With the cheapest settings that the study's trade measured to be so near, e.g. 2%");
@@ -126,8 +135,7 @@ void Commands::add_run() {
                      "Results or curves of the trade, comma separated, that the accuracy is about");
   flag(run, "check-accuracy",
        "Run the cases again with each setting a level finer, and say what they may be off by");
-  value<double>(run, "--problems", "N", "Save the contact problem of every N-th step as well, for solve")
-      ->check(CLI::Range(1, 1000000).description(""));
+  whole(run, "--problems", "Save the contact problem of every N-th step as well, for solve", 1000000);
   value<double>(run, "--checkpoint", "SECONDS",
                 "Keep where a case stands so often, to go on from there (default: 600; 0: after every step)")
       ->check(CLI::Validator(seconds, ""));
@@ -140,8 +148,7 @@ void Commands::add_trade() {
   auto& trade = command("trade", "Measure what accuracy costs in a study, knob by knob and combined");
   study(trade)->required();
   study_options(trade);
-  value<double>(trade, "--jobs", "N", "Cases at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(trade);
   out(trade);
   flag(trade, "force", "Run finished cases again");
   flag(trade, "no-figures", "Draw no figures");
@@ -151,8 +158,7 @@ void Commands::add_fit() {
   auto& fit = command("fit", "Fit parameters of a study to measured curves, with errors and a verdict");
   study(fit)->required();
   study_options(fit);
-  value<double>(fit, "--jobs", "N", "Cases at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(fit);
   out(fit);
   flag(fit, "force", "Run finished cases again");
   flag(fit, "no-profiles", "Intervals from the covariance alone: fewer cases");
@@ -162,8 +168,7 @@ void Commands::add_fit() {
   study(sample)->required();
   study_options(sample);
   value<double>(sample, "--count", "N", "Points (more keep those there are; default: the study's)");
-  value<double>(sample, "--jobs", "N", "Cases at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(sample);
   out(sample);
   flag(sample, "force", "Run finished cases again");
   flag(sample, "no-figures", "Draw no figures");
@@ -175,8 +180,7 @@ void Commands::add_extremes() {
   flag(extremes, "quick", "Without the cells that take long");
   one_case(extremes);
   flag(extremes, "list", "List the cells and how they ended; run nothing");
-  value<double>(extremes, "--jobs", "N", "Cells at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(extremes, "Cells");
   out(extremes);
   flag(extremes, "force", "Run cells again that have ended");
   flag(extremes, "no-figures", "Draw no map");
@@ -190,8 +194,7 @@ void Commands::add_peers() {
   flag(peers, "quick", "The same as --size small");
   flag(peers, "stored", "Run no peers: compare results with those stored");
   value<std::string>(peers, "--problems", "DIR", "Folder of the friction problems, also of larger ones");
-  value<double>(peers, "--turns", "N", "Runs of each side, in turns; times are medians (default: 1)")
-      ->check(CLI::Range(1, 99).description(""));
+  whole(peers, "--turns", "Runs of each side, in turns; times are medians (default: 1)", 99);
   out(peers);
 }
 
@@ -221,10 +224,8 @@ void Commands::add_looking() {
                      "Film a field of one --case over its time there (Ogg/Theora)");
   value<std::string>(show, "--field", "NAME",
                      "The field that --sheet and --animate draw (default: von_mises)");
-  value<double>(show, "--frames", "N", "Frames of --animate, spread evenly (default: all that were kept)")
-      ->check(CLI::Range(2, 100000).description(""));
-  value<double>(show, "--rate", "N", "Frames a second of --animate (default: 10)")
-      ->check(CLI::Range(1, 60).description(""));
+  whole(show, "--frames", "Frames of --animate, spread evenly (default: all that were kept)", 100000, 2);
+  whole(show, "--rate", "Frames a second of --animate (default: 10)", 60);
   auto& compare = command("compare", "Say what differs between two outputs, and by how much; exit code 1 if "
                                      "cases are missing or results differ");
   value<std::string>(compare, "a", "OUT", "Output folder or study")->required();
@@ -237,12 +238,10 @@ void Commands::add_looking() {
 void Commands::add_keeping() {
   auto& verify = command("verify", "Recompute cases from the source that is kept with them, and compare");
   value<std::string>(verify, "study", "OUT", "Output folder, study, or what pack made")->required();
-  value<double>(verify, "--sample", "N", "Only N cases, always the same ones (default: all)")
-      ->check(CLI::Range(1, 1000000000).description(""));
+  whole(verify, "--sample", "Only N cases, always the same ones (default: all)", 1000000000);
   value<double>(verify, "--tolerance", "SHARE",
                 "Relative difference that is allowed where another build computed them (default: 1e-6)");
-  value<double>(verify, "--jobs", "N", "Cases at a time (default: number of cores)")
-      ->check(CLI::Range(1, 4096).description(""));
+  jobs(verify);
   flag(verify, "trust", "Let the study open files and start programs (io, os)");
   auto& pack = command("pack", "Make one archive of an output, described as a Workflow Run RO-Crate");
   value<std::string>(pack, "study", "OUT", "Output folder or study")->required();

@@ -12,6 +12,7 @@ expect 2 "unknown command 'rnu'; did you mean run?" "$stiction" rnu
 expect 2 "run: study is required" "$stiction" run
 expect 2 "unexpected '--quik'; did you mean --quick?" "$stiction" run "$tiny" --quik
 expect 2 "--jobs" "$stiction" run "$tiny" --jobs 0
+expect 2 "--jobs: 2.7 is no whole number from 1 to 4096" "$stiction" run "$tiny" --jobs 2.7
 expect 2 "--jobs" "$stiction" run "$tiny" --jobs many
 expect 2 "run: --checkpoint: -3 is no number of seconds, 0 or more" "$stiction" run "$tiny" --checkpoint -3
 
@@ -26,6 +27,10 @@ expect 0 "whether workers live|stiction status --help" "$stiction" help status
 expect 0 "page/index.html" "$stiction" help --html page
 grep -q 'id="adhesion.rcc"' page/index.html || complain "the page has no adhesion.rcc"
 : > file
+expect 0 "probe.energy|scheme_loss" "$stiction" help probe.energy
+holds "of commands alone" [ "$(grep -c -- --help output)" = 0 ]
+expect 0 "probe.force" "$stiction" help probe.force
+holds "no load" [ "$(grep -c load.force output)" = 0 ]
 expect 2 "--html: no folder can be made at 'file/page'" "$stiction" help --html file/page
 expect 2 "no help on 'blatz_k'; did you mean 'blatz_ko'?" "$stiction" help blatz_k
 

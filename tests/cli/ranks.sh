@@ -19,7 +19,7 @@ expect 2 "openmpi-bin" env PATH=/nowhere "$stiction" run block --ranks 2 --out n
 expect 2 "cannot be shared by several ranks|bodies in space|without --ranks" "$stiction" run block --ranks 2 --set plane=1 --out none2
 expect 2 "cannot be shared by several ranks|one process's" "$stiction" run block --ranks 2 --set bulk=direct --out none3
 expect 2 "output.problems_every" "$stiction" run block --ranks 2 --problems 1 --out none4
-expect 2 "not in range 1 to" "$stiction" run block --ranks 1.5 --out none5
+expect 2 "--ranks: 1.5 is no whole number from 1 to" "$stiction" run block --ranks 1.5 --out none5
 holds "nothing has run" [ -z "$(find none[1-5] -name series.h5 2>/dev/null)" ]
 
 # the same answers

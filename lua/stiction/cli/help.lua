@@ -94,11 +94,11 @@ local function show_overview(catalog)
   end
 end
 
---- Shows every kind called `topic`; false if there is none.
-local function show_kinds(catalog, topic)
+--- Shows every kind called `topic`, or the one of a category ("load"); false if there is none.
+local function show_kinds(catalog, topic, only)
   local found = false
   for _, category in ipairs(catalog) do
-    local kind = find(category.kinds, topic)
+    local kind = (not only or category.name == only) and find(category.kinds, topic)
     if kind then
       show_kind(category, kind)
       if category.name == "probe" then
@@ -127,8 +127,8 @@ local function of_command(topic)
   local lines = {}
   for line in (pages.commands .. "\n"):gmatch("([^\n]*)\n") do
     local goes_on = #lines > 0 and line:find("^ ")
-    if #lines > 0 and not goes_on then
-      break
+    if line == "" or #lines > 0 and not goes_on then
+      break -- other paragraphs are of all commands
     elseif goes_on or line:match("^%l+") == topic then
       lines[#lines + 1] = line
     end
@@ -156,9 +156,12 @@ return function(options)
     return write_page(options.html)
   end
   local catalog, topic = engine.catalog(), options.topic
-  topic = topic and (topic:match("^[%w_]+%.([%w_]+)$") or topic)
+  local category_name, name = (topic or ""):match("^([%w_]+)%.([%w_]+)$")
+  topic = name or topic
   if not topic then
     show_overview(catalog)
+  elseif name and show_kinds(catalog, name, category_name) then
+    return 0
   elseif topic == "units" then
     show_units()
   elseif topic == "figure" or topic == "figures" then
