@@ -8,7 +8,7 @@
 namespace stiction::mesh {
 
 /// Goes up whenever the mesher would answer the same request differently, so that older files are made anew.
-inline constexpr int mesher_version = 3;
+inline constexpr int mesher_version = 4;
 
 /// Writes `mesh` and the request that it answers. Throws RunError when the file cannot be written.
 void write_mesh(std::filesystem::path const& file, Mesh const& mesh, std::string const& request);

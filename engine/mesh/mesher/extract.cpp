@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "core/error.hpp"
 #include "mesh/generators/quads.hpp"
@@ -110,6 +111,48 @@ std::optional<mesh::CellKind> kind_of_type(int gmsh_type) {
   return std::nullopt;
 }
 
+/// A number of the nodes of an element, whatever their order.
+std::size_t hash_of(std::size_t const* nodes, std::size_t count) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t mixed = (nodes[k] + 1) * 0x9e3779b97f4a7c15U; // the golden ratio's bits
+    mixed ^= mixed >> 29;
+    sum += mixed * mixed;
+  }
+  return sum;
+}
+
+/// Format 2.2 writes an element once for each physical group that it is in. All but the first are taken out;
+/// which of gmsh's numbers stood for which.
+std::map<std::size_t, std::size_t> take_out_repeated(Elements& elements) {
+  std::size_t const count = elements.tags.size(), step = count > 0 ? elements.nodes.size() / count : 0;
+  std::vector<std::pair<std::size_t, std::size_t>> order;
+  for (std::size_t i = 0; i < count; ++i)
+    order.emplace_back(hash_of(&elements.nodes[step * i], step), i);
+  std::sort(order.begin(), order.end());
+  std::map<std::size_t, std::size_t> same;
+  std::vector<bool> repeated(count, false);
+  for (std::size_t k = 1; k < count; ++k) {
+    auto const first = &elements.nodes[step * order[k - 1].second],
+               next = &elements.nodes[step * order[k].second];
+    if (order[k].first != order[k - 1].first || !std::is_permutation(first, first + step, next))
+      continue;
+    std::size_t const tag = elements.tags[order[k - 1].second];
+    repeated[order[k].second] = true;
+    same[elements.tags[order[k].second]] = same.contains(tag) ? same[tag] : tag;
+  }
+  if (same.empty())
+    return same;
+  Elements kept{elements.type, {}, {}};
+  for (std::size_t i = 0; i < count; ++i)
+    if (!repeated[i]) {
+      kept.tags.push_back(elements.tags[i]);
+      kept.nodes.insert(kept.nodes.end(), &elements.nodes[step * i], &elements.nodes[step * i] + step);
+    }
+  elements = std::move(kept);
+  return same;
+}
+
 /// Numbers the nodes that cells use, in the order of gmsh's tags.
 class Numbering {
 public:
@@ -182,15 +225,10 @@ void turn_to_front(Mesh& mesh) {
   });
 }
 
-Indices unique_nodes(std::vector<Elements> const& elements, Numbering const& numbering) {
-  Indices nodes;
-  for (auto const& part : elements)
-    for (std::size_t const tag : part.nodes)
-      if (auto const node = numbering.find(tag))
-        nodes.push_back(*node);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+/// Sorts, and leaves each once.
+void make_unique(Indices& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 /// Facets by their corners in ascending order.
@@ -223,10 +261,11 @@ std::array<std::size_t, 2> nodes_and_corners(int gmsh_type) {
   return {static_cast<std::size_t>(cell.nodes), static_cast<std::size_t>(cell.corners)};
 }
 
-/// The facets that lie on these lines or plane cells; those inside the body have none.
+/// The facets that lie on these lines or plane cells, each once; those inside the body have none.
 std::vector<mesh::Facet> facets_on(std::vector<Elements> const& sides, Numbering const& numbering,
                                    Boundary const& boundary) {
   std::vector<mesh::Facet> facets;
+  std::set<Indices> seen;
   for (auto const& part : sides) {
     auto const [step, corners] = nodes_and_corners(part.type);
     for (std::size_t i = 0; i + step <= part.nodes.size(); i += step) {
@@ -234,7 +273,7 @@ std::vector<mesh::Facet> facets_on(std::vector<Elements> const& sides, Numbering
       for (std::size_t k = 0; k < corners; ++k)
         nodes.push_back(numbering.find(part.nodes[i + k]).value_or(-1));
       auto const found = boundary.find(key_of(nodes.data(), corners));
-      if (found != boundary.end())
+      if (found != boundary.end() && seen.insert(found->first).second)
         facets.push_back(found->second);
     }
   }
@@ -244,11 +283,14 @@ std::vector<mesh::Facet> facets_on(std::vector<Elements> const& sides, Numbering
 /// The numbers of cells, block after block, by gmsh's tags.
 using CellNumbers = std::map<std::size_t, Index>;
 
-CellNumbers numbers_of(std::vector<Elements> const& cells) {
+/// same: numbers of repeated cells, by those that are kept.
+CellNumbers numbers_of(std::vector<Elements> const& cells, std::map<std::size_t, std::size_t> const& same) {
   CellNumbers numbers;
   for (auto const& elements : cells)
     for (std::size_t const tag : elements.tags)
       numbers.emplace(tag, static_cast<Index>(numbers.size()));
+  for (auto const& [tag, kept] : same)
+    numbers.emplace(tag, numbers.at(kept));
   return numbers;
 }
 
@@ -257,7 +299,7 @@ Indices cells_of(std::vector<Elements> const& elements, CellNumbers const& numbe
   for (auto const& part : elements)
     for (std::size_t const tag : part.tags)
       cells.push_back(numbers.at(tag));
-  std::sort(cells.begin(), cells.end());
+  make_unique(cells);
   return cells;
 }
 
@@ -273,13 +315,15 @@ void add_sets(Mesh& mesh, Numbering const& numbering, CellNumbers const& cells) 
       auto& set = mesh.sets[group.name];
       if (dim == mesh.dim)
         set.cells = cells_of(elements, cells);
-      Indices const nodes = unique_nodes(elements, numbering);
-      Indices both;
-      std::set_union(set.nodes.begin(), set.nodes.end(), nodes.begin(), nodes.end(),
-                     std::back_inserter(both));
-      set.nodes = both;
       if (dim == mesh.dim - 1)
         set.facets = facets_on(elements, numbering, boundary);
+      for (auto const& part : elements)
+        for (std::size_t const tag : part.nodes)
+          if (auto const node = numbering.find(tag))
+            set.nodes.push_back(*node);
+      for (auto const& facet : set.facets) // with what lies between corners, which elements may leave out
+        set.nodes.insert(set.nodes.end(), facet.nodes.begin(), facet.nodes.end());
+      make_unique(set.nodes);
     }
   mesh.sets.try_emplace("all", mesh::all_nodes(mesh));
 }
@@ -311,7 +355,10 @@ mesh::Block block_of(Elements const& elements, Numbering const& numbering) {
 
 Mesh extract(double scale) {
   int const dim = dimension();
-  auto const cells = elements_on(dim, entities_to_take(dim));
+  auto cells = elements_on(dim, entities_to_take(dim));
+  std::map<std::size_t, std::size_t> same;
+  for (auto& elements : cells)
+    same.merge(take_out_repeated(elements));
   if (cells.empty())
     throw core::InputError("the mesh has no cells (no surface or volume elements)");
   Numbering const numbering(cells);
@@ -322,7 +369,7 @@ Mesh extract(double scale) {
     mesh.blocks.push_back(block_of(elements, numbering));
   if (dim == 2)
     turn_to_front(mesh);
-  add_sets(mesh, numbering, numbers_of(cells));
+  add_sets(mesh, numbering, numbers_of(cells, same));
   return mesh;
 }
 

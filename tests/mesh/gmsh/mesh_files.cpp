@@ -64,6 +64,43 @@ std::string abaqus_solid(std::string const& type, CellKind kind, std::vector<std
 } // namespace
 
 TEST_SUITE("mesh") {
+  TEST_CASE("a cell or a side that is in two groups of a file of format 2.2 is there once and in both") {
+    if (no_mesher())
+      return;
+    OwnCache const cache;
+    auto const mesh = read(cache, "groups.msh",
+                           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                           "$PhysicalNames\n4\n1 1 \"foot\"\n1 2 \"rim\"\n2 3 \"all_of_it\"\n2 4 \"left\"\n"
+                           "$EndPhysicalNames\n"
+                           "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+                           "$Elements\n7\n1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n3 1 2 2 1 1 2\n4 1 2 2 1 2 3\n"
+                           "5 3 2 3 1 1 2 5 4\n6 3 2 4 1 1 2 5 4\n7 3 2 3 1 2 3 6 5\n$EndElements\n");
+    CHECK(mesh.cell_count() == 2);
+    CHECK(area(mesh) == doctest::Approx(2e-6));
+    CHECK(mesh.sets.at("all_of_it").cells.size() == 2);
+    for (auto const* side : {"foot", "rim"}) {
+      CHECK(mesh.sets.at(side).facets.size() == 2);
+      CHECK(mesh.sets.at(side).nodes.size() == 3);
+    }
+  }
+
+  TEST_CASE("sides given by their corners have the nodes between, as their cells do") {
+    if (no_mesher())
+      return;
+    OwnCache const cache;
+    auto const mesh = read(cache, "corners.msh",
+                           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                           "$PhysicalNames\n2\n1 1 \"foot\"\n2 2 \"body\"\n$EndPhysicalNames\n"
+                           "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0.5 0 0\n6 1 0.5 0\n7 0.5 1 0\n"
+                           "8 0 0.5 0\n$EndNodes\n"
+                           "$Elements\n2\n1 1 2 1 1 1 2\n2 16 2 2 1 1 2 3 4 5 6 7 8\n$EndElements\n");
+    CHECK(mesh.blocks.at(0).kind == CellKind::quad8);
+    auto const& foot = mesh.sets.at("foot");
+    REQUIRE(foot.facets.size() == 1);
+    CHECK(foot.facets[0].nodes.size() == 3);
+    CHECK(foot.nodes.size() == 3);
+  }
+
   TEST_CASE("an input file of Abaqus keeps its cells, node sets, element sets and surfaces") {
     if (no_mesher())
       return;
