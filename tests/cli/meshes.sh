@@ -161,6 +161,14 @@ expect 2 'names "foot", which is no set of cells of the mesh; those are: left, s
 changed_bar lawless 's/material = sets\[p.file\]/material = { young = 1*MPa }/'
 expect 2 "bodies.bar.material" "$stiction" run lawless.lua --no-figures --case filebar.inp
 
+# layers that share no node: the lower one holds nothing of the upper
+sed 's/^9$/12/; s/^9 2 2 0$/9 2 2 0\n10 0 1 0\n11 1 1 0\n12 2 1 0/; s/4 5 8 7$/10 11 8 7/; s/5 6 9 8$/11 12 9 8/' bar.msh >cut.msh
+changed_bar seam 's/bar.msh/cut.msh/; s/stiction.motion.fix { set = foot },//; s/times = /x = { 0*mm, 0*mm }, times = /'
+expect 2 "bodies.bar: is in parts that no cell joins; the one about (1 mm, 500 um) can move along x, move along y, turn: no motion" \
+  "$stiction" run seam.lua --no-figures --case filecut.msh
+changed_bar held 's/bar.msh/cut.msh/; s/times = /x = { 0*mm, 0*mm }, times = /'
+expect 1 "finished|0 of 1 checks held" "$stiction" run held.lua --no-figures --case filecut.msh # each by itself, without force
+
 # a mesh without a scale, beside a way of hundredths of a millimetre
 changed_bar metres 's/, scale = p.scale//; s/  chosen = { scale = { 1\*mm, "of the files" }, /  chosen = { /; s/check = /other = /'
 sed -i '/^  other = /,/^  end,/d' metres.lua

@@ -1,12 +1,16 @@
 // What holds the bodies: nodes on the axis of revolution, and rigid motions that nothing resists.
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include "dynamics/contact/bond_grip.hpp"
 #include "dynamics/step/stepper.hpp"
 #include "linear/decompositions.hpp"
 #include "scene/build/builder.hpp"
+#include "scene/description/human.hpp"
 
 namespace stiction::scene {
 
@@ -61,36 +65,91 @@ namespace {
 
 constexpr double least = 1e-7; ///< of a stabilisation, and of a spring beside its body
 
-/// The rigid motions of all bodies, one after the other, and what resists them.
+/// The parts of bodies that hang together by cells, [nodes]; -1: a node of none.
+class Parts {
+public:
+  explicit Parts(dynamics::Model const& model) : leader_(ix(model.first_node.back())) {
+    std::iota(leader_.begin(), leader_.end(), Index{0});
+    std::vector<bool> used(leader_.size(), false);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      for (auto const& block : model.bodies[b]->mesh.blocks) {
+        auto const step = static_cast<std::size_t>(mesh::info(block.kind).nodes);
+        for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+          Index const first = block.nodes[i - i % step] + model.first_node[b],
+                      node = block.nodes[i] + model.first_node[b];
+          leader_[ix(find(node))] = find(first);
+          used[ix(node)] = true;
+        }
+      }
+    std::map<Index, Index> numbers;
+    part_.assign(leader_.size(), -1);
+    for (std::size_t node = 0; node < leader_.size(); ++node)
+      if (used[node])
+        part_[node] = numbers.emplace(find(static_cast<Index>(node)), numbers.size()).first->second;
+    count_ = static_cast<Index>(numbers.size());
+  }
+  [[nodiscard]] Index of(Index node) const { return part_[ix(node)]; }
+  [[nodiscard]] Index count() const { return count_; }
+
+private:
+  Index find(Index node) {
+    while (leader_[ix(node)] != node)
+      node = leader_[ix(node)] = leader_[ix(leader_[ix(node)])];
+    return node;
+  }
+  Indices leader_, part_;
+  Index count_ = 0;
+};
+
+/// Motions of a part of a body that nothing resists.
+struct Loose {
+  std::size_t body;
+  std::vector<std::string> motions; ///< by the component that is most of each
+  Vec3 middle;                      ///< m
+  bool alone;                       ///< does the body hang together?
+};
+
+/// The rigid motions of all parts of bodies, one after the other, and what resists them.
 class RigidMotions {
 public:
   explicit RigidMotions(dynamics::Model const& model)
-      : model_(&model), names_(motion_names(model.kinematics)), frames_(model.bodies.size()) {
-    for (std::size_t b = 0; b < frames_.size(); ++b) {
-      auto const& nodes = model.bodies[b]->mesh.nodes;
-      Vector const low = nodes.colwise().minCoeff(), high = nodes.colwise().maxCoeff();
-      frames_[b].middle.head(model.dim()) = 0.5 * (low + high);
-      frames_[b].size = (high - low).norm();
-    }
-    auto const all = static_cast<Eigen::Index>(frames_.size()) * count();
-    held_ = Dense::Zero(all, all);
+      : model_(&model), names_(motion_names(model.kinematics)), parts_(model), frames_(ix(parts_.count())) {
+    int const dim = model.dim();
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      for (Index node = model.first_node[b]; node < model.first_node[b + 1]; ++node)
+        if (Index const part = parts_.of(node); part >= 0) {
+          auto& frame = frames_[ix(part)];
+          frame.body = b;
+          frame.low.head(dim) = frame.low.head(dim).cwiseMin(model.reference.row(node).transpose());
+          frame.high.head(dim) = frame.high.head(dim).cwiseMax(model.reference.row(node).transpose());
+        }
+    for (auto& frame : frames_)
+      for (int c = dim; c < 3; ++c)
+        frame.low[c] = frame.high[c] = 0;
+    leader_.resize(frames_.size());
+    std::iota(leader_.begin(), leader_.end(), std::size_t{0});
   }
 
   /// A displacement component of one node is held: `weights` over the components of `nodes` is.
   void hold(Indices const& nodes, Eigen::RowVectorXd const& weights) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(held_.cols());
+    std::map<std::size_t, Eigen::RowVectorXd> rows;
     int const dim = model_->dim();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      auto const found = std::ranges::upper_bound(model_->first_node, nodes[k]);
-      Eigen::Index const b = found - model_->first_node.begin() - 1;
-      auto const& [middle, size] = frames_[static_cast<std::size_t>(b)];
-      Vec3 X = -middle;
-      for (int c = 0; c < dim; ++c)
-        X[c] += model_->reference(nodes[k], c);
-      row.segment(b * count(), count()) += weights.segment(dim * static_cast<Eigen::Index>(k), dim) *
-                                           rigid_motions(model_->kinematics, X / size);
+      Index const part = parts_.of(nodes[k]);
+      if (part < 0)
+        continue;
+      auto const& frame = frames_[ix(part)];
+      Vec3 X = -frame.middle();
+      X.head(dim) += model_->reference.row(nodes[k]).transpose();
+      rows.try_emplace(ix(part), Eigen::RowVectorXd::Zero(count())).first->second +=
+          weights.segment(dim * static_cast<Eigen::Index>(k), dim) *
+          rigid_motions(model_->kinematics, X / frame.size());
     }
-    held_ += row.transpose() * row;
+    for (auto const& [a, row] : rows)
+      for (auto const& [b, other] : rows) {
+        held_.try_emplace({a, b}, Dense::Zero(count(), count())).first->second += row.transpose() * other;
+        leader_[leader_of(a)] = leader_of(b);
+      }
   }
 
   void hold_motions() {
@@ -127,36 +186,63 @@ public:
             hold_spring(spring, k, way);
   }
 
-  /// Per body the motions that nothing resists, by the component that is most of each.
-  [[nodiscard]] std::vector<std::vector<std::string>> loose() const {
-    Eigen::SelfAdjointEigenSolver<Dense> const all(held_);
-    auto const& values = all.eigenvalues(); // ascending
-    auto const free = (values.array() <= 1e-12 * std::max(1.0, values[values.size() - 1])).count();
-    std::vector<std::vector<std::string>> found(frames_.size());
-    for (std::size_t b = 0; b < frames_.size(); ++b) {
-      Dense const own = all.eigenvectors().block(static_cast<Eigen::Index>(b) * count(), 0, count(), free);
-      Eigen::JacobiSVD<Dense> const svd(own * own.transpose(), Eigen::ComputeFullU);
-      for (Eigen::Index k = 0; k < count() && svd.singularValues()[k] > 1e-12; ++k) {
-        Eigen::Index strongest = 0;
-        svd.matrixU().col(k).cwiseAbs().maxCoeff(&strongest);
-        found[b].emplace_back(names_[static_cast<std::size_t>(strongest)]);
-      }
-    }
+  /// Parts with motions that nothing resists.
+  [[nodiscard]] std::vector<Loose> loose() {
+    std::map<std::size_t, std::vector<std::size_t>> groups; // of parts that something holds together
+    for (std::size_t part = 0; part < frames_.size(); ++part)
+      groups[leader_of(part)].push_back(part);
+    std::vector<Loose> found;
+    for (auto const& [leader, parts] : groups)
+      add_loose(parts, found);
     return found;
   }
 
 private:
   struct Frame {
-    Vec3 middle = Vec3::Zero();
-    double size = 0; ///< m
+    std::size_t body = 0;
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low; ///< of its nodes, m
+    [[nodiscard]] Vec3 middle() const { return 0.5 * (low + high); }
+    [[nodiscard]] double size() const { return (high - low).norm(); }
   };
+  std::size_t leader_of(std::size_t part) {
+    while (leader_[part] != part)
+      part = leader_[part] = leader_[leader_[part]];
+    return part;
+  }
+  void add_loose(std::vector<std::size_t> const& parts, std::vector<Loose>& found) const {
+    auto const n = static_cast<Eigen::Index>(parts.size());
+    Dense held = Dense::Zero(n * count(), n * count());
+    for (Eigen::Index a = 0; a < n; ++a)
+      for (Eigen::Index b = 0; b < n; ++b)
+        if (auto const block = held_.find({parts[ix(a)], parts[ix(b)]}); block != held_.end())
+          held.block(a * count(), b * count(), count(), count()) = block->second;
+    Eigen::SelfAdjointEigenSolver<Dense> const all(held);
+    auto const& values = all.eigenvalues(); // ascending
+    auto const free = (values.array() <= 1e-12 * std::max(1.0, values[values.size() - 1])).count();
+    for (Eigen::Index a = 0; a < n && free > 0; ++a) {
+      auto const& frame = frames_[parts[ix(a)]];
+      bool const alone = std::ranges::count(frames_, frame.body, &Frame::body) == 1;
+      Loose part{frame.body, {}, frame.middle(), alone};
+      Dense const own = all.eigenvectors().block(a * count(), 0, count(), free);
+      Eigen::JacobiSVD<Dense> const svd(own * own.transpose(), Eigen::ComputeFullU);
+      for (Eigen::Index k = 0; k < count() && svd.singularValues()[k] > 1e-12; ++k) {
+        Eigen::Index strongest = 0;
+        svd.matrixU().col(k).cwiseAbs().maxCoeff(&strongest);
+        part.motions.emplace_back(names_[static_cast<std::size_t>(strongest)]);
+      }
+      if (!part.motions.empty())
+        found.push_back(std::move(part));
+    }
+  }
   /// None of a spring below `least` E, times a length where forces are not per metre of depth.
   [[nodiscard]] std::size_t holding_members(dynamics::Spring const& spring) const {
-    auto const found = std::ranges::upper_bound(model_->first_node, spring.from.nodes.front());
-    auto const b = static_cast<std::size_t>(found - model_->first_node.begin() - 1);
+    Index const part = parts_.of(spring.from.nodes.front());
+    if (part < 0)
+      return 0;
+    auto const& frame = frames_[ix(part)];
     bool const plane = model_->kinematics == solid::Kinematics::plane_strain;
-    double const young = material::moduli(model_->bodies[b]->material).young;
-    if (spring.stiffness < least * young * (plane ? 1 : frames_[b].size))
+    double const young = material::moduli(model_->bodies[frame.body]->material).young;
+    if (spring.stiffness < least * young * (plane ? 1 : frame.size()))
       return 0;
     return spring.spread ? spring.from.nodes.size() : 1;
   }
@@ -183,9 +269,20 @@ private:
 
   dynamics::Model const* model_;
   std::vector<char const*> names_;
+  Parts parts_;
   std::vector<Frame> frames_;
-  Dense held_; ///< sum of (resisted)^T (resisted), [bodies motions, bodies motions]
+  std::vector<std::size_t> leader_; ///< of parts that something holds together
+  /// Sum of (resisted)^T (resisted), [motions, motions] for each two parts that something holds together.
+  std::map<std::pair<std::size_t, std::size_t>, Dense> held_;
 };
+
+/// "1 mm, 2 mm"
+std::string place(Vec3 const& at, int dim) {
+  auto text = human(at[0], "m");
+  for (int c = 1; c < dim; ++c)
+    text += ", " + human(at[c], "m");
+  return text;
+}
 
 /// Rows of H along which the bonds of the start resist.
 void hold_bonds(dynamics::Model const& model, dynamics::ContactSystem const& contact,
@@ -221,25 +318,31 @@ void Builder::check_supports(dynamics::ContactSystem const& contact, dynamics::S
   motions.hold_motions();
   motions.hold_links();
   motions.hold_springs();
-  auto loose = motions.loose();
-  auto const any = [&] { return std::ranges::any_of(loose, [](auto const& own) { return !own.empty(); }); };
-  if (!any())
+  if (motions.loose().empty())
     return;
   auto const& first = scene_.part.schedule.stages.front();
   double const dt = first.until / first.steps;
   hold_bonds(model, contact, start, dt, motions);
-  loose = motions.loose();
-  model.held_by_bonds = !any();
-  for (std::size_t b = 0; b < loose.size(); ++b)
-    if (!loose[b].empty())
-      complain(
-          {"bodies", scene_.bodies[b]},
-          fmt::format("can {}: no motion holds it, nor a spring of at least 1e-7 of its stiffness, nor a "
-                      "bond that is whole at the start, and in "
-                      "a quasi-static run contact alone cannot; fix or drive a set of it (at a plane of "
-                      "symmetry the component across it), let scheme.quasi_static{{stabilisation = 1e-6}} "
-                      "hold it until contact does, or give it inertia with scheme.theta_xi",
-                      fmt::join(loose[b], ", ")));
+  auto const loose = motions.loose();
+  model.held_by_bonds = loose.empty();
+  std::set<std::size_t> told;
+  for (auto const& part : loose) {
+    if (!told.insert(part.body).second)
+      continue;
+    auto const others = std::ranges::count(loose, part.body, &Loose::body) - 1;
+    auto const which = part.alone ? std::string()
+                                  : fmt::format("is in parts that no cell joins; the one about ({}){} ",
+                                                place(part.middle, model.dim()),
+                                                others > 0 ? fmt::format(" and {} more", others) : "");
+    complain(
+        {"bodies", scene_.bodies[part.body]},
+        fmt::format("{}can {}: no motion holds it, nor a spring of at least 1e-7 of its stiffness, nor a "
+                    "bond that is whole at the start, and in "
+                    "a quasi-static run contact alone cannot; fix or drive a set of it (at a plane of "
+                    "symmetry the component across it), let scheme.quasi_static{{stabilisation = 1e-6}} "
+                    "hold it until contact does, or give it inertia with scheme.theta_xi",
+                    which, fmt::join(part.motions, ", ")));
+  }
 }
 
 } // namespace stiction::scene
