@@ -53,12 +53,15 @@ double Stepper::viscous_loss(State const& old, State const& next) const {
 
 /// What friction takes of a point in a step, J (J/m): by the scheme's mean of its forces. Without inertia it
 /// is always against the slip, by the mean of its sizes where the point slipped before, and else by its size
-/// at the end, which it has from when the point begins to slip.
+/// at the end, which it has from when the point begins to slip. A point that opens has none at the end, but
+/// for rounding beside its bond.
 double Stepper::rubbed(ContactState const& before, ContactState const& after) const {
   double const chi = weights_.contact_work;
   contact::Vec2 const first = before.area * before.dry.tail<2>(), last = after.area * after.dry.tail<2>();
   if (weights_.inertia)
     return -(chi * last + (1 - chi) * first).dot(after.slip);
+  if (after.status == interface::Status::open)
+    return 0;
   double const size = last.norm();
   bool const goes_on = size > 0 && before.status == interface::Status::slip;
   return -last.dot(after.slip) * (goes_on ? chi + (1 - chi) * first.norm() / size : 1);
