@@ -51,11 +51,12 @@ struct Rcc {
   /// Openings sqrt(w / C_n) up to which bonds grow in a gap: farther, 1/800 of the work is left to do.
   static constexpr double felt = 20;
   /// Does a step to this gap, m, leave a torn bond? Lifted beyond that way, with less than it leaves at rest;
-  /// and from there, with no stretch, until the point touches. What slides away in contact is not torn.
-  [[nodiscard]] bool tears(Bond const& old, double gap, double beta) const {
+  /// and from there, with no stretch, until the point touches. What slides away in contact is not torn, nor
+  /// is what forms there, whatever rounding leaves of its gap.
+  [[nodiscard]] bool tears(BondStep const& step, double gap, double beta) const {
     constexpr double left = 1 / (felt * felt);
-    bool const was = old.beta < left && old.stretch.isZero(0);
-    return gap > 0 && beta < left && (was || C_n * gap * gap > felt * felt * w);
+    bool const was = step.old.beta < left && step.old.stretch.isZero(0);
+    return !step.closed && gap > 0 && beta < left && (was || C_n * gap * gap > felt * felt * w);
   }
   static constexpr bool evolves = true;
   static constexpr Wording wording{
@@ -157,7 +158,7 @@ template<int D> [[nodiscard]] Adhesion<D> adhere(Rcc const& law, BondStep const&
 /// any more, and the point may bond to another one.
 template<int D> [[nodiscard]] Bond advance(Rcc const& law, BondStep const& step, Local<D> const& x) {
   auto next = stretched<D>(adhere<D>(law, step, x).beta, step.old, x);
-  if (law.tears(step.old, x[0], next.beta))
+  if (law.tears(step, x[0], next.beta))
     next.stretch.setZero();
   return next;
 }

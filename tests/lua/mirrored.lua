@@ -1,0 +1,49 @@
+-- Scenes that are symmetric or mirrored, step by step: what rounding decides must not show.
+local test, _, _, shared = ...
+local stiction = require "stiction"
+local units = stiction.units
+local mm, s, kg, m, J, MPa, N = units.mm, units.s, units.kg, units.m, units.J, units.MPa, units.N
+
+local run = shared("runs").quasi_static "mirrored_runs"
+
+--- A block, 10 mm by 5 mm, on a plane with friction and bonds; its top goes through x and y at these times.
+local function block(t)
+  local floor = stiction.obstacle { shape = stiction.rigid.plane {} }
+  return stiction.scene {
+    bodies = { block = stiction.body { mesh = stiction.mesh.block { origin = { -5*mm, 0*mm }, size = { 10*mm, 5*mm }, cells = { 6, 3 } },
+      material = stiction.material.linear_elastic { young = 1*MPa, poisson = 0.3 }, density = 1000*kg/m^3 } },
+    obstacles = { floor = floor },
+    pairs = { touch = stiction.pair { secondary = "block.bottom", primary = "floor", friction = stiction.friction.coulomb { mu = 0.3 },
+      adhesion = stiction.adhesion.rcc { w = 1*J/m^2, C_n = t.C * (1*N/m^3), C_t = t.C * (1*N/m^3), b = t.b * (1*N*s/m) } } },
+    motions = { stiction.motion.drive { set = "block.top", times = t.times, x = t.x, y = t.y } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = t.times[#t.times], steps = t.steps } } },
+    probes = { line = stiction.probe.contact_line { pair = "touch" }, energy = stiction.probe.energy {} },
+  }
+end
+
+test("bonds that form in thousands of steps form on both sides alike", function()
+  local case = run(block { C = 1e9, b = 0.5, times = { 0*s, 0.1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -0.05*mm }, steps = 1000 })
+  local most, off = 0, 0
+  for k = 1, 3 do
+    local left, right = case:series("line", "pressure", k), case:series("line", "pressure", 8 - k)
+    for i in ipairs(left) do
+      most, off = math.max(most, left[i]), math.max(off, math.abs(left[i] - right[i]))
+    end
+  end
+  assert(most > 1000 and off < 1e-9 * most, off / most)
+end)
+
+test("friction takes from points that open in a step nothing that rounding decides", function()
+  local taken = {}
+  for _, side in ipairs { 1, -1 } do
+    local case = run(block { C = 5e8, b = 0.5, times = { 0*s, 1*s, 2*s, 3*s }, x = { 0*mm, 0*mm, side * mm, side * mm },
+      y = { 0*mm, -0.2*mm, -0.2*mm, 0.4*mm }, steps = 90 })
+    taken[#taken + 1] = case:series("energy", "friction_loss")
+  end
+  local first, second = taken[1], taken[2]
+  for i = 2, #first do
+    assert(first[i] >= first[i - 1] - 1e-12 * first[#first], i)
+    assert(math.abs(first[i] - second[i]) < 1e-7 * first[#first], ("%d: %g, %g"):format(i, first[i], second[i]))
+  end
+end)
