@@ -2,12 +2,15 @@
 #include "contact/problem/problem.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace stiction::contact {
 
 namespace {
+
+constexpr double no_motion = 1e-12; // of the largest entry of W: rounding
 
 /// Of a point that nothing can move: the stiffness of its bond, so that no unit is preferred, N/m.
 double scale_of_law(Problem const& problem, Index point) {
@@ -21,21 +24,42 @@ double scale_of_law(Problem const& problem, Index point) {
 
 } // namespace
 
-double natural_scale(Problem const& problem, Index point) {
-  double largest = 0;
-  if (problem.dim == 1) {
-    largest = problem.W.diagonal(point);
-  } else if (problem.dim == 2) { // closed form of the symmetric part
+namespace {
+
+/// Lowest and largest eigenvalue of the symmetric part of a point's block of W, m/N.
+std::array<double, 2> range_of_block(Problem const& problem, Index point) {
+  if (problem.dim == 1)
+    return {problem.W.diagonal(point), problem.W.diagonal(point)};
+  if (problem.dim == 2) { // closed form
     auto const block = problem.W.block<2>(point);
     double const mean = 0.5 * (block(0, 0) + block(1, 1)), half = 0.5 * (block(0, 0) - block(1, 1));
-    largest = mean + std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
-  } else {
-    auto const block = problem.W.block<3>(point);
-    Eigen::Matrix3d const symmetric = 0.5 * (block + block.transpose());
-    largest =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+    double const away = std::hypot(half, 0.5 * (block(0, 1) + block(1, 0)));
+    return {mean - away, mean + away};
   }
-  return largest > 0 ? 1 / largest : scale_of_law(problem, point);
+  auto const block = problem.W.block<3>(point);
+  Eigen::Matrix3d const symmetric = 0.5 * (block + block.transpose());
+  auto const values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+  return {values[0], values[2]};
+}
+
+/// Largest entry of W's diagonal, m/N.
+double largest_diagonal(Problem const& problem) {
+  double largest = 0;
+  for (Index row = 0; row < problem.W.rows(); ++row)
+    largest = std::max(largest, std::abs(problem.W.diagonal(row)));
+  return largest;
+}
+
+} // namespace
+
+double natural_scale(Problem const& problem, Index point) {
+  auto const [lowest, largest] = range_of_block(problem, point);
+  if (largest > 0)
+    return 1 / largest;
+  if (-lowest > no_motion * largest_diagonal(problem)) // of an unstable body: it moves against a force
+    return -1 / lowest;
+  return scale_of_law(problem, point);
 }
 
 Vector displacement(Problem const& problem, Vector const& force) {

@@ -63,7 +63,8 @@ template<class Call> auto by_dimension(int dim, Call&& call) {
                     : call.template operator()<3>();
 }
 
-/// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block, N/m.
+/// rho of the natural map at one point: 1 / largest eigenvalue of W's diagonal block; of a block without
+/// positive ones 1 / the largest size of its eigenvalues; of none the stiffness of the bond, or 1. N/m
 [[nodiscard]] double natural_scale(Problem const& problem, Index point);
 
 /// A^-1 b by LU with full pivots.

@@ -159,4 +159,22 @@ TEST_SUITE("contact") {
           CHECK(answer.converged == (judge(problem, answer.force).relative() <= 1e-10));
         }
   }
+
+  TEST_CASE("the scale of a point that moves against a force is that of its motion, whatever the unit") {
+    for (double const size : {1e-12, 1.0, 1e7})
+      for (int const dim : {1, 2, 3}) {
+        Problem problem;
+        problem.dim = dim;
+        Dense W = -size * Dense::Identity(2 * dim, 2 * dim);
+        W(0, 0) = -2 * size;
+        W.bottomRightCorner(dim, dim) *= -1;
+        problem.W = W;
+        problem.free = Vector::Zero(2 * dim);
+        problem.points.assign(2, {1, 0.3, -1, {}});
+        CHECK(natural_scale(problem, 0) == doctest::Approx(0.5 / size).epsilon(1e-12));
+        CHECK(natural_scale(problem, 1) == doctest::Approx(1 / size).epsilon(1e-12));
+        problem.W.entries().topLeftCorner(dim, dim) *= 1e-16; // rounding beside the other
+        CHECK(natural_scale(problem, 0) == 1);
+      }
+  }
 }
