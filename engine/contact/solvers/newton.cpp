@@ -23,7 +23,9 @@ constexpr long huge = 150;        // rows, from which on sweeps cost less than i
 constexpr int quick = 12;         // iterations, before what is sure takes over
 constexpr int proximals = 80;     // in which the residual has to halve: rigid walls take many
 constexpr int few_proximals = 25; // of them, before another map is tried
-constexpr int pivotings = 12;     // with the bonds linear about the last answer
+constexpr double near_answer = 1e-4, nearer = 0.1; // residuals at which proximal points are finished
+constexpr int last_steps = 10;                     // in which that succeeds or not
+constexpr int pivotings = 12;                      // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
 template<int D> class NewtonRun {
@@ -253,7 +255,7 @@ private:
       return solution;
     Problem nearby = problem;
     nearby.W = W;
-    double halved = solution.verdict.residual;
+    double halved = solution.verdict.residual, finished = near_answer;
     for (int idle = 0; idle < most && !solution.converged; ++idle) {
       nearby.W.entries().diagonal() = (W.diagonal().array() + part).matrix();
       nearby.free = problem.free - part * solution.force;
@@ -267,12 +269,28 @@ private:
       solution.verdict = verdict;
       solution.converged = verdict.relative() <= settings_.tolerance && felt(problem, solution, there_);
       solution = by(Method::proximal, std::move(solution));
-      if (verdict.residual < 0.5 * halved) {
-        halved = verdict.residual;
+      if (!solution.converged && verdict.relative() < finished) {
+        take_last_steps(problem, solution);
+        finished = nearer * solution.verdict.relative();
+      }
+      if (solution.verdict.residual < 0.5 * halved) {
+        halved = solution.verdict.residual;
         idle = 0;
       }
     }
     return solution;
+  }
+
+  /// Proximal points are sure and slow; near an answer Newton's smallest steps may find the rest of the way.
+  void take_last_steps(Problem const& problem, Solution& solution) {
+    auto next = finish(problem, solution.force, settings_.tolerance, last_steps);
+    spend(next.iterations, next.work);
+    if (!(next.verdict.residual < solution.verdict.residual))
+      return;
+    solution.force = std::move(next.force);
+    solution.verdict = next.verdict;
+    solution.converged = next.verdict.relative() <= settings_.tolerance && felt(problem, solution, there_);
+    solution = by(Method::proximal, std::move(solution));
   }
 
   /// There is a potential: downhill first where a root might be on another branch, else where Newton fails.

@@ -18,7 +18,8 @@ constexpr double without_descent = 0.1;    // step where none descends: a kink i
 constexpr int whole_again = 5;             // of so many iterations one then goes all the way
 constexpr double singular = 1e-14;         // reciprocal condition, below which a step has no digits
 constexpr long smallest_cost = 8;          // factorizations that `smallest` takes as long as
-constexpr double least_pivot = 1e-12;      // pivots below it, over the largest, count as none
+constexpr double little = 1e-8;       // of the mean of W's diagonal: where W is singular no step is large
+constexpr double least_pivot = 1e-12; // pivots below it, over the largest, count as none
 
 /// The smallest x of those with the smallest A x - b.
 Vector smallest(Dense const& A, Vector const& b) {
@@ -62,9 +63,10 @@ PointState<D> alart_curnier(ProblemPoint const& point, Local<D> const& p, Local<
 
 template<int D> class Walk {
 public:
-  /// weight: on displacements beside forces, over that of the judge.
-  Walk(Problem const& problem, Map map, double weight)
-      : problem_(problem), map_(map), rho_(problem.size()), residual_(problem.free.size()),
+  /// weight: on displacements beside forces, over that of the judge. shift: added to the diagonal of W in the
+  /// derivative, m/N; 0: where that is singular the smallest step is sought.
+  Walk(Problem const& problem, Map map, double weight, double shift = 0)
+      : problem_(problem), map_(map), shift_(shift), rho_(problem.size()), residual_(problem.free.size()),
         by_force_(residual_.size(), D), by_x_(residual_.size(), D) {
     for (Index i = 0; i < problem.size(); ++i)
       rho_[i] = weight * natural_scale(problem, i);
@@ -119,13 +121,14 @@ private:
     for (Index i = 0; i < problem_.size(); ++i) {
       auto rows = J.middleRows<D>(D * i);
       rows.noalias() = by_x_.template middleRows<D>(D * i) * W.middleRows<D>(D * i);
-      rows.template middleCols<D>(D * i) += by_force_.template middleRows<D>(D * i);
+      rows.template middleCols<D>(D * i) +=
+          by_force_.template middleRows<D>(D * i) + shift_ * by_x_.template middleRows<D>(D * i);
     }
     Vector const sizes = J.cwiseAbs().rowwise().maxCoeff().cwiseMax(std::numeric_limits<double>::min());
     J.array().colwise() /= sizes.array();
     Vector const right = -residual_.cwiseQuotient(sizes);
     Eigen::PartialPivLU<Dense> const lu(J);
-    if (lu.rcond() > singular)
+    if (shift_ > 0 || lu.rcond() > singular)
       return lu.solve(right);
     left -= smallest_cost - 1;
     return smallest(J, right); // bodies that hold each other in more ways than one
@@ -133,6 +136,7 @@ private:
 
   Problem const& problem_;
   Map map_;
+  double shift_;
   Vector rho_, residual_;
   Eigen::Matrix<double, Eigen::Dynamic, D> by_force_, by_x_;
 };
@@ -145,7 +149,24 @@ Vector sticking(Problem const& problem) {
   return -smallest(problem.W.dense(), gaps);
 }
 
+double work_of(long factorizations, Problem const& problem) {
+  return static_cast<double>(factorizations) *
+         (static_cast<double>(problem.free.size()) / 3 + problem.dim + 4);
+}
+
 } // namespace
+
+Solution finish(Problem const& problem, Vector const& start, double tolerance, int steps) {
+  Solution best;
+  best.force = start;
+  best.verdict = judge(problem, start);
+  long left = steps;
+  double const shift = little * problem.W.dense().diagonal().mean();
+  by_dimension(problem.dim,
+               [&]<int D>() { Walk<D>(problem, Map::natural, 1, shift).run(start, tolerance, left, best); });
+  best.work = work_of(steps - left, problem);
+  return best;
+}
 
 Solution go_on(Problem const& problem, double tolerance) {
   Solution best;
@@ -167,7 +188,7 @@ Solution go_on(Problem const& problem, double tolerance) {
             return;
       }
   });
-  best.work = static_cast<double>(all - left) * (rows / 3 + problem.dim + 4);
+  best.work = work_of(all - left, problem);
   best.method = best.converged ? Method::uphill : Method::none;
   return best;
 }

@@ -10,4 +10,8 @@ namespace stiction::contact {
 /// where one factorization takes more.
 [[nodiscard]] Solution go_on(Problem const& problem, double tolerance);
 
+/// So many of Newton's steps on the natural map from forces near an answer of a plain problem, with a little
+/// more compliance where bodies hold each other in more ways than one. No worse than the start by the judge.
+[[nodiscard]] Solution finish(Problem const& problem, Vector const& start, double tolerance, int steps);
+
 } // namespace stiction::contact
