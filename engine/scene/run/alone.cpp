@@ -10,12 +10,12 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr double enough = 0.2; // s for each, or `most` repetitions, at least `fewest`
-constexpr int most = 1000, fewest = 3;
+constexpr double enough = 0.2; // s for each, or `most_times` it, at least `fewest_times`
+constexpr int most_times = 1000, fewest_times = 3;
 
 template<class Work> double least_of(Work const& work) {
   double best = std::numeric_limits<double>::infinity(), spent = 0;
-  for (int k = 0; k < most && (k < fewest || spent < enough); ++k) {
+  for (int k = 0; k < most_times && (k < fewest_times || spent < enough); ++k) {
     double const seconds = work();
     best = std::min(best, seconds);
     spent += seconds;

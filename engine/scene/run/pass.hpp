@@ -316,15 +316,15 @@ private:
       recorder_->change({state_.t, dt, course_.wanted(dt), "step", "", "", contact});
     Beside::follow(beside_, stepper_, outcome, dt);
     remarks_.seek_let_go(state_, outcome.state);
-    double const lost = lost_part(state_.ledger, outcome.state.ledger);
+    auto const before = state_.ledger;
     state_ = std::move(outcome.state);
     patience_.reached(state_.t);
     ++result_.steps;
     if (!blocks_)
       blocks_ = linear::blocks_from_system();
-    remarks_.examine(stepper_.contact(), state_.t, lost);
+    remarks_.examine(stepper_.contact(), state_.t, lost_part(before, state_.ledger));
     remarks_.seek_beneath(state_);
-    remarks_.weigh(state_.ledger, stepper_.rounding_energy(state_));
+    remarks_.weigh(before, state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);
     Timed const timed(*this);
     recorder_->step(state_, dt, outcome.iterations, error);

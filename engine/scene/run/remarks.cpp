@@ -165,16 +165,20 @@ void Remarks::seek_large_strain(dynamics::State const& state) {
 }
 
 /// What a snap of quasi-static steps loses is no fault of a scheme.
-void Remarks::weigh(dynamics::Ledger const& ledger, double rounded) {
+void Remarks::weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded) {
   stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
                            ledger.spring, ledger.surface});
   if (double const made = -ledger.scheme_loss(); made > rounded)
     made_ = std::max(made_, made);
-  if (dynamics::weights(scene_->model->scheme).inertia)
+  if (dynamics::weights(scene_->model->scheme).inertia) {
     lost_ = ledger.scheme_loss();
-  else
+    double const taken = ledger.bond + ledger.bonding_loss - old.bond - old.bonding_loss;
+    double const free = old.scheme_loss() - ledger.scheme_loss();
+    torn_ += std::max(0.0, taken);
+    torn_free_ += free > rounded ? std::clamp(taken, 0.0, free) : 0;
+  } else
     spent_ = std::max({spent_, ledger.bonding_loss, ledger.friction_loss});
 }
 
@@ -226,6 +230,11 @@ std::vector<std::string> Remarks::texts() const {
         fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "
                     "mesh where bodies land lose less",
                     percent(lost_ / turned_over_)));
+  if (torn_free_ > worth_telling_lost * torn_)
+    all.push_back(fmt::format(
+        "bonds were torn off in steps too long to see them pull: {} of the energy that they took, the time "
+        "scheme made; take smaller steps there, or `accuracy`",
+        percent(torn_free_ / torn_)));
   if (double const part = dynamics::weights(scene_->part.scheme).stabilisation; part > 0)
     all.push_back(
         fmt::format("stabilisation = {:g}: its viscous force took {} of the largest energy of the run{}",

@@ -16,8 +16,8 @@ public:
   void examine(dynamics::ContactSystem const& contact, double t, double lost);
   /// A step to time t without an answer to its contact problem.
   void examine_unanswered(dynamics::ContactSystem const& contact, double t);
-  /// The account of energy after an accepted step; rounded: what its works are rounded by, J.
-  void weigh(dynamics::Ledger const& ledger, double rounded);
+  /// The account of energy before and after an accepted step; rounded: what its works are rounded by, J.
+  void weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded);
   /// How well an accepted step meets the balance of forces.
   void balance(dynamics::Outcome const& outcome);
   /// Points of an accepted state that lie in the side of their counterpart.
@@ -33,9 +33,9 @@ public:
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     auto& [scene, friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-           turned_over, spent, stabilised, made, lost] = *this;
+           turned_over, spent, stabilised, made, lost, torn, torn_free] = *this;
     archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-            turned_over, spent, stabilised, made, lost);
+            turned_over, spent, stabilised, made, lost, torn, torn_free);
   }
 
 private:
@@ -50,12 +50,13 @@ private:
   Remark friction_, softening_, weakening_, beneath_, let_go_;
   std::string strained_;
   long steps_ = 0;
-  double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
-  double contact_ = 0;           ///< residual, of its yardstick
-  double turned_over_ = 0;       ///< largest energy or work so far, J
-  double spent_ = 0;             ///< without inertia: lost by bonds or friction, J
-  double stabilised_ = 0;        ///< dissipated by the stabilisation of quasi-statics, J
-  double made_ = 0, lost_ = 0;   ///< by the time scheme: the most so far, and in the end, J
+  double force_ = 0, unmet_ = 0;    ///< largest nodal force; largest imbalance beyond the tolerance, N
+  double contact_ = 0;              ///< residual, of its yardstick
+  double turned_over_ = 0;          ///< largest energy or work so far, J
+  double spent_ = 0;                ///< without inertia: lost by bonds or friction, J
+  double stabilised_ = 0;           ///< dissipated by the stabilisation of quasi-statics, J
+  double made_ = 0, lost_ = 0;      ///< by the time scheme: the most so far, and in the end, J
+  double torn_ = 0, torn_free_ = 0; ///< taken by bonds that open; of that made by the time scheme, J
 };
 
 /// Part of the energy that a step turned over which its scheme lost, 1.
