@@ -1,6 +1,7 @@
 // Histories of finished or running cases, column by column.
 #include "bind/engine.hpp"
 
+#include <cstring>
 #include <fmt/format.h>
 #include <new>
 
@@ -68,6 +69,24 @@ int column(lua_State* lua) {
   return 2;
 }
 
+bool same(std::vector<double> const& a, std::vector<double> const& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0);
+}
+
+/// same_series(path, path) -> whether they say the same to the last bit, wherever their files have it
+int same_series(lua_State* lua) {
+  auto const a = record::read_series(text_at(lua, 1)), b = record::read_series(text_at(lua, 2));
+  bool equal = same(a.time, b.time) && a.columns.size() == b.columns.size();
+  for (auto const& [name, column] : a.columns) {
+    auto const other = b.columns.find(name);
+    equal = equal && other != b.columns.end() && column.unit == other->second.unit &&
+            column.width == other->second.width && same(column.values, other->second.values);
+  }
+  push(lua, equal);
+  return 1;
+}
+
 } // namespace
 
 void add_series_functions(lua_State* lua) {
@@ -75,6 +94,7 @@ void add_series_functions(lua_State* lua) {
   add<time>(lua, "series_time");
   add<columns>(lua, "series_columns");
   add<column>(lua, "series_column");
+  add<same_series>(lua, "same_series");
 }
 
 } // namespace stiction::bind

@@ -120,12 +120,23 @@ local function scales_of(outcome)
   return scales
 end
 
---- Compares the history that a case gave with the kept one, byte by byte, where there are both; adds to the report.
+--- Do two histories say the same? Those of a case that was stopped and went on lie elsewhere in their file.
+local function same_history(kept, got)
+  if engine.read_file(kept) == engine.read_file(got) then
+    return true
+  end
+  local readable, same = pcall(engine.same_series, kept, got)
+  return readable and same
+end
+
+--- Compares the history that a case gave with the kept one where there are both; adds to the report.
 local function compare_histories(report, case, folder)
-  local kept, got = engine.read_file(case.folder .. "/series.h5"), engine.read_file(folder .. "/series.h5")
-  if kept or got then
+  local kept, got = case.folder .. "/series.h5", folder .. "/series.h5"
+  local is_kept, is_got = engine.kind_of_path(kept) == "file", engine.kind_of_path(got) == "file"
+  if is_kept or is_got then
     report.histories = report.histories + 1
-    report.others[#report.others + 1] = kept ~= got and { case = case.name, gone = not kept } or nil
+    report.others[#report.others + 1] = not (is_kept and is_got and same_history(kept, got))
+      and { case = case.name, gone = not is_kept } or nil
   end
 end
 

@@ -17,7 +17,7 @@ holds "five runs and at most two combinations" [ "$(wc -l <out/soft/trade/trade.
 holds "one default" [ "$(grep -c ",true,[a-z]*$" out/soft/trade/trade.csv)" = 1 ]
 holds "kept beside the study" [ -s soft/trade.json ]
 cut -d, -f1-10 out/soft/trade/trade.csv >first
-expect 0 "recomputed from the kept source|0 differ too much|histories equal to the last byte" "$stiction" verify out/soft/trade
+expect 0 "recomputed from the kept source|0 differ too much|histories equal to the last bit" "$stiction" verify out/soft/trade
 expect 0 "stiction verify trade.tar.gz" "$stiction" pack out/soft/trade
 expect 0 "all files are what|recomputed from the kept source|0 differ too much" "$stiction" verify trade.tar.gz
 

@@ -25,7 +25,7 @@ cp -r o before
 run work/own --out o --case mu0
 holds "a copy of each content: $(find o/source)" [ "$(count o)" = 3 ]
 rm -r work
-expect 0 "3 of 3 cases recomputed from the kept source: computed by this program on this processor, so to the last bit|6 of 6 results equal to the last bit, 0 differ|3 of 3 histories equal to the last byte" \
+expect 0 "3 of 3 cases recomputed from the kept source: computed by this program on this processor, so to the last bit|6 of 6 results equal to the last bit, 0 differ|3 of 3 histories equal to the last bit" \
   "$stiction" verify before
 expect 0 "4 of 4 cases|8 of 8 results equal" "$stiction" verify o # with what stands aside
 expect 0 "1 of 1 case chosen of 3|2 of 2 results" "$stiction" verify before --sample 1

@@ -70,7 +70,7 @@ local function show(found, asked, all, tolerance)
   report.line("%d of %s equal to the last bit, %d differ%s too much", found.equal, plural(found.values, "result"),
     #found.differences, #found.differences == 1 and "s" or "")
   if found.histories > 0 then
-    report.line("%d of %d histor%s equal to the last byte; fields are not compared", found.histories - #found.others, found.histories,
+    report.line("%d of %d histor%s equal to the last bit; fields are not compared", found.histories - #found.others, found.histories,
       found.histories == 1 and "y" or "ies")
   end
 end
