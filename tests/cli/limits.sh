@@ -12,6 +12,12 @@ limited() { # LIMIT COMMAND...: under `ulimit LIMIT`
 if ! grep -q __asan_init "$stiction"; then # whose shadow wants all addresses
   echo 'local t = {} for i = 1, 1e9 do t[i] = i end' >hungry.lua
   expect 1 "memory ran out: the process held|GB that it may take|--jobs" limited "-v 2000000" "$stiction" run hungry.lua
+  # so little that no thread starts: it must end all the same
+  for kilobytes in 80000 150000 200000; do
+    limited "-v $kilobytes" timeout -s KILL 60 "$stiction" help >output 2>&1 </dev/null
+    code=$?
+    [ "$code" != 137 ] || complain "with $kilobytes kB of addresses it does not end: $(cat output)"
+  done
   changed large 's/cells = { p.cells, p.cells }/cells = { 1000, 1000 }/'
   expect 1 "memory ran out: the process held|explain STUDY" \
     limited "-v 900000" "$stiction" run large --case mu0 --no-figures --jobs 1 --out large_out
