@@ -331,8 +331,11 @@ test("with the steps advised a bond grows as it should", function()
 end)
 
 test("with the steps advised no step onto the floor is cut", function()
-  local t = { gap = 5*mm, times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -6*mm }, steps = 2, young = 1*MPa }
+  local t = { gap = 5*mm, times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -6*mm }, steps = 2, young = 1*MPa, cells = 40 }
   equal(finished(on_plane(with_steps(t, "the motions close it by"))).result.cuts or 0, 0)
+  t.cells = 20 -- six of them a step
+  silent(on_plane(t), "the motions close it by")
+  equal(finished(on_plane(t)).result.cuts or 0, 0)
 end)
 
 test("a bond that snaps gets past its peak with a little viscosity or inertia", function()

@@ -18,7 +18,7 @@ constexpr double part_of_blocks = 0.11; // of sparse matrices, three by three
 constexpr double part_of_solver = 0.3, part_of_columns = 0.3, part_of_elimination = 0.4;
 // What takes as long as so many operations of dense products.
 constexpr double started = 1e9, frame_node = 1e5, pattern_entry = 1.2e4, factor_unknown = 2e4,
-                 solve_unknown = 8e3, one_point = 3e4, step_written = 6e6;
+                 solve_unknown = 8e3, solve_diagonal = 25, one_point = 3e4, step_written = 6e6;
 constexpr double part_of_stream = 0.5,
                  part_of_cache = 1.5; // what is read not in a row, from memory or caches
 constexpr double cache = 4e6;         // bytes
@@ -70,7 +70,9 @@ Seconds seconds_of(Facts const& facts, Forecast const& all) {
                        read(machine, 16 * fill.factor.entries);
   time.columns = as_products(all.contact.column_operations / part_of_columns);
   time.force = passes.force + read(machine, 0.5 * all.cells_bytes + 8 * vector_passes * dofs);
-  time.solve = read(machine, 16 * fill.factor.entries) + as_products(solve_unknown * fill.unknowns);
+  bool const diagonal = dynamics::weights(facts.scene->model->scheme).explicit_forces;
+  time.solve = read(machine, 16 * fill.factor.entries) +
+               as_products((diagonal ? solve_diagonal : solve_unknown) * fill.unknowns);
   double points = 0;
   for (auto const& pair : facts.pairs)
     points += pair.pair->size();

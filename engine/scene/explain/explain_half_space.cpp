@@ -199,14 +199,17 @@ void warn_of_shortest(GridFacts const& facts, std::vector<Warning>& warnings) {
   if (rough == nullptr || rough->shortest >= wanted * facts.spacing())
     return;
   auto const& grid = facts.model.grid;
-  double const more = wanted * facts.spacing() / rough->shortest;
+  auto const enough = [&](Index points, double spacing) {
+    return std::max(static_cast<double>(points), std::ceil(points * wanted * spacing / rough->shortest));
+  };
+  auto const along_y = grid.line ? "" : fmt::format(" and {:g} along y", enough(grid.ny, grid.dy()));
   warnings.push_back(
       {fmt::format(
            "obstacle {}: its shortest waves, of {}, have {:.3g} points (< {:g}): areas of contact are those "
            "of the grid",
            name, human(rough->shortest, "m"), rough->shortest / facts.spacing(), wanted),
-       fmt::format("give {:g} points along x, which show the same surface, or shortest = {}",
-                   std::ceil(grid.nx * more), human(wanted * facts.spacing(), "m"))});
+       fmt::format("give {:g} points along x{}, which show the same surface, or shortest = {}",
+                   enough(grid.nx, grid.dx()), along_y, human(wanted * facts.spacing(), "m"))});
 }
 
 /// Heights of a script that end other than they begin: a ramp, or a texture with an edge there.

@@ -116,8 +116,7 @@ void add_pair_numbers(Facts const& all, PairFacts const& facts, Explanation& exp
         "expected, of the more strained body: by depth over thickness, or 0.4 E*/E sqrt(depth / R)");
   }
   if (facts.size > 0)
-    add(section, "closing per step / cell", motion.closing_step / facts.size,
-        "above 0.5 Newton has a hard time");
+    add(section, "closing per step / cell", motion.closing_step / facts.size, "above 8 steps may be halved");
   if (facts.adheres())
     add_adhesion(all, facts, section);
   add_half_space(all, facts, section);

@@ -22,9 +22,10 @@ double kept_stiffness(material::Material const& law, double strain) {
 namespace {
 
 constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive length: the limit, the aim
+constexpr double radius_cells = 3, good_radius = 4;       // over what holds a ball as it lets go
 constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
 constexpr double part_of_bond = 0.25;                     // beta in a step
-constexpr double part_of_cell = 0.5;                      // approach in a step
+constexpr double closed_cells = 8, good_closed = 4;       // cells of approach in a step: the limit, the aim
 constexpr double coarse = 1.5;                            // over the primary's facets
 constexpr double locking = 0.45;                          // Poisson's ratio
 constexpr double small_strain = 0.05;
@@ -52,6 +53,26 @@ void cohesive_length(PairFacts const& pair, Warnings& warnings) {
                    pair.pair->name, human(length, "m"), human(cell, "m"), length / cell),
        fmt::format("cells of {} or less at {}, which leave a few per cent", human(length / good_cells, "m"),
                    pair.part->secondary)});
+}
+
+/// What holds a ball when it lets go: contact by JKR (Johnson, Kendall and Roberts 1971), or bonds of long
+/// range where they are not open beyond their peak.
+void let_go_radius(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  if (all.scene->part.kinematics == solid::Kinematics::plane_strain || !(pair.radius > 0))
+    return;
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
+  double const R = pair.radius,
+               radius = std::max(std::cbrt(9 * std::numbers::pi / 8 * R * R * scales.work / pair.modulus),
+                                 std::sqrt(2 * R * scales.opening));
+  if (!std::isfinite(radius) || radius >= radius_cells * pair.size)
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: when it lets go it holds on over a radius of {}, {:.2g} cells of {}: the pull-off "
+           "will depend on the mesh",
+           pair.pair->name, human(radius, "m"), radius / pair.size, human(pair.size, "m")),
+       fmt::format("cells of {} or less at {}, which leave about one per cent",
+                   human(radius / good_radius, "m"), pair.part->secondary)});
 }
 
 /// Steps that jump over the opening at which the traction peaks.
@@ -129,6 +150,7 @@ void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   if (pair.bondless())
     return no_bond(pair, warnings);
   cohesive_length(pair, warnings);
+  let_go_radius(all, pair, warnings);
   opening_steps(all, pair, warnings);
   bonding_steps(all, pair, warnings);
   snapping(all, pair, warnings);
@@ -136,11 +158,11 @@ void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
 
 void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   double const part = pair.motion.closing_step / pair.size;
-  if (std::isfinite(part) && part > part_of_cell)
+  if (std::isfinite(part) && part > closed_cells)
     warnings.push_back(
         {fmt::format("pair {}: the motions close it by {:.2g} cells in a step: steps may be halved",
                      pair.pair->name, part),
-         more_steps(all, pair.motion.closing_stage, part / good_part)});
+         more_steps(all, pair.motion.closing_stage, part / good_closed)});
 }
 
 /// Where nothing of it is left, in words; "" where that is nowhere.

@@ -1,5 +1,6 @@
 // Facts of pairs: stiffness, curvature, cell size, and how the motions bring the two sides together.
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -258,8 +259,9 @@ Index find_nearest(dynamics::Model const& model, std::vector<dynamics::ContactSt
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return gap(a) < gap(b); });
   bool const found = std::isfinite(gap(order[0]));
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   if (found)
-    facts.gap = std::max(0.0, gap(order[0]));
+    facts.gap = gap(order[0]) > rounding * model.reference.cwiseAbs().maxCoeff() ? gap(order[0]) : 0;
   std::vector<bool> near(ix(model.node_count()), !found);
   for (std::size_t k = 0; k < 1 + order.size() / 10; ++k)
     near[ix(nodes[order[k]])] = true;

@@ -389,11 +389,16 @@ TEST_CASE("the plain scheme rings in contact") {
   CHECK_FALSE(warns(input, "swings at every step"));
 }
 
-TEST_CASE("motions that close a pair by most of a cell in a step ask for more steps") {
+TEST_CASE("motions that close a pair by many cells in a step ask for more steps") {
   auto input = foot_on_floor();
-  at(input, "obstacles.floor") =
-      make("obstacle",
-           {{"shape", make("rigid.plane")}, {"times", values({0, 2}, "s")}, {"y", values({0, 1.2}, "m")}});
+  auto const moved = [&](double way) {
+    at(input, "obstacles.floor") =
+        make("obstacle",
+             {{"shape", make("rigid.plane")}, {"times", values({0, 2}, "s")}, {"y", values({0, way}, "m")}});
+  };
+  moved(12); // six cells
+  CHECK_FALSE(warns(input, "the motions close it by"));
+  moved(20);
   auto const found = warnings(input, "the motions close it by");
   REQUIRE(found.size() == 1);
   CHECK(contains(found[0].change, "steps instead of 4 in the stage to 1 s"));

@@ -1,0 +1,44 @@
+-- A ball drawn off: the cells that explain asks for over what is left of its contact.
+local test, equal, _, shared = ...
+local engine = require "stiction.engine"
+local stiction = require "stiction"
+local units = stiction.units
+local mm, s, kg, m, J, MPa, N = units.mm, units.s, units.kg, units.m, units.J, units.MPa, units.N
+
+local run = shared("runs").quasi_static "let_go_runs"
+
+--- A ball of 6 mm pressed onto a layer of 3 mm and drawn off.
+local function ball(cell)
+  local function cells(size) return math.ceil(size.si / cell.si - 1e-9) end
+  return stiction.scene { kinematics = "axisymmetric",
+    bodies = { layer = stiction.body { mesh = stiction.mesh.block { size = { 5*mm, 3*mm }, cells = { cells(5*mm), cells(3*mm) } },
+      interpolation = "mean_dilatation", density = 1000*kg/m^3,
+      material = stiction.material.neo_hookean { young = 0.4*MPa, poisson = 0.47 } } },
+    obstacles = { ball = stiction.obstacle { shape = stiction.rigid.circle { centre = { 0*mm, 9*mm }, radius = 6*mm },
+      times = { 0*s, 1*s, 3*s }, y = { 0*mm, -0.15*mm, 0.35*mm } } },
+    pairs = { touch = stiction.pair { secondary = "layer.top", primary = "ball",
+      adhesion = stiction.adhesion.rcc { w = 0.4*J/m^2, C_n = 4e8*N/m^3, C_t = 0*N/m^3, b = 0.02*N*s/m } } },
+    motions = { stiction.motion.fix { set = "layer.bottom" }, stiction.motion.fix { set = "layer.left", y = false } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 50 }, stiction.stage { to = 3*s, steps = 40 } } },
+    probes = { touch = stiction.probe.contact { pair = "touch" } },
+  }
+end
+
+local function warning(cell)
+  for _, its in ipairs(engine.explain(ball(cell)).warnings) do
+    if its.text:find("when it lets go", 1, true) then
+      return its
+    end
+  end
+end
+
+test("cells as small as advised over what is left of a ball's contact leave a per cent or two of its pull-off", function()
+  local number, unit = warning(0.33*mm).change:match("cells of ([%d.]+) (%a+) or less at layer.top")
+  equal(warning(0.15*mm), nil)
+  local advised = tonumber(number) * units(unit)
+  local function pull(cell) return 1e3 * run(ball(cell)):max("touch", "force_y") end
+  local fine = pull(advised)
+  assert(math.abs(fine / 16.2 - 1) < 0.02, fine) -- mN, of cells of 0.06 mm
+  assert(pull(0.33*mm) > 1.1 * fine)
+end)
