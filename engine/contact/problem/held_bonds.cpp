@@ -1,6 +1,7 @@
 // W^-1 plus the tangents of bonds must stay positive definite on the way of a step, else it leapt.
 #include "contact/problem/held_bonds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,13 +13,15 @@ namespace {
 
 constexpr Index most_rows = 900;   // as one factorization of them takes about as long as one of Newton's
 constexpr double no_pivot = 1e-12; // over the mean of the diagonal, for what does not move
+constexpr Index near = 20;         // points on either side, that are asked first whether they hold a bond
+constexpr double most_looks = 8;   // along a way, a factorization each
 constexpr double samples = 16;     // over the opening in which the steepest fall takes the whole strength
 constexpr double least_samples = 4, most_samples = 128; // of a way; beyond, a bond passes its steepest fall
 
 /// A direction of a bond along which its force falls as it opens, N/m > 0.
-struct Falling {
+template<int D> struct Falling {
   Index point;
-  Vector along; ///< [dim]
+  Local<D> along;
   double fall;
 };
 
@@ -33,8 +36,9 @@ public:
       return doubt;
     SofteningDoubt worst; // bonds that fall one after the other do not fall together
     worst.held = true;
-    for (double at = 0.5; at < parts_; ++at)
-      if (auto const found = look(at / parts_, at / parts_); found.together > worst.together)
+    double const looks = std::min(parts_, most_looks);
+    for (double at = 0.5; at < looks; ++at)
+      if (auto const found = look(at / looks, at / looks); found.together > worst.together)
         worst = found;
     return worst;
   }
@@ -43,17 +47,50 @@ private:
   /// Each bond where it is weakest between two parts of the step's way.
   SofteningDoubt look(double from, double to) {
     sort(from, to);
+    HeldBonds part(*this);
+    if (part.leave_out_far()) // fewer bonds hold less
+      if (auto const doubt = part.measure(); !doubt.any())
+        return doubt;
+    return measure();
+  }
+
+  /// Of what holds, the bonds next to those that fall, in walking order, alone; false if those are most.
+  bool leave_out_far() {
+    auto const count = static_cast<Index>(bonded_.size());
+    std::vector<bool> keep(bonded_.size(), false);
+    for (auto const& one : falling_)
+      for (Index k = std::max<Index>(0, one.point - near); k < std::min(count, one.point + near + 1); ++k)
+        keep[ix(k)] = true;
+    std::vector<Index> places(bonded_.size());
+    Index kept = 0;
+    for (std::size_t k = 0; k < keep.size(); ++k) {
+      places[k] = kept;
+      if (!keep[k])
+        continue;
+      bonded_[ix(kept)] = bonded_[k];
+      roots_[ix(kept++)] = roots_[k];
+    }
+    bonded_.resize(ix(kept));
+    roots_.resize(ix(kept));
+    for (auto& one : falling_)
+      one.point = places[ix(one.point)];
+    return 2 * kept < count;
+  }
+
+  [[nodiscard]] SofteningDoubt measure() const {
     SofteningDoubt doubt;
     doubt.held = true;
     if (falling_.empty())
       return doubt;
     Dense const W = compliance();
     auto const n = static_cast<Index>(falling_.size());
-    Dense loads = Dense::Zero(W.rows(), n);
-    for (Index b = 0; b < n; ++b)
-      loads.col(b).segment(D * falling_[ix(b)].point, D) =
-          std::sqrt(falling_[ix(b)].fall) * falling_[ix(b)].along;
-    Dense const matrix = loads.transpose() * held(W, loads);
+    Dense loads = Dense::Zero(W.rows(), n), moved(W.rows(), n);
+    for (Index b = 0; b < n; ++b) {
+      auto const& one = falling_[ix(b)];
+      loads.col(b).segment<D>(D * one.point) = std::sqrt(one.fall) * one.along;
+      moved.col(b).noalias() = W.middleCols<D>(D * one.point) * loads.col(b).segment<D>(D * one.point);
+    }
+    Dense const matrix = loads.transpose() * moved - taken(W, moved);
     for (Index b = 0; b < n; ++b) {
       doubt.points += matrix(b, b) >= 1 ? 1 : 0;
       if (doubt.worst >= 0 && matrix(b, b) * doubt.stiffness <= doubt.fall)
@@ -71,7 +108,7 @@ private:
   void sort(double from, double to) {
     fast_.clear();
     bonded_.clear();
-    holds_.clear();
+    roots_.clear();
     falling_.clear();
     for (Index i = 0; i < problem_.size(); ++i) {
       Local<D> const p = force_.segment<D>(D * i), at = x_.segment<D>(D * i);
@@ -84,16 +121,16 @@ private:
       Eigen::SelfAdjointEigenSolver<LocalMatrix<D>> const parts(weakest(i, from, to));
       if (parts.eigenvalues().isZero(0))
         continue;
-      LocalMatrix<D> holds = LocalMatrix<D>::Zero();
+      LocalMatrix<D> root = LocalMatrix<D>::Zero();
       for (int k = 0; k < D; ++k) {
         Local<D> const along = parts.eigenvectors().col(k);
         if (double const stiffness = parts.eigenvalues()[k]; stiffness >= 0)
-          holds += stiffness * along * along.transpose();
+          root += std::sqrt(stiffness) * along * along.transpose();
         else
           falling_.push_back({static_cast<Index>(bonded_.size()), along, -stiffness});
       }
       bonded_.push_back(i);
-      holds_.push_back(holds);
+      roots_.push_back(root);
     }
   }
 
@@ -139,39 +176,43 @@ private:
     for (Index const i : bonded_)
       for (int k = 0; k < D; ++k)
         rows.push_back(D * i + k);
-    Dense const W = 0.5 * (problem_.W.dense() + problem_.W.dense().transpose());
-    Dense own = W(rows, rows);
+    Dense const& W = problem_.W.dense();
+    Dense const block = W(rows, rows);
+    Dense own = 0.5 * (block + block.transpose());
     if (fast_.empty())
       return own;
-    Dense fast = W(fast_, fast_);
+    Dense const pressed = W(fast_, fast_);
+    Dense fast = 0.5 * (pressed + pressed.transpose());
     fast.diagonal().array() += no_pivot * fast.diagonal().mean();
-    Dense const between = W(fast_, rows);
+    Dense const between = 0.5 * (W(fast_, rows) + W(rows, fast_).transpose());
     own.noalias() -= between.transpose() * Eigen::LLT<Dense>(fast).solve(between);
     return own;
   }
 
-  /// (W^-1 + K)^-1 loads = L (1 + L' K L)^-1 L' loads, K of what holds, W = L L'.
-  [[nodiscard]] Dense held(Dense const& W, Dense const& loads) const {
-    Dense shifted = W;
-    shifted.diagonal().array() += no_pivot * std::abs(W.diagonal().mean());
-    Dense const L = Eigen::LLT<Dense>(shifted).matrixL();
-    Dense KL = L;
-    for (std::size_t b = 0; b < holds_.size(); ++b)
-      KL.middleRows<D>(D * static_cast<Index>(b)) =
-          (holds_[b] * KL.middleRows<D>(D * static_cast<Index>(b))).eval();
-    Dense inner = L.transpose() * KL;
+  /// What bonds that hold take from displacements W f: (W^-1 + K)^-1 = W - W R (1 + R W R)^-1 R W, K = R R.
+  [[nodiscard]] Dense taken(Dense const& W, Dense const& moved) const {
+    Dense inner = W, held = moved;
+    for (std::size_t b = 0; b < roots_.size(); ++b) {
+      auto const row = D * static_cast<Index>(b);
+      inner.middleCols<D>(row) = (inner.middleCols<D>(row) * roots_[b]).eval();
+      held.middleRows<D>(row) = (roots_[b] * held.middleRows<D>(row)).eval();
+    }
+    for (std::size_t b = 0; b < roots_.size(); ++b) {
+      auto const row = D * static_cast<Index>(b);
+      inner.middleRows<D>(row) = (roots_[b] * inner.middleRows<D>(row)).eval();
+    }
     inner.diagonal().array() += 1;
-    return L * Eigen::LLT<Dense>(inner).solve(L.transpose() * loads);
+    return held.transpose() * Eigen::LLT<Dense>(inner).solve(held);
   }
 
   Problem const& problem_;
   Vector const &force_, &x_;
-  std::vector<Index> fast_;   ///< rows that contact holds
-  std::vector<Index> bonded_; ///< points with a bond that is felt
-  std::vector<LocalMatrix<D>> holds_;
-  std::vector<Falling> falling_; ///< `point` counts in bonded_
-  bool far_ = false;             ///< does a bond go farther than is sampled?
-  double parts_ = 1;             ///< of the way, in each of which no bond goes far
+  std::vector<Index> fast_;           ///< rows that contact holds
+  std::vector<Index> bonded_;         ///< points with a bond that is felt
+  std::vector<LocalMatrix<D>> roots_; ///< of the stiffness with which each holds, N^(1/2)/m^(1/2)
+  std::vector<Falling<D>> falling_;   ///< `point` counts in bonded_
+  bool far_ = false;                  ///< does a bond go farther than is sampled?
+  double parts_ = 1;                  ///< of the way, in each of which no bond goes far
 };
 
 } // namespace
