@@ -79,6 +79,8 @@ void let_go_radius(Facts const& all, PairFacts const& pair, Warnings& warnings) 
 void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   auto const scales = interface::scales(*pair.pair->law.adhesion);
   auto const& motion = pair.motion;
+  if (motion.beside)
+    return;
   auto const check = [&](char const* what, double step, double opening, std::size_t stage) {
     double const part = step / opening;
     if (std::isfinite(part) && part > part_of_opening)

@@ -41,6 +41,7 @@ struct RelativeMotion {
   double depth = 0;       ///< largest approach beyond the first touch, m; 0: none, or not known
   double closed_time = 0; ///< how long it lies beyond the first touch, s; 0: not known
   double travel = 0;      ///< largest way along the surface from the start, m
+  bool beside = false;    ///< they take hold beside the bonds, which then open one after the other
   bool forced = false;    ///< springs, loads, gravity or a free obstacle move the sides as well
   bool unknown = false;   ///< a side moves freely or closes around: depth and travel do not say all
   [[nodiscard]] double normal_speed() const { return std::max(closing, opening); }

@@ -360,6 +360,33 @@ double tension_of(dynamics::Model const& model, dynamics::Pair const& pair) {
   return sum;
 }
 
+/// Do motions of a body take hold farther beside most of a pair's points than the body is thick? An arm or a
+/// tape bends there, and what is bonded does not follow its end.
+bool taken_beside(Facts const& all, PairFacts const& facts, std::size_t body) {
+  auto const& model = *all.scene->model;
+  Vec3 const infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 low = infinite, high = -infinite;
+  auto const along = [&](Index node) {
+    Vec3 const at = position_of(model, node);
+    return Vec3(at - at.dot(facts.normal) * facts.normal);
+  };
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      if (motion.farthest() > 0 && node >= model.first_node[body] && node < model.first_node[body + 1]) {
+        low = low.cwiseMin(along(node));
+        high = high.cwiseMax(along(node));
+      }
+  if (!(low[0] <= high[0]))
+    return false;
+  double const thickness = facts.normal.cwiseAbs().dot(all.bodies[body].sides);
+  auto const& points = facts.pair->nodes();
+  auto const beneath = std::ranges::count_if(points, [&](Index node) {
+    Vec3 const at = along(node);
+    return ((at - low).array() >= -thickness).all() && ((high - at).array() >= -thickness).all();
+  });
+  return 2 * beneath < static_cast<std::ptrdiff_t>(points.size());
+}
+
 } // namespace
 
 PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& start) {
@@ -387,6 +414,9 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
     for (auto const& primary : movers_of(all, facts))
       for (auto& follower : followers)
         follower.follow(scene.part.schedule, secondary, primary);
+  facts.motion.beside =
+      !facts.normal.isZero(0) && (taken_beside(all, facts, facts.secondary) ||
+                                  (facts.primary && taken_beside(all, facts, *facts.primary)));
   facts.motion.forced = moved_by_forces(*scene.model, facts);
   add_strain(all, facts);
   facts.tension = tension_of(*scene.model, *facts.pair);
