@@ -14,7 +14,7 @@ namespace {
 constexpr Index most_rows = 900;   // as one factorization of them takes about as long as one of Newton's
 constexpr double no_pivot = 1e-12; // over the mean of the diagonal, for what does not move
 constexpr Index near = 20;         // points on either side, that are asked first whether they hold a bond
-constexpr double most_looks = 8;   // along a way, a factorization each
+constexpr int most_looks = 8;      // along a way, a factorization each
 constexpr double samples = 16;     // over the opening in which the steepest fall takes the whole strength
 constexpr double least_samples = 4, most_samples = 128; // of a way; beyond, a bond passes its steepest fall
 
@@ -36,9 +36,9 @@ public:
       return doubt;
     SofteningDoubt worst; // bonds that fall one after the other do not fall together
     worst.held = true;
-    double const looks = std::min(parts_, most_looks);
-    for (double at = 0.5; at < looks; ++at)
-      if (auto const found = look(at / looks, at / looks); found.together > worst.together)
+    int const looks = std::min(parts_, most_looks);
+    for (int k = 0; k < looks; ++k)
+      if (auto const found = look((k + 0.5) / looks, (k + 0.5) / looks); found.together > worst.together)
         worst = found;
     return worst;
   }
@@ -140,15 +140,16 @@ private:
     auto const& law = problem_.adhesions[ix(point.adhesion)];
     Local<D> const end = x_.segment<D>(D * i), way = end - problem_.start.segment<D>(D * i);
     auto const scales = interface::scales(law);
-    double const parts =
+    double const needed =
         std::ceil(std::max(least_samples, samples * way.norm() * scales.softening / scales.strength));
-    bool const far = !(parts <= most_samples);
+    bool const far = !(needed <= most_samples);
+    int const parts = far ? 1 : static_cast<int>(needed);
     far_ = far_ || far;
-    parts_ = far ? parts_ : std::max(parts_, parts);
+    parts_ = std::max(parts_, parts);
     LocalMatrix<D> least = stiffness_at(i, end - (1 - to) * way);
     double value = least_eigenvalue(least);
-    for (double at = 0.5; from < to && !far && at < parts; ++at) { // where a damaged bond starts it is held
-      LocalMatrix<D> const other = stiffness_at(i, end - (1 - at / parts) * way);
+    for (int k = 0; from < to && !far && k < parts; ++k) { // not at the start, where damaged bonds still hold
+      LocalMatrix<D> const other = stiffness_at(i, end - (1 - (k + 0.5) / parts) * way);
       if (double const its = least_eigenvalue(other); its < value) {
         value = its;
         least = other;
@@ -212,7 +213,7 @@ private:
   std::vector<LocalMatrix<D>> roots_; ///< of the stiffness with which each holds, N^(1/2)/m^(1/2)
   std::vector<Falling<D>> falling_;   ///< `point` counts in bonded_
   bool far_ = false;                  ///< does a bond go farther than is sampled?
-  double parts_ = 1;                  ///< of the way, in each of which no bond goes far
+  int parts_ = 1;                     ///< of the way, in each of which no bond goes far
 };
 
 } // namespace
