@@ -108,6 +108,9 @@ expect 1 "A may be off by  B may be off by|file study.lua" ask compare '{ a = "s
 # the same by words on the command line
 expect 0 "; 1 chosen" "$stiction" show a --where 'mu > 0.3'
 expect 0 "mu0.4,5.57" "$stiction" show nothing --out a --sort -mu --columns case,force_x --csv -
+expect 2 "--csv nowhere/a.csv: there is no folder" "$stiction" show nothing --out a --csv nowhere/a.csv
+expect 2 "--sheet nowhere/a.png: there is no folder" "$stiction" show nothing --out a --sheet nowhere/a.png --csv b.csv
+holds "nothing is written then" [ ! -e b.csv ]
 expect 0 "9 of 9 results" "$stiction" compare a same
 expect 0 "(within 0.0001, relative)" "$stiction" compare a c --tolerance 1e-4 --all
 expect 2 "compare: " "$stiction" compare a

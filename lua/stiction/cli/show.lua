@@ -171,9 +171,21 @@ local function any_scaled(columns)
   return false
 end
 
+--- Refuses files in folders that are not there, before any is written.
+local function check_places(options)
+  for _, name in ipairs { "csv", "h5", "animate", "sheet" } do
+    local file = options[name]
+    local folder = file and file ~= "-" and (engine.absolute(file):match("^(.+)/[^/]*$") or "/")
+    if folder and engine.kind_of_path(folder) ~= "folder" then
+      fault.input("--%s %s: there is no folder %s", name, file, folder)
+    end
+  end
+end
+
 --- Writes every file that is asked for; nil if none is, else whether all could be drawn.
 local function write(outcome, cases, columns, options)
   local good
+  check_places(options)
   if options.csv then
     write_csv(outcome.folder, options.csv, csv_text(cases, columns))
     good = true
