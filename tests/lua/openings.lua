@@ -126,3 +126,29 @@ test("the end-notched flexure of a specimen that bonds alone hold goes on past t
   equal(grown > 0.034, true)
   near(9 * force^2 * grown^2 / (2 * stiffness), 6, 0.2)
 end)
+
+test("bonds that are torn off in steps too long to see them pull are remarked on", function()
+  local run_with_inertia = shared("runs").below "torn_runs"
+  local function told(steps)
+    local case = run_with_inertia(stiction.scene {
+      bodies = { foot = stiction.body { mesh = stiction.mesh.block { size = { 10*mm, 10*mm }, cells = { 10, 10 } },
+        material = stiction.material.linear_elastic { young = 100*MPa, poisson = 0.3 }, density = 1000*kg/m^3 } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+      pairs = { bond = stiction.pair { secondary = "foot.bottom", primary = "floor", adhesion = stiction.adhesion.bilinear {
+        K = 1e12*N/m^3, sigma_n = 1*MPa, sigma_t = 1*MPa, G_I = 50*J/m^2, G_II = 50*J/m^2 } } },
+      motions = { drive { set = "foot.top", times = { 0*s, 2e-3*s }, y = { 0*mm, 2*mm } } },
+      scheme = stiction.scheme.theta_xi {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 2e-3*s, steps = steps } } },
+      probes = { bond = stiction.probe.contact { pair = "bond" } },
+    })
+    equal(case.result.verdict, "finished")
+    for _, remark in ipairs(case.result.remarks) do
+      if remark:find("bonds were torn off in steps too long to see them pull", 1, true) then
+        return true
+      end
+    end
+    return false
+  end
+  equal(told(10), true)
+  equal(told(100), false)
+end)
