@@ -18,16 +18,19 @@ end
 
 --- Largest energy that the account of a case leaves open over its run, and its largest term.
 function ledger.open(case, probe)
-  local largest = 0
+  local largest, there = 0, {}
+  for _, column in ipairs(case:columns()) do
+    there[column] = true
+  end
+  if not there[probe .. "/unaccounted"] then
+    fault.script("case %s: its account says nothing of what is left open: %s must be stiction.probe.energy { audit = true }, which "
+      .. "half spaces and formulas do not have; of those hold scheme_loss against motion_work", case.id, probe)
+  end
   local function look(name)
     largest = math.max(largest, largest_of(case:series(probe, name)))
   end
   for _, name in ipairs(terms) do
     look(name)
-  end
-  local there = {}
-  for _, column in ipairs(case:columns()) do
-    there[column] = true
   end
   for _, name in ipairs(if_any) do
     if there[probe .. "/" .. name] then

@@ -64,7 +64,7 @@ end)
 
 local function audited(open, largest)
   local series = { unaccounted = { 0, open, 0 } }
-  return { id = "run", columns = function() return { "energy/kinetic" } end, series = function(_, probe, name)
+  return { id = "run", columns = function() return { "energy/kinetic", "energy/unaccounted" } end, series = function(_, probe, name)
     equal(probe, "energy")
     return series[name] or { 0, name == "kinetic" and -(largest or 2) or 0, 0 }
   end }
@@ -84,4 +84,13 @@ test("a ledger closes to a part of its largest term", function()
   equal(held(0.1, 0.1), true)
   equal(held(0.9e-9, 1e-6, 1e-3), true)
   equal(held(1.1e-9, 1e-6, 1e-3), false)
+end)
+
+test("an account without audit says so, and what half spaces have instead", function()
+  local recorder = check.recorder()
+  local case = audited(0)
+  case.columns = function() return { "energy/kinetic" } end
+  local good, problem = pcall(recorder.ledger, case)
+  equal(good, false)
+  assert(tostring(problem):find("energy must be stiction.probe.energy { audit = true }, which half spaces", 1, true), tostring(problem))
 end)
