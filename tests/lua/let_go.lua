@@ -1,4 +1,4 @@
--- A ball drawn off: the cells that explain asks for over what is left of its contact.
+-- A ball drawn off, or just touching: the cells and points that explain asks for over its contact.
 local test, equal, _, shared = ...
 local engine = require "stiction.engine"
 local stiction = require "stiction"
@@ -41,4 +41,34 @@ test("cells as small as advised over what is left of a ball's contact leave a pe
   local fine = pull(advised)
   assert(math.abs(fine / 16.2 - 1) < 0.02, fine) -- mN, of cells of 0.06 mm
   assert(pull(0.33*mm) > 1.1 * fine)
+end)
+
+test("points as near as advised know the force of a ball's small contact", function()
+  local um, depth, R = units.um, 0.0156, 10 -- um, mm: a = sqrt(R d) = 12.5 um
+  local function scene(points)
+    return stiction.scene { kinematics = "three_dimensional",
+      bodies = { base = stiction.body.half_space { young = 1*MPa, poisson = 0.3, size = { 1*mm, 1*mm }, points = { points, points },
+        boundary = "free" } },
+      obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = R*mm }, times = { 0*s, 1*s },
+        z = { 0*um, -depth*um } } },
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball" } },
+      scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
+      probes = { touch = stiction.probe.contact { pair = "touch" } },
+    }
+  end
+  local function told(points)
+    for _, its in ipairs(engine.explain(scene(points)).warnings) do
+      if its.text:find("times the spacing of points", 1, true) then
+        return its.change:match("points at most ([%d.]+) um apart")
+      end
+    end
+  end
+  local function off(points)
+    local force = 4 / 3 * 1e6 / 0.91 * math.sqrt(R * 1e-3) * (depth * 1e-6) ^ 1.5
+    return math.abs(-run(scene(points)):min("touch", "force_z") / force - 1)
+  end
+  local near = tonumber(told(64)) -- 0.8 spacings
+  local enough = 2 * math.ceil(500 / near)
+  equal(told(enough), nil)
+  assert(off(64) > 0.1 and off(enough) < 0.02, off(enough))
 end)
