@@ -18,19 +18,13 @@ constexpr int most_looks = 8;      // along a way, a factorization each
 constexpr double samples = 16;     // over the opening in which the steepest fall takes the whole strength
 constexpr double least_samples = 4, most_samples = 128; // of a way; beyond, a bond passes its steepest fall
 
-/// A direction of a bond along which its force falls as it opens, N/m > 0.
-template<int D> struct Falling {
-  Index point;
-  Local<D> along;
-  double fall;
-};
-
 template<int D> class HeldBonds {
 public:
   HeldBonds(Problem const& problem, Vector const& force, Vector const& x)
       : problem_(problem), force_(force), x_(x) {}
 
   SofteningDoubt operator()(Snapped snapped) {
+    find_fast();
     auto const doubt = look(0, 1);
     if (snapped == Snapped::yes || !doubt.any() || far_)
       return doubt;
@@ -104,18 +98,23 @@ private:
     return doubt;
   }
 
-  /// Rows that contact holds, and the tangents of bonds parted into what holds and what falls.
-  void sort(double from, double to) {
-    fast_.clear();
-    bonded_.clear();
-    roots_.clear();
-    falling_.clear();
+  /// Rows that contact holds.
+  void find_fast() {
     for (Index i = 0; i < problem_.size(); ++i) {
       Local<D> const p = force_.segment<D>(D * i), at = x_.segment<D>(D * i);
       auto const status = evaluate<D>(problem_, i, p, at, natural_scale(problem_, i)).status;
       Index const rows = status == interface::Status::stick ? D : status == interface::Status::slip ? 1 : 0;
       for (Index k = 0; k < rows; ++k)
         fast_.push_back(D * i + k);
+    }
+  }
+
+  /// The tangents of bonds parted into what holds and what falls.
+  void sort(double from, double to) {
+    bonded_.clear();
+    roots_.clear();
+    falling_.clear();
+    for (Index i = 0; i < problem_.size(); ++i) {
       if (problem_.points[ix(i)].adhesion < 0)
         continue;
       Eigen::SelfAdjointEigenSolver<LocalMatrix<D>> const parts(weakest(i, from, to));
@@ -211,7 +210,7 @@ private:
   std::vector<Index> fast_;           ///< rows that contact holds
   std::vector<Index> bonded_;         ///< points with a bond that is felt
   std::vector<LocalMatrix<D>> roots_; ///< of the stiffness with which each holds, N^(1/2)/m^(1/2)
-  std::vector<Falling<D>> falling_;   ///< `point` counts in bonded_
+  std::vector<Yielding<D>> falling_;  ///< `point` counts in bonded_
   bool far_ = false;                  ///< does a bond go farther than is sampled?
   int parts_ = 1;                     ///< of the way, in each of which no bond goes far
 };

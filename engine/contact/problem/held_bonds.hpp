@@ -6,6 +6,13 @@
 
 namespace stiction::contact {
 
+/// A point whose force may fall as it moves along a unit direction, and how steeply, N/m.
+template<int D> struct Yielding {
+  Index point;
+  Local<D> along;
+  double fall;
+};
+
 /// Of the step from problem.start to an answer force[dim n], x[dim n]: each bond at the steepest fall on its
 /// way there, held by the bodies, by what presses and by the bonds that do not fall; unless it is known that
 /// something snapped, at falls that are there at the same time if all go evenly. None where the problem does

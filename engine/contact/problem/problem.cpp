@@ -10,7 +10,7 @@ namespace stiction::contact {
 
 namespace {
 
-constexpr double no_motion = 1e-12; // of the largest entry of W: rounding
+constexpr double no_motion = 1e-12; // of what else moves: rounding
 
 /// Of a point that nothing can move: the stiffness of its bond, so that no unit is preferred, N/m.
 double scale_of_law(Problem const& problem, Index point) {
@@ -21,10 +21,6 @@ double scale_of_law(Problem const& problem, Index point) {
   double const stiffness = own.area * scales.strength / scales.opening;
   return stiffness > 0 && std::isfinite(stiffness) ? stiffness : 1;
 }
-
-} // namespace
-
-namespace {
 
 /// Lowest and largest eigenvalue of the symmetric part of a point's block of W, m/N.
 std::array<double, 2> range_of_block(Problem const& problem, Index point) {
@@ -55,7 +51,7 @@ double largest_diagonal(Problem const& problem) {
 
 double natural_scale(Problem const& problem, Index point) {
   auto const [lowest, largest] = range_of_block(problem, point);
-  if (largest > 0)
+  if (largest > no_motion * std::abs(lowest))
     return 1 / largest;
   if (-lowest > no_motion * largest_diagonal(problem)) // of an unstable body: it moves against a force
     return -1 / lowest;

@@ -23,13 +23,6 @@ template<int D> struct Dragged {
   Eigen::Matrix<double, D - 1, 1> along;
 };
 
-/// A point whose force may fall as it moves along a unit direction, and how steeply, N/m.
-template<int D> struct Yielding {
-  Index point;
-  Local<D> along;
-  double fall;
-};
-
 template<int D> class Check {
 public:
   Check(Problem const& problem, Checked which, Snapped snapped)

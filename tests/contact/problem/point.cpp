@@ -173,6 +173,10 @@ TEST_SUITE("contact") {
         problem.points.assign(2, {1, 0.3, -1, {}});
         CHECK(natural_scale(problem, 0) == doctest::Approx(0.5 / size).epsilon(1e-12));
         CHECK(natural_scale(problem, 1) == doctest::Approx(1 / size).epsilon(1e-12));
+        if (dim > 1) { // rounding beside its own motion
+          problem.W.entries()(1, 1) = 1e-16 * size;
+          CHECK(natural_scale(problem, 0) == doctest::Approx(0.5 / size).epsilon(1e-12));
+        }
         problem.W.entries().topLeftCorner(dim, dim) *= 1e-16; // rounding beside the other
         CHECK(natural_scale(problem, 0) == 1);
       }
