@@ -50,7 +50,7 @@ expect 0 "lock at nu = 0.48|mean_dilatation" "$stiction" explain "$sphere" --cas
 expect 0 "nothing is fast|scheme.quasi_static{}" "$stiction" explain "$sphere" --case A_inertia --set mesh_size=0.4mm
 expect 0 "three-dimensional|Nothing to change" "$stiction" explain "$sphere" --case A_space --quick
 expect 0 "Nothing to change" "$stiction" explain "$sphere" --quick
-expect 0 "3.16 mm|V* normal|Nothing to change" "$stiction" explain "$studies/paper/plate_on_cylinder" --quick
+expect 0 "6.67 mm|V* normal|Nothing to change" "$stiction" explain "$studies/paper/plate_on_cylinder" --quick
 expect 0 "speed / c_s|Nothing to change" "$stiction" explain "$studies/proofs/bar_impact"
 expect 0 "theta = 1/2) with the inertia of contact nodes" "$stiction" explain "$studies/proofs/bar_impact" --case paper
 finish

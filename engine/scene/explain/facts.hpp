@@ -56,7 +56,7 @@ struct PairFacts {
   int facets = 0;                      ///< of the primary
   double modulus = 0;                  ///< E* = 1 / sum (1 - nu^2) / E, Pa
   double column = 0;                   ///< 1 / sum thickness / E along the normal, Pa/m
-  double bending = 0;                  ///< 1 / sum (1 - nu^2) / (E thickness^3), N m; of plates 12 times that
+  double bending = 0;                  ///< of what bends 1 / sum (1 - nu^2) / (E thickness^3), N m
   double size = 0, primary_size = 0;   ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
   double gap = -1;                     ///< smallest at the start, m; < 0: beyond the search
   double bond = 0;                     ///< most whole bond at the start, 1

@@ -313,18 +313,63 @@ void add_primary(Facts const& all, PairFacts& facts, Vec3 const& position, std::
   curved = curvature(facts.primary_fit, mean_normal(model, side.body, *side.set), position);
 }
 
-/// E*, and the stiffness of the two bodies as columns along the normal and as plates across it.
+/// Of a body along the normal; where the other side closes around, its extent. m
+double thickness_of(PairFacts const& facts, BodyFacts const& body) {
+  return facts.normal.isZero(0) ? body.extent() : facts.normal.cwiseAbs().dot(body.sides);
+}
+
+/// The part of a pair's points that have a node of a body's motions, of those that move or of all, above or
+/// beneath them, no farther along the surface than the body is thick, of fifty points at most; nothing
+/// without such nodes.
+std::optional<double> part_taken(Facts const& all, PairFacts const& facts, std::size_t body, bool moving) {
+  auto const& model = *all.scene->model;
+  auto const along = [&](Index node) {
+    Vec3 const at = position_of(model, node);
+    return Vec3(at - at.dot(facts.normal) * facts.normal);
+  };
+  std::vector<Vec3> taken;
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      if (node >= model.first_node[body] && node < model.first_node[body + 1] &&
+          (!moving || motion.farthest() > 0))
+        taken.push_back(along(node));
+  auto const& points = facts.pair->nodes();
+  if (taken.empty() || points.empty())
+    return std::nullopt;
+  double const thickness = thickness_of(facts, all.bodies[body]);
+  std::size_t const stride = 1 + points.size() / 50;
+  double looked = 0, found = 0;
+  for (std::size_t i = 0; i < points.size(); i += stride, ++looked)
+    found += std::ranges::any_of(taken, [at = along(points[i]), thickness](Vec3 const& other) {
+      return (at - other).norm() <= thickness;
+    });
+  return found / looked;
+}
+
+/// Does a body bend under its bonds, as an arm or a tape does, most of which nothing holds from behind?
+bool bends(Facts const& all, PairFacts const& facts, std::size_t body) {
+  return !facts.normal.isZero(0) && part_taken(all, facts, body, false).value_or(0) < 0.5;
+}
+
+/// Is a body moved, but beside most of its bonds? Where it bends there these do not follow.
+bool moved_beside(Facts const& all, PairFacts const& facts, std::size_t body) {
+  return !facts.normal.isZero(0) && part_taken(all, facts, body, true).value_or(1) < 0.5;
+}
+
+/// E*, and the stiffness of the two bodies as columns along the normal and, where they bend, as plates.
 void add_stiffness(Facts const& all, PairFacts& facts) {
   double compliance = 0, column = 0, bending = 0;
-  auto const add = [&](BodyFacts const& body) {
+  auto const add = [&](std::size_t number) {
+    auto const& body = all.bodies[number];
     compliance += 1 / body.plane_modulus();
-    double const thickness = facts.normal.isZero(0) ? body.extent() : facts.normal.cwiseAbs().dot(body.sides);
+    double const thickness = thickness_of(facts, body);
     column += thickness / body.moduli.young;
-    bending += 1 / (body.plane_modulus() * thickness * thickness * thickness);
+    if (bends(all, facts, number))
+      bending += 1 / (body.plane_modulus() * thickness * thickness * thickness);
   };
-  add(all.bodies[facts.secondary]);
+  add(facts.secondary);
   if (facts.primary && *facts.primary != facts.secondary)
-    add(all.bodies[*facts.primary]);
+    add(*facts.primary);
   facts.modulus = 1 / compliance;
   facts.column = 1 / column;
   facts.bending = 1 / bending;
@@ -360,33 +405,6 @@ double tension_of(dynamics::Model const& model, dynamics::Pair const& pair) {
   return sum;
 }
 
-/// Do motions of a body take hold farther beside most of a pair's points than the body is thick? An arm or a
-/// tape bends there, and what is bonded does not follow its end.
-bool taken_beside(Facts const& all, PairFacts const& facts, std::size_t body) {
-  auto const& model = *all.scene->model;
-  Vec3 const infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 low = infinite, high = -infinite;
-  auto const along = [&](Index node) {
-    Vec3 const at = position_of(model, node);
-    return Vec3(at - at.dot(facts.normal) * facts.normal);
-  };
-  for (auto const& motion : model.motions)
-    for (Index const node : motion.nodes)
-      if (motion.farthest() > 0 && node >= model.first_node[body] && node < model.first_node[body + 1]) {
-        low = low.cwiseMin(along(node));
-        high = high.cwiseMax(along(node));
-      }
-  if (!(low[0] <= high[0]))
-    return false;
-  double const thickness = facts.normal.cwiseAbs().dot(all.bodies[body].sides);
-  auto const& points = facts.pair->nodes();
-  auto const beneath = std::ranges::count_if(points, [&](Index node) {
-    Vec3 const at = along(node);
-    return ((at - low).array() >= -thickness).all() && ((high - at).array() >= -thickness).all();
-  });
-  return 2 * beneath < static_cast<std::ptrdiff_t>(points.size());
-}
-
 } // namespace
 
 PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& start) {
@@ -414,9 +432,8 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
     for (auto const& primary : movers_of(all, facts))
       for (auto& follower : followers)
         follower.follow(scene.part.schedule, secondary, primary);
-  facts.motion.beside =
-      !facts.normal.isZero(0) && (taken_beside(all, facts, facts.secondary) ||
-                                  (facts.primary && taken_beside(all, facts, *facts.primary)));
+  facts.motion.beside = moved_beside(all, facts, facts.secondary) ||
+                        (facts.primary && moved_beside(all, facts, *facts.primary));
   facts.motion.forced = moved_by_forces(*scene.model, facts);
   add_strain(all, facts);
   facts.tension = tension_of(*scene.model, *facts.pair);
