@@ -16,7 +16,7 @@ if ! grep -q __asan_init "$stiction"; then # whose shadow wants all addresses
   for kilobytes in 80000 150000 200000; do
     limited "-v $kilobytes" timeout -s KILL 60 "$stiction" help >output 2>&1 </dev/null
     code=$?
-    [ "$code" != 137 ] || complain "with $kilobytes kB of addresses it does not end: $(cat output)"
+    [ "$code" -lt 128 ] || complain "with $kilobytes kB of addresses it ended with $code: $(cat output)"
   done
   changed large 's/cells = { p.cells, p.cells }/cells = { 1000, 1000 }/'
   expect 1 "memory ran out: the process held|explain STUDY" \

@@ -1,11 +1,10 @@
 -- A ball drawn off, or just touching: the cells and points that explain asks for over its contact.
 local test, equal, _, shared = ...
-local engine = require "stiction.engine"
 local stiction = require "stiction"
 local units = stiction.units
 local mm, s, kg, m, J, MPa, N = units.mm, units.s, units.kg, units.m, units.J, units.MPa, units.N
 
-local run = shared("runs").quasi_static "let_go_runs"
+local run, scenes = shared("runs").quasi_static "let_go_runs", shared "scenes"
 
 --- A ball of 6 mm pressed onto a layer of 3 mm and drawn off.
 local function ball(cell)
@@ -25,13 +24,7 @@ local function ball(cell)
   }
 end
 
-local function warning(cell)
-  for _, its in ipairs(engine.explain(ball(cell)).warnings) do
-    if its.text:find("when it lets go", 1, true) then
-      return its
-    end
-  end
-end
+local function warning(cell) return scenes.warning(ball(cell), "when it lets go") end
 
 test("cells as small as advised over what is left of a ball's contact leave a per cent or two of its pull-off", function()
   local number, unit = warning(0.33*mm).change:match("cells of ([%d.]+) (%a+) or less at layer.top")
@@ -57,11 +50,8 @@ test("points as near as advised know the force of a ball's small contact", funct
     }
   end
   local function told(points)
-    for _, its in ipairs(engine.explain(scene(points)).warnings) do
-      if its.text:find("times the spacing of points", 1, true) then
-        return its.change:match("points at most ([%d.]+) um apart")
-      end
-    end
+    local its = scenes.warning(scene(points), "times the spacing of points")
+    return its and its.change:match("points at most ([%d.]+) um apart")
   end
   local function off(points)
     local force = 4 / 3 * 1e6 / 0.91 * math.sqrt(R * 1e-3) * (depth * 1e-6) ^ 1.5

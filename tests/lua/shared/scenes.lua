@@ -14,14 +14,18 @@ function scenes.with(base, more)
   return all
 end
 
---- Does explain warn in these words?
-function scenes.warned(scene, words)
+--- explain's warning in these words: {text =, change =}; nil if there is none.
+function scenes.warning(scene, words)
   for _, warning in ipairs(engine.explain(scene).warnings) do
     if warning.text:find(words, 1, true) then
-      return true
+      return warning
     end
   end
-  return false
+end
+
+--- Does explain warn in these words?
+function scenes.warned(scene, words)
+  return scenes.warning(scene, words) ~= nil
 end
 
 return scenes

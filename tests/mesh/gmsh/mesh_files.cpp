@@ -1,5 +1,6 @@
 // Mesh files of other programs: Abaqus, legacy VTK, closed surfaces; what is kept of them and what is
 // refused.
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -61,6 +62,15 @@ std::string abaqus_solid(std::string const& type, CellKind kind, std::vector<std
                      tags);
 }
 
+/// A file of format 2.2 with these sections' lines, each list after its length.
+std::string msh22(std::string const& names, std::string const& nodes, std::string const& elements) {
+  auto const section = [](char const* name, std::string const& lines) {
+    return fmt::format("${0}\n{1}\n{2}$End{0}\n", name, std::ranges::count(lines, '\n'), lines);
+  };
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + section("PhysicalNames", names) +
+         section("Nodes", nodes) + section("Elements", elements);
+}
+
 } // namespace
 
 TEST_SUITE("mesh") {
@@ -68,13 +78,12 @@ TEST_SUITE("mesh") {
     if (no_mesher())
       return;
     OwnCache const cache;
-    auto const mesh = read(cache, "groups.msh",
-                           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-                           "$PhysicalNames\n4\n1 1 \"foot\"\n1 2 \"rim\"\n2 3 \"all_of_it\"\n2 4 \"left\"\n"
-                           "$EndPhysicalNames\n"
-                           "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
-                           "$Elements\n7\n1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n3 1 2 2 1 1 2\n4 1 2 2 1 2 3\n"
-                           "5 3 2 3 1 1 2 5 4\n6 3 2 4 1 1 2 5 4\n7 3 2 3 1 2 3 6 5\n$EndElements\n");
+    auto const mesh =
+        read(cache, "groups.msh",
+             msh22("1 1 \"foot\"\n1 2 \"rim\"\n2 3 \"all_of_it\"\n2 4 \"left\"\n",
+                   "1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n",
+                   "1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n3 1 2 2 1 1 2\n4 1 2 2 1 2 3\n5 3 2 3 1 1 2 5 4\n"
+                   "6 3 2 4 1 1 2 5 4\n7 3 2 3 1 2 3 6 5\n"));
     CHECK(mesh.cell_count() == 2);
     CHECK(area(mesh) == doctest::Approx(2e-6));
     CHECK(mesh.sets.at("all_of_it").cells.size() == 2);
@@ -88,12 +97,11 @@ TEST_SUITE("mesh") {
     if (no_mesher())
       return;
     OwnCache const cache;
-    auto const mesh = read(cache, "corners.msh",
-                           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-                           "$PhysicalNames\n2\n1 1 \"foot\"\n2 2 \"body\"\n$EndPhysicalNames\n"
-                           "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0.5 0 0\n6 1 0.5 0\n7 0.5 1 0\n"
-                           "8 0 0.5 0\n$EndNodes\n"
-                           "$Elements\n2\n1 1 2 1 1 1 2\n2 16 2 2 1 1 2 3 4 5 6 7 8\n$EndElements\n");
+    auto const mesh =
+        read(cache, "corners.msh",
+             msh22("1 1 \"foot\"\n2 2 \"body\"\n",
+                   "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0.5 0 0\n6 1 0.5 0\n7 0.5 1 0\n8 0 0.5 0\n",
+                   "1 1 2 1 1 1 2\n2 16 2 2 1 1 2 3 4 5 6 7 8\n"));
     CHECK(mesh.blocks.at(0).kind == CellKind::quad8);
     auto const& foot = mesh.sets.at("foot");
     REQUIRE(foot.facets.size() == 1);
