@@ -34,6 +34,7 @@ public:
   void keep() override { points_.keep(); }
   void restore() override { points_.restore(); }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
+  [[nodiscard]] bool insist() override { return assembly_.insist(); }
   [[nodiscard]] bool turning() const override { return assembly_.turning(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {
@@ -97,6 +98,10 @@ bool System<D, C>::solve(linear::BulkFactor& bulk, Vector const& y, double weigh
   };
   pose();
   bool answered = solve_from(guess);
+  if (!answered && assembly_.give_in()) {
+    pose();
+    answered = solve_from(guess);
+  }
   while (!answered && assembly_.tighten(points_)) { // next to buckling the answer may be far away
     pose();
     answered = solve_from(guess);

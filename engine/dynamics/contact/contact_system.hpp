@@ -34,6 +34,9 @@ public:
   virtual void restore() = 0;
   /// Has any problem of the step known it?
   [[nodiscard]] virtual bool turned() const = 0;
+  /// Lets the next problems know it even where nothing tells that they have an answer then; one that has
+  /// none is posed without. False if they do anyway, or if that was tried before in this attempt.
+  [[nodiscard]] virtual bool insist() = 0;
   /// Did the last problem know it?
   [[nodiscard]] virtual bool turning() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.

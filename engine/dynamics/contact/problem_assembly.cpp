@@ -22,7 +22,23 @@ template<int D, int C> void ProblemAssembly<D, C>::begin(State const& old, doubl
   dt_ = dt;
   turning_ = turning;
   turned_ = false;
+  unstable_ = Unstable::unmet;
   grip_ = 0;
+}
+
+template<int D, int C> bool ProblemAssembly<D, C>::insist() {
+  if (unstable_ != Unstable::met)
+    return false;
+  unstable_ = Unstable::insisted;
+  return turning_ = true;
+}
+
+template<int D, int C> bool ProblemAssembly<D, C>::give_in() {
+  if (unstable_ != Unstable::insisted || !turning_)
+    return false;
+  unstable_ = Unstable::given_in;
+  turning_ = false;
+  return true;
 }
 
 template<int D, int C> bool ProblemAssembly<D, C>::tighten(Points const& points) {
@@ -52,7 +68,10 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   else
     condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
   // there might be no answer; with inertia a shorter step has one
-  if (turning_ && !weights(model_->scheme).inertia && !condensation_.stable()) {
+  if (turning_ && unstable_ != Unstable::insisted && !weights(model_->scheme).inertia &&
+      !condensation_.stable()) {
+    if (unstable_ == Unstable::unmet)
+      unstable_ = Unstable::met;
     turning_ = false;
     Vector guess = pose(points, bulk, y, weight, problem);
     turning_ = D == 3; // on the way round a corner, with the next iterate normals may turn again

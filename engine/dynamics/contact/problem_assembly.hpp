@@ -31,6 +31,11 @@ public:
   [[nodiscard]] std::optional<Vector> pose_as(ProblemAssembly const& lead, Points const& points,
                                               linear::BulkFactor& bulk, Unloaded const& now,
                                               contact::Problem& problem);
+  /// Lets the problems to come of this attempt know that normals turn although the bulk is unstable with
+  /// that. False where that has not kept it from them, and where it was tried before.
+  [[nodiscard]] bool insist();
+  /// Takes it from them again, as the last one has no answer; false where nothing is taken.
+  [[nodiscard]] bool give_in();
   /// Lets bonds hold the bodies more tightly in the problems to come of this attempt. False where they hold
   /// as tightly as they may, where there are none, and with inertia: then a shorter step has an answer.
   [[nodiscard]] bool tighten(Points const& points);
@@ -56,8 +61,11 @@ private:
   bool spins_;
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
-  Indices unknowns_;                     ///< surface unknowns of one point
-  Vector reaction_;                      ///< of one that follows: H^T p of present forces, N
+  /// May they although the bulk is unstable with that: not now, as one would be; yes; never again.
+  enum class Unstable : std::uint8_t { unmet, met, insisted, given_in };
+  Unstable unstable_ = Unstable::unmet;
+  Indices unknowns_; ///< surface unknowns of one point
+  Vector reaction_;  ///< of one that follows: H^T p of present forces, N
   Condensation condensation_;
 };
 

@@ -171,6 +171,9 @@ void Stepper::predict(State const& old, double dt, Start start) {
   contact_->begin(old, t1, dt, start != Start::unturned);
   previous_imbalance_ = std::numeric_limits<double>::infinity();
   previous_worst_ = previous_imbalance_;
+  slow_ = 0;
+  mixes_ = false;
+  mixing_.clear();
 }
 
 /// Puts driven unknowns where they are driven.
@@ -312,15 +315,6 @@ bool Stepper::answer_contact() {
          contact_->solve(bulk_.factor(), surface_, weights_.contact, surface_load_, cost_);
 }
 
-bool Stepper::take_correction() {
-  cost_.add(bulk_.factor().spent());
-  ++cost_.solves;
-  for (Index k = 0; k < bulk_.unknowns(); ++k)
-    d_[bulk_.dof_of(k)] += correction_[k];
-  bulk_.links().follow(d_);
-  return correction_.allFinite();
-}
-
 /// Where the old rates lead nowhere, as when contact has turned them about, a start from rest often does.
 /// What nothing resists any more must not drift on with them. And where the turn of normals makes problems
 /// with several answers, those without it converge.
@@ -384,6 +378,7 @@ double Stepper::rounding_energy(State const& state) const {
 /// A correction that turns a cell inside out went too far, not astray: half of it, or half of that, need not.
 bool Stepper::shorten(State const& old, double dt, Outcome& outcome) {
   double part = 1;
+  mixing_.clear();
   for (int halvings = 0; halvings < 6 && outcome.iterations > 0; ++halvings) {
     part *= 0.5;
     for (Index k = 0; k < bulk_.unknowns(); ++k)
@@ -410,6 +405,7 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
                              contact_->force_scale(), largest_force(external_)});
     double const now = imbalance();
     contraction_ = now / previous_imbalance_;
+    watch(outcome);
     previous_imbalance_ = now;
     bool const there = outcome.iterations > 0 && converged(outcome);
     if (leads_others_ && (there || (near(outcome) && !std::exchange(polished, true))))

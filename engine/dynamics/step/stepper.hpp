@@ -10,6 +10,7 @@
 #include "dynamics/contact/contact_system.hpp"
 #include "dynamics/contact/tunnelling.hpp"
 #include "dynamics/model/state.hpp"
+#include "dynamics/step/mixing.hpp"
 
 namespace stiction::dynamics {
 
@@ -165,6 +166,7 @@ private:
   void audit_contact(State const& old, State& next) const;
   [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 
+  void watch(Outcome const& outcome);
   [[nodiscard]] std::string unanswered() const;
   [[nodiscard]] std::string held_and_pressed() const;
 
@@ -207,7 +209,10 @@ private:
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
   double previous_worst_ = 0;                       ///< imbalance or contact's residual, N
-  double extent_ = 0;                               ///< largest coordinate of a node, m
+  int slow_ = 0;                                    ///< corrections in a row that hardly contracted
+  bool mixes_ = false;                              ///< corrections by the matrix alone lead nowhere
+  Mixing mixing_;
+  double extent_ = 0; ///< largest coordinate of a node, m
 };
 
 } // namespace stiction::dynamics

@@ -61,4 +61,26 @@ bool Stepper::converged(Outcome& outcome) {
   return forces <= tolerance && contact <= tolerance + (stalls ? rounding : 0.0);
 }
 
+/// Where corrections in a row hardly contract, the matrix lacks what matters: the turn of normals, if it was
+/// left out, is put in; where that is not it, corrections are mixed, after enough that points have settled.
+void Stepper::watch(Outcome const& outcome) {
+  constexpr double hardly = 0.5;
+  constexpr int some = 2, several = 3;
+  slow_ = contraction_ > hardly ? slow_ + 1 : 0;
+  if (slow_ >= some && contact_->insist())
+    slow_ = 0;
+  mixes_ = mixes_ || (slow_ >= several && outcome.iterations >= settle_after);
+}
+
+bool Stepper::take_correction() {
+  cost_.add(bulk_.factor().spent());
+  ++cost_.solves;
+  if (mixes_)
+    mixing_.mix(correction_);
+  for (Index k = 0; k < bulk_.unknowns(); ++k)
+    d_[bulk_.dof_of(k)] += correction_[k];
+  bulk_.links().follow(d_);
+  return correction_.allFinite();
+}
+
 } // namespace stiction::dynamics

@@ -65,6 +65,7 @@ bool Stepper::polish(State const& old, double dt, Outcome& outcome) {
   d_ = reached;
   contact_->restore();
   previous_imbalance_ = std::numeric_limits<double>::infinity();
+  mixing_.clear();
   outcome.verdict = StepVerdict::not_converged;
   outcome.reason.clear();
   return balance(old, dt, outcome) && converged(outcome);
