@@ -15,4 +15,8 @@ std::string words(Methods const& counts) {
   return text;
 }
 
+std::unique_ptr<Solver> make_solver(SolverChoice const& choice) {
+  return std::visit([](auto const& settings) { return settings.make(); }, choice);
+}
+
 } // namespace stiction::contact

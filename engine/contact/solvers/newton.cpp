@@ -166,7 +166,7 @@ Solution by(Method method, Solution solution) {
   return solution;
 }
 
-/// What Newton may do where it stagnates; hand_over: where it is slow, too.
+/// What Newton may do where it stagnates; hand_over: where slow, too.
 enum class Stuck { give_up, hand_over, sweep };
 
 class NewtonSolver : public Solver {
@@ -207,8 +207,8 @@ private:
   }
 
   /// Many plain points by sweeps, which cost less than one factorization while they take hold, unless the
-  /// guess is so near that Newton needs hardly more than one; then Newton
-  /// from where they end, and where it stagnates too, with more compliance, less and less of it.
+  /// guess is so near that Newton needs hardly more; then Newton from where they end, and where it stagnates
+  /// too, with more compliance, less and less of it.
   [[nodiscard]] Solution swept(Problem const& problem, Vector const& guess) {
     auto const rows = static_cast<long>(problem.free.size());
     if (rows < many || !plain(problem))
@@ -246,8 +246,7 @@ private:
   }
 
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
-  /// It goes there where W takes no energy from any forces.
-  /// part: a, and what it has become.
+  /// It goes there where W takes no energy from any forces. part: a, and what it has become.
   [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most, double& part) {
     Dense const& W = problem.W.dense();
     double const mean = W.diagonal().mean();
@@ -315,7 +314,14 @@ private:
     if (!downhill_first)
       return at_last(problem, polish(problem, guess, Stuck::sweep));
     auto last = near(problem, guess); // where a descent does not settle, Newton may answer
-    return last.converged || solution.force.size() == 0 ? last : solution;
+    return last.converged || solution.force.size() == 0 ? last : swept_on(problem, std::move(solution));
+  }
+
+  /// From where a descent has ended, short of the tolerance for what rounding makes of a singular W, by
+  /// sweeps.
+  [[nodiscard]] Solution swept_on(Problem const& problem, Solution solution) {
+    auto swept = polish(problem, solution.force, Stuck::sweep);
+    return swept.converged && !leaps(problem, solution.force, swept.force) ? swept : solution;
   }
 
   [[nodiscard]] Solution landed(Problem const& problem, Descended const& end) {
@@ -489,10 +495,6 @@ core::Schema const& BipotentialNewton::schema() {
 
 std::unique_ptr<Solver> BipotentialNewton::make() const {
   return std::make_unique<NewtonSolver>(*this);
-}
-
-std::unique_ptr<Solver> make_solver(SolverChoice const& choice) {
-  return std::visit([](auto const& settings) { return settings.make(); }, choice);
 }
 
 } // namespace stiction::contact
