@@ -135,9 +135,10 @@ double extent_of(GmshGeometry const& geometry) {
   return extent;
 }
 
+constexpr double most_cells_across = 2000;
+
 /// Refuses sizes that would keep the mesher busy for hours.
 void check_cell_number(Complaints& complaints, GmshGeometry const& geometry) {
-  constexpr double most_cells_across = 2000;
   double const extent = extent_of(geometry);
   double finest = geometry.size;
   for (auto const& refinement : geometry.refine)
@@ -313,6 +314,11 @@ core::Schema const& MshFile::schema() {
 
 void MshFile::read_nested(core::Reader& reader) {
   scaled = reader.has("scale");
+}
+
+double smallest_size(GmshGeometry const& geometry) {
+  constexpr double beside_rounding = 1 + 1e-9;
+  return beside_rounding * extent_of(geometry) / most_cells_across;
 }
 
 Mesh gmsh_geometry(GmshGeometry const& geometry) {

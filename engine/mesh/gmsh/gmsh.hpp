@@ -50,6 +50,9 @@ struct GmshGeometry {
   void read_nested(core::Reader& reader);
 };
 
+/// Size of the smallest cells that the mesher is asked for in this region, m.
+[[nodiscard]] double smallest_size(GmshGeometry const& geometry);
+
 /// A mesh file, solid where it has solid cells. Sets: of gmsh's .msh its physical groups by name (curves in
 /// 2D and surfaces in 3D become boundaries, others node sets), of Abaqus' .inp its surfaces (boundaries),
 /// node and element sets, of a grid of VTK NAME_VALUE of its arrays of whole numbers, of an .stl "surface"

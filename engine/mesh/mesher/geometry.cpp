@@ -1,8 +1,12 @@
 // From outlines to a meshed model: points, curves, size fields, recombination, order.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gmsh.h>
+#include <limits>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "core/error.hpp"
 #include "mesh/mesher/tasks.hpp"
@@ -51,18 +55,78 @@ int add_outline(Json const& outline, Names& names) {
   return gmsh::model::geo::addCurveLoop(curves);
 }
 
+/// Points with sizes in square bins, so that those far off and large are not looked at.
+class SizesAtPoints {
+public:
+  SizesAtPoints(std::vector<double> sizes, double growth) : sizes_(std::move(sizes)), growth_(growth) {
+    std::array<double, 2> top{-infinite, -infinite};
+    each_point([&](std::size_t i) {
+      smallest_ = std::min(smallest_, sizes_[i + 2]);
+      for (std::size_t c = 0; c < 2; ++c) {
+        low_[c] = std::min(low_[c], sizes_[i + c]);
+        top[c] = std::max(top[c], sizes_[i + c]);
+      }
+    });
+    double const area = std::max(top[0] - low_[0], 1e-300) * std::max(top[1] - low_[1], 1e-300);
+    double const longest = std::max(top[0] - low_[0], top[1] - low_[1]);
+    auto const points = static_cast<double>(sizes_.size() / 3);
+    width_ = std::max({std::sqrt(area / points), longest / most_bins, 1e-300});
+    for (std::size_t c = 0; c < 2; ++c)
+      counts_[c] = 1 + static_cast<int>((top[c] - low_[c]) / width_);
+    bins_.resize(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]));
+    each_point([&](std::size_t i) { bin(place(sizes_[i], 0), place(sizes_[i + 1], 1)).push_back(i); });
+  }
+
+  /// The least of `most` and what the points ask for at {x, y}.
+  [[nodiscard]] double at(double x, double y, double most) const {
+    double least = most;
+    int const i = place(x, 0), j = place(y, 1);
+    auto const look = [&](int a, int b) {
+      if (a >= 0 && b >= 0 && a < counts_[0] && b < counts_[1])
+        for (auto const k : bins_[index(a, b)])
+          least = std::min(least, sizes_[k + 2] + growth_ * std::hypot(x - sizes_[k], y - sizes_[k + 1]));
+    };
+    int const rings = std::max(counts_[0], counts_[1]);
+    for (int ring = 0; ring < rings && smallest_ + growth_ * width_ * (ring - 1) < least; ++ring)
+      for (int a = -ring; a <= ring; ++a)
+        for (int b = -ring; b <= ring; b += std::abs(a) == ring ? 1 : std::max(2 * ring, 1))
+          look(i + a, j + b);
+    return least;
+  }
+
+private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr double most_bins = 500; ///< along an axis
+
+  template<class Visit> void each_point(Visit const& visit) const {
+    for (std::size_t i = 0; i + 2 < sizes_.size(); i += 3)
+      visit(i);
+  }
+  /// Of the bin along an axis, the first or the last for what is beyond.
+  [[nodiscard]] int place(double x, std::size_t axis) const {
+    return static_cast<int>(std::clamp((x - low_[axis]) / width_, 0.0, counts_[axis] - 1.0));
+  }
+  [[nodiscard]] std::size_t index(int a, int b) const {
+    return static_cast<std::size_t>(a) * static_cast<std::size_t>(counts_[1]) + static_cast<std::size_t>(b);
+  }
+  std::vector<std::size_t>& bin(int a, int b) { return bins_[index(a, b)]; }
+
+  std::vector<double> sizes_; ///< {x1, y1, size1, x2, ...}
+  double growth_ = 0, smallest_ = infinite, width_ = 1;
+  std::array<double, 2> low_{infinite, infinite};
+  std::array<int, 2> counts_{1, 1};
+  std::vector<std::vector<std::size_t>> bins_;
+};
+
 /// Sizes at points, growing with the distance from them.
 void set_sizes_at_points(Json const& request) {
   if (!request.contains("sizes"))
     return;
-  auto const sizes = request.at("sizes").get<std::vector<double>>();
-  auto const growth = request.at("growth").get<double>(), most = request.at("size").get<double>();
-  gmsh::model::mesh::setSizeCallback([=](int, int, double x, double y, double) {
-    double least = most;
-    for (std::size_t i = 0; i + 2 < sizes.size(); i += 3)
-      least = std::min(least, sizes[i + 2] + growth * std::hypot(x - sizes[i], y - sizes[i + 1]));
-    return least;
-  });
+  auto const most = request.at("size").get<double>();
+  auto const points = std::make_shared<SizesAtPoints const>(request.at("sizes").get<std::vector<double>>(),
+                                                            request.at("growth").get<double>());
+  gmsh::model::mesh::setSizeCallback(
+      [=](int, int, double x, double y, double) { return points->at(x, y, most); });
 }
 
 /// Sizes that grow from near named edges, the smallest of all taken.

@@ -161,10 +161,14 @@ double MeshControl::error() const {
 CellSizes MeshControl::sizes() const {
   CellSizes all;
   for (auto const& seen : bodies_) {
-    auto& own = all[scene_->bodies[seen.body]];
+    auto const& name = scene_->bodies[seen.body];
+    auto& own = all[name];
+    double const least =
+        std::max(seen.part.smallest,
+                 mesh::smallest_size(std::get<mesh::GmshGeometry>(scene_->part.bodies.at(name).mesh)));
     for (std::size_t c = 0; c < seen.size.size(); ++c) {
       auto const centre = seen.centres.row(static_cast<Eigen::Index>(c));
-      own.insert(own.end(), {centre[0], centre[1], std::max(seen.size[c], seen.part.smallest)});
+      own.insert(own.end(), {centre[0], centre[1], std::max(seen.size[c], least)});
     }
   }
   return all;

@@ -120,6 +120,21 @@ TEST_CASE("a target that no allowed mesh meets is told, with what would help") {
   CHECK(result.remarks[0].find("above the target 0.01; allow more passes") != std::string::npos);
 }
 
+TEST_CASE("a slender body gets no smaller cells than its mesher takes") {
+  if (mesh::find_mesher().empty()) {
+    MESSAGE("the mesher was not built: nothing tested");
+    return;
+  }
+  auto table = bent(0.001);
+  test::at(table, "bodies.foot.mesh.edges") =
+      test::list({edge(200, 0, "bottom"), edge(200, 1, "right"), edge(0, 1, "top"), edge(0, 0, "left")});
+  test::at(table, "bodies.foot.remesh") =
+      test::make("remesh", {{"target", test::value(0.001)}, {"passes", test::value(2)}}); // a third of 0.25 m
+  auto const result = run(table);
+  CHECK(result.verdict == "finished");
+  CHECK(result.counters.at("mesh_passes") == 2);
+}
+
 TEST_CASE("cells too large for their bonds are told, each pair by its own law") {
   if (mesh::find_mesher().empty()) {
     MESSAGE("the mesher was not built: nothing tested");
