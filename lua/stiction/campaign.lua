@@ -37,8 +37,8 @@ local function tell_slips(plan)
     study.told_unread = true
   end
   for _, column in ipairs(study.told_doubled and {} or study.doubled) do
-    engine.complain(("stiction: summary.csv has two columns '%s': a result, and what %s; give the result another name\n"):format(
-      column.name, column.why))
+    engine.complain(("stiction: summary.csv has two columns '%s': a %s, and what %s; give the %s another name\n"):format(
+      column.name, column.what, column.why, column.what))
     study.told_doubled = true
   end
 end

@@ -44,16 +44,24 @@ function Case:columns()
   return columns(self)
 end
 
+--- Of these values by `find`, and its time; a case that has one is told by its `at_extreme` of each.
+local function extreme(case, find, values)
+  local value, at = find(values)
+  local tell = rawget(case, "at_extreme")
+  if tell then
+    tell(values, at)
+  end
+  return value, case.time[at]
+end
+
 --- Largest value of a history, and its time.
 function Case:max(group, name, component)
-  local value, at = numeric.max((self:series(group, name, component)))
-  return value, self.time[at]
+  return extreme(self, numeric.max, (self:series(group, name, component)))
 end
 
 --- Smallest value of a history, and its time.
 function Case:min(group, name, component)
-  local value, at = numeric.min((self:series(group, name, component)))
-  return value, self.time[at]
+  return extreme(self, numeric.min, (self:series(group, name, component)))
 end
 
 --- Value of a history at a time (number in s, or a quantity), interpolated.

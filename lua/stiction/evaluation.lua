@@ -72,9 +72,19 @@ local function keep(study, folder, row, options)
   output.write_result(folder, row.case, result)
 end
 
+--- Of what results may be off by, what a value tells to be still of it: not of curves, which may be others now.
+local function numeric_errors(errors)
+  local list = {}
+  for name, its in pairs(errors) do
+    list[name] = type(its) == "table" and its.value ~= nil and its or nil
+  end
+  return list
+end
+
 --- Makes the results of a row anew; with `options` also in its folder.
 function evaluation.anew(study, folder, row, options)
   local case_folder, result = output.case_folder(folder, row.case), row.result
+  result.errors = result.errors and numeric_errors(result.errors)
   local run = case_module.new(row.case.id, row.case.p, case_folder)
   local readable, reason = engine.call(engine.read_series, case_folder .. "/series.h5")
   if readable then

@@ -3,6 +3,7 @@ local csv = require "stiction.csv"
 local engine = require "stiction.engine"
 local fault = require "stiction.fault"
 local identity = require "stiction.identity"
+local ordered = require "stiction.ordered"
 
 local output = {}
 
@@ -156,7 +157,7 @@ local function is_result(value)
   end
   return type(value) == "table" and type(value.verdict) == "string" and may_be("string", "reason")
     and may_be("table", "results") and may_be("table", "counters") and may_be("table", "run") and may_be("string", "sources")
-    and may_be("table", "remarks") and may_be_list(value.files, "path", "hash")
+    and may_be("table", "remarks") and may_be("table", "errors") and may_be_list(value.files, "path", "hash")
     and may_be_list(value.warnings, "text", "change")
 end
 
@@ -319,12 +320,36 @@ local function summary_head(study, names, claimed)
   return table.move({ "set", "warnings" }, 1, 2, #head + 1, head)
 end
 
---- summary.csv: one row per case with a result; SI. `claims` (or nil): {names =, of = {by case, by name}}, what results may
---- be off by; empty where that is not known. Then derivatives of results with respect to parameters that the study names, SI.
+--- What results of a row may be off by, by name: by these claims (or nil) if the row is of their plan, else as was found out earlier
+--- for the values that they still have.
+local function errors_of(row, claims)
+  local own, kept = not row.name and claims and claims.of[row.case.id], {}
+  for name, its in pairs(row.result.errors or {}) do
+    kept[name] = its.value == (row.result.results or {})[name] and its.error or nil
+  end
+  return own or kept
+end
+
+--- Names of what errors are known of, in some row or by these claims.
+local function claimed_names(rows, claims)
+  local seen = {}
+  for _, name in ipairs(claims and claims.names or {}) do
+    seen[name] = true
+  end
+  for _, row in ipairs(rows) do
+    for name in pairs(errors_of(row, claims)) do
+      seen[name] = true
+    end
+  end
+  return ordered.keys(seen)
+end
+
+--- summary.csv: one row per case with a result; SI. `claims` (or nil): {names =, of = {by case of the plan, by name}}, what results
+--- may be off by; empty where that is not known. Then derivatives of results with respect to parameters that the study names, SI.
 --- Last: which parameters are not the study's own, and what was known against the
 --- case before it ran.
 function output.write_summary(folder, study, names, rows, claims)
-  local claimed, own = claims and claims.names or {}, own_values(study)
+  local claimed, own = claimed_names(rows, claims), own_values(study)
   local lines = { table.concat(summary_head(study, names, claimed), ",") }
   for _, row in ipairs(rows) do
     local words = { row.name or row.case.id }
@@ -340,8 +365,9 @@ function output.write_summary(folder, study, names, rows, claims)
     for _, field in ipairs(measures) do
       add(row.result[field])
     end
+    local errors = errors_of(row, claims)
     for _, name in ipairs(claimed) do
-      add((claims.of[row.case.id] or {})[name])
+      add(errors[name])
     end
     each_derivative(study, function(result, parameter)
       add(((row.result.derivatives or {})[parameter] or {})[result] or "nan")

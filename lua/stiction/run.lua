@@ -155,9 +155,10 @@ local function submit(plan)
   return batch.submit(plan, campaign.check(plan, campaign.survey(plan)))
 end
 
---- What --check-accuracy asks for, and the summary with it; what ended it early, if anything.
-local function recheck(plan, rows)
-  local stopped = accuracy.recheck(plan, rows)
+--- What --check-accuracy asks for, what is known of errors kept, and the summary with it; what ended it early, if anything.
+local function settle_errors(plan, rows)
+  local stopped = plan.options.check_accuracy and accuracy.recheck(plan, rows)
+  accuracy.keep(plan, rows)
   campaign.write_summary(plan, rows)
   return stopped
 end
@@ -184,7 +185,7 @@ local function run(plan)
     return left(rows)
   end
   report.cases(plan.study, campaign.rows_with_result(rows))
-  stopped = stopped or plan.options.check_accuracy and recheck(plan, rows)
+  stopped = stopped or plan.claims and settle_errors(plan, rows)
   if stopped then
     engine.complain("stiction: stopped; finished cases are kept, the same command goes on from here\n")
     return 1

@@ -96,29 +96,33 @@ local function read_results(t)
   return results
 end
 
---- What summary.csv has another column of the same name for: list of {name =, why =}; `swept`: the study's sweeps.
+--- What summary.csv has another column of the same name for: list of {what =, name =, why =}; `swept`: the study's sweeps.
 local function doubled(results, swept)
+  local list, seen, parameters = {}, {}, {}
   local taken = { case = "names the case", set = "tells what --set changed", warnings = "tells what explain warned of" }
   for _, name in ipairs(study.measures) do
     taken[name] = "is told of every case"
   end
   for _, sweep in ipairs(swept) do
     for _, axis in ipairs(sweep.axes or {}) do
-      taken[axis.name] = "is swept"
+      parameters[axis.name] = true
     end
     for _, case in ipairs(sweep.cases or {}) do
       for name in pairs(case) do
-        taken[name] = "is swept"
+        parameters[name] = type(name) == "string" or nil
       end
     end
   end
-  local list, seen = {}, {}
+  for _, name in ipairs(ordered.keys(parameters)) do
+    list[#list + 1] = taken[name] and { what = "parameter", name = name, why = taken[name] } or nil
+    taken[name] = "is swept"
+  end
   for _, result in ipairs(results) do
     if seen[result.name] then
       fault.script("study.results: there are two called '%s'", result.name)
     end
     seen[result.name] = true
-    list[#list + 1] = taken[result.name] and { name = result.name, why = taken[result.name] } or nil
+    list[#list + 1] = taken[result.name] and { what = "result", name = result.name, why = taken[result.name] } or nil
   end
   return list
 end

@@ -94,6 +94,74 @@ for name in plate_on_cylinder sphere_indentation bar_impact hertz sliding_die la
     --accuracy 1e-9 --list
 done
 
+# a claim stays with the case that it is of, through other values of parameters, results made anew and a sweep of one case
+cat >block.lua <<'END'
+local stiction = require "stiction"
+local u = stiction.units
+local mm, s = u.mm, u.s
+return stiction.study {
+  title = "A block pulled off", question = "How large is its largest pull, of a coarse sampling?",
+  given = { young = 2*u.MPa, G = 5*u.J/u.m^2, strength = 100*u.kPa }, chosen = { cells = { 20, "along" }, steps = { 60, "coarse" } },
+  scene = function(p)
+    return stiction.scene { output = stiction.output { frames = 0 },
+      bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 10*mm, 5*mm }, cells = { p.cells, p.cells // 2 } },
+        material = stiction.material.neo_hookean { young = p.young, poisson = 0.45 }, interpolation = "mean_dilatation",
+        density = 1000*u.kg/u.m^3 } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+      pairs = { sole = stiction.pair { secondary = "block.bottom", primary = "floor", adhesion = stiction.adhesion.bilinear {
+        K = 1e10*u.N/u.m^3, sigma_n = p.strength, sigma_t = p.strength, G_I = p.G, G_II = p.G } } },
+      motions = { stiction.motion.drive { set = "block.top", times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, 0.8*mm } } },
+      scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = p.steps } } },
+      probes = { top = stiction.probe.force { set = "block.top" } },
+    }
+  end,
+  results = { { name = "peak", unit = "N/m", meaning = "largest pull", function(run) return run:max("top", "force_y") end } },
+  trade = { quantities = { "peak" }, knobs = { { "cells", { 10, 20, 40 } }, { "steps", { 30, 60, 120 } } } },
+}
+END
+block() { # OUT ARGUMENTS: runs it
+  folder=$1
+  shift
+  "$stiction" run block.lua "$@" --no-figures --out "$folder" >block.log 2>&1
+}
+claims_of() { # OUT: what its cases may be off by, sorted
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "peak_error") at = i } NR > 1 { print (at ? $at : "") }' "$1/summary.csv" | sort
+}
+for set in strength=50kPa G=20J/m^2; do
+  block "alone-${set%%=*}" --set "$set" --check-accuracy
+  block kept --set "$set" --check-accuracy
+done
+holds "each case has its own claim" [ "$(claims_of kept)" = "$(for set in alone-*; do claims_of "$set"; done | sort)" ]
+holds "two of them" [ "$(claims_of kept | sort -u | grep -c .)" = 2 ]
+claims_of kept >before
+block kept
+expect 0 "case  finished" "$stiction" results block.lua --out kept
+holds "claims are kept, and none is made of another case" [ "$(claims_of kept | grep .)" = "$(cat before)" ]
+
+# the largest value of a history may lie between two steps, at the same two where the steps are halved
+for set in young=20MPa young=10MPa G=20J/m^2; do
+  out=${set%J*}
+  block "claim-$out" --set "$set" --check-accuracy
+  block "truth-$out" --set "$set" --set steps=600 --set cells=40
+  holds "$set: the claim holds: $(claims_of "claim-$out")" awk -F, -v claim="$(claims_of "claim-$out")" \
+    'FNR == 2 { value[++n] = $2 } END { d = value[1] - value[2]; exit !(claim > 0 && d * d < claim * claim) }' \
+    "claim-$out/summary.csv" "truth-$out/summary.csv"
+done
+
+# nor is anything promised of what takes steps, or goes on without a limit
+sed 's|results = {.*|results = {{ name = "peak", unit = "1", meaning = "", function(_, p) return p.cells ^ 0.5 end },\
+    { name = "fine", unit = "1", meaning = "", function(_, p) return 1 + 1 / p.cells / p.steps end },\
+    { name = "held", unit = "1", meaning = "", function(_, p) return 1 + 1 / p.steps end } },|
+  s|quantities = { "peak" }, knobs = { { "cells", { 10, 20, 40 } }|quantities = { "peak", "fine", "held" }, knobs = { { "cells", { 5, 10, 20, 40 } }|' \
+  block.lua >levels.lua
+expect 0 "uncertainty of peak is not known: it moves more at each finer level of cells|uncertainty of held is not known: cells moves others" \
+  "$stiction" trade levels.lua --no-figures
+expect 0 "--accuracy 5%: |peak: how far it is off is not known: it moves more|held: how far it is off is not known: cells moves" \
+  "$stiction" run levels.lua --accuracy 5% --no-figures --out levels
+holds "an error of what is sure alone" [ "$(head -n 1 levels/summary.csv | grep -o '[a-z]*_error')" = fine_error ]
+expect 2 "--accuracy 5%: held: how far it is off is not known" "$stiction" run levels.lua --accuracy 5% --of held --no-figures
+
 # where the model is a knob, what each rung is off by
 expect 0 "model formula: off by 0.1|the error of the model alone|model half_space: off by 0.0|and of its resolution" \
   "$stiction" trade "$here/../../studies/trade/ladder" --quick --no-figures --out off

@@ -48,8 +48,27 @@ test("levels that do not approach one limit are not continued", function()
   equal(extrapolation.limit({ { h = 1, value = 1 } }).uncertainty, math.huge)
 end)
 
-test("an order beyond belief is no order", function()
-  local found = extrapolation.limit(levels(1, 1, 0.2, { 4, 2, 1 }))
-  near(found.order, 0.2, 1e-6)
-  equal(found.correction, 0)
+test("an order beyond belief is no order, and a low one leaves more than the last difference", function()
+  for _, p in ipairs { 0.6, 0.5, 0.3, 0.2 } do
+    local found = extrapolation.limit(levels(1, 1, p, { 16, 8, 4, 2 }))
+    near(found.order, p, 1e-6)
+    equal(found.correction, 0)
+    assert(found.uncertainty > 2 ^ p, p) -- off by that much
+  end
+end)
+
+test("values that move more at each level have no limit", function()
+  -- the largest pressure at a block's corner, on 20, 40, 80 and 160 cells; 189 and 245 kPa follow
+  local corner = { { h = 8, value = 64 }, { h = 4, value = 84 }, { h = 2, value = 111 }, { h = 1, value = 145 } }
+  local found = extrapolation.limit(corner)
+  equal(found.diverges, true)
+  near(found.uncertainty, 34 / (2 ^ 0.4 - 1))
+  -- two such differences alone may be those of coarse levels, and so may others be rounding
+  found = extrapolation.limit { corner[2], corner[3], corner[4] }
+  equal(found.diverges, nil)
+  assert(found.uncertainty > 100)
+  found = extrapolation.limit { { h = 8, value = 1 }, { h = 4, value = 1 + 1e-9 }, { h = 2, value = 1 + 3e-9 },
+    { h = 1, value = 1 + 6e-9 } }
+  equal(found.diverges, nil)
+  near(found.uncertainty, 3e-9, 1e-12)
 end)

@@ -6,6 +6,7 @@ local fault = require "stiction.fault"
 local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
+local output = require "stiction.output"
 local quantity_module = require "stiction.trade.quantity"
 local recheck = require "stiction.trade.recheck"
 local record = require "stiction.trade.record"
@@ -50,9 +51,20 @@ local function measured_names(study)
   return names, judged
 end
 
+--- Of names, those whose reference is as sure as it says; words on the others, a list.
+local function sure_names(references, names)
+  local sure, doubts = {}, {}
+  for _, name in ipairs(names) do
+    local doubt = (references[name] or {}).doubt
+    sure[#sure + 1] = not doubt and name or nil
+    doubts[#doubts + 1] = doubt and ("%s: how far it is off is not known: %s"):format(name, doubt) or nil
+  end
+  return sure, doubts
+end
+
 --- Largest error of a run in the quantities named, the reference's own included, relative; nil where it has none.
 local function bound_in(run, references, names, judged)
-  local bound = 0
+  local bound = #names > 0 and 0 or nil
   for _, name in ipairs(names) do
     local reference, error = references[name], (run.errors or {})[name]
     local scale = reference and (judged[name] and reference.scale or math.abs(reference.value))
@@ -78,7 +90,7 @@ local function scenes_of(study, kept, wanted)
     local scene = { p = run.errors and parameters_of(study, run), values = run.values, errors = {} }
     for name, error in pairs(run.errors or {}) do
       local reference = kept.references[name]
-      if not wanted or numeric.first_where(wanted, function(other) return other == name end) then
+      if not reference.doubt and (not wanted or numeric.first_where(wanted, function(other) return other == name end)) then
         scene.errors[name] = error * reference.scale + reference.uncertainty
       end
     end
@@ -96,11 +108,14 @@ function accuracy.choose(study, options)
     return options, { of = of, judged = judged, scenes = {} }
   end
   local share, kept = accuracy.share(options.accuracy), record.read(study, options.study)
+  local sure, doubts = sure_names(kept.references, of or ordered.keys(judged))
   local function bound_of(run)
-    return bound_in(run, kept.references, of or ordered.keys(judged), judged)
+    return bound_in(run, kept.references, sure, judged)
   end
   local run, nearest = accuracy.cheapest(kept.runs, share, bound_of)
-  if not run then
+  if #sure == 0 or of and #doubts > 0 then
+    fault.input("--accuracy %s: %s", options.accuracy, table.concat(doubts, "; "))
+  elseif not run then
     fault.input("--accuracy %s: the best that was measured is %.2g%%; give 'trade' finer levels and measure them: "
       .. "'stiction trade %s'", options.accuracy, 100 * nearest, options.study)
   end
@@ -112,6 +127,9 @@ function accuracy.choose(study, options)
   report.line("--accuracy %s%s: %s (off by at most %.2g%% in the scene that was measured, %.2g of the default's work)",
     options.accuracy, of and " of " .. table.concat(of, ", ") or "", table.concat(words, ", "), 100 * bound_of(run),
     run.work / accuracy.default_work(kept.runs))
+  for _, doubt in ipairs(doubts) do
+    report.line("%s", doubt)
+  end
   local own = copy(options)
   own.set = table.move(options.set or {}, 1, #(options.set or {}), #settings + 1, settings)
   return own, { share = share, of = of, judged = judged, scenes = scenes_of(study, kept, of),
@@ -229,6 +247,22 @@ function accuracy.recheck(plan, rows)
   end
   plan.claims.names = ordered.keys(seen)
   return stopped
+end
+
+--- Keeps with the cases what their results may be off by.
+function accuracy.keep(plan, rows)
+  for _, row in ipairs(rows) do
+    local errors, any = {}, false
+    for name, error in pairs(row.done and plan.claims.of[row.case.id] or {}) do
+      if error < math.huge then
+        errors[name], any = { value = row.result.results[name], error = error }, true
+      end
+    end
+    if any then
+      row.result.errors = errors
+      output.write_result(plan.folder, row.case, row.result)
+    end
+  end
 end
 
 --- Checks that a measured scene among the cases still gives what was measured: what the program has changed since by more

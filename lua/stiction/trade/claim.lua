@@ -5,6 +5,7 @@ local ladder = require "stiction.ladder"
 local numeric = require "stiction.numeric"
 local ordered = require "stiction.ordered"
 local quantity_module = require "stiction.trade.quantity"
+local sampled = require "stiction.trade.sampled"
 local sweep = require "stiction.sweep"
 
 local claim = {}
@@ -125,6 +126,15 @@ local function without_effect(variants, moved, own)
   end
 end
 
+--- Share of each result, by name, that a history's extreme may lack between two steps.
+local function between_steps(study, case)
+  local shares = {}
+  for _, entry in ipairs(rawget(case, "folder") and study.results or {}) do
+    shares[entry.name] = sampled.share(entry, case)
+  end
+  return shares
+end
+
 --- Of a finished case and its variants in their order, by quantity: {absolute =, relative =, judged =, changes = (of each
 --- variant, relative)}, or {unmoved = (a variant that leaves it exactly as it is, as it does not others), relative = infinite, ...};
 --- `against`, another run or nil, adds error = (its distance, relative).
@@ -140,9 +150,10 @@ function claim.judge(study, case, variants, cases, against)
     local list, scale, size = distances(quantity, runs)
     known[#known + 1] = list and { quantity = quantity, list = list, scale = scale, size = size } or nil
   end
-  local moved = moving(known, #variants)
+  local moved, between = moving(known, #variants), between_steps(study, case)
   for _, own in ipairs(known) do
-    local list, scale, sum, changes = own.list, own.scale, floor * own.size, {}
+    local list, scale, changes = own.list, own.scale, {}
+    local sum = (floor + (between[own.quantity.name] or 0)) * own.size
     for i, variant in ipairs(variants) do
       sum, changes[i] = sum + variant.factor * list[i + 1], numeric.share(list[i + 1], scale)
     end

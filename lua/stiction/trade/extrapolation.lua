@@ -2,6 +2,9 @@
 local extrapolation = {}
 
 local orders = { low = 0.7, high = 4 } -- of the observed order that is believed
+local slowest = 0.4 -- of what has no order: claims of single cases take this one as well
+local spare = 1.5 -- over what is left by an order below those believed
+local floor = 1e-6 -- of a value: what solvers leave
 local single, agreement = 2.2, 0.5 -- up to this one from three levels; above it, the three before must have the same within so much
 
 --- (h1^p - h2^p) / (h2^p - h3^p), rising with p.
@@ -39,10 +42,47 @@ local function is_confirmed(levels, order)
   return order <= single or before and math.abs(before - order) <= agreement
 end
 
---- {correction =, uncertainty =, order =} of levels {{h =, value =}, ...}, h falling: limit = last value + correction.
+--- What is left after the last of differences that fall with this order.
+local function left(levels, difference, order)
+  local n = #levels
+  return math.abs(difference) / ((levels[n - 1].h / levels[n].h) ^ order - 1)
+end
+
+--- Do the last differences go one way without falling, `count` of them, by more than solvers leave?
+local function grows(levels, count)
+  local n = #levels
+  if n <= count then
+    return false
+  end
+  local before
+  for i = n - count + 1, n do
+    local difference = levels[i].value - levels[i - 1].value
+    if before and (difference * before <= 0 or math.abs(difference) < math.abs(before)) then
+      return false
+    end
+    before = difference
+  end
+  return math.abs(before) > floor * math.abs(levels[n].value)
+end
+
+--- Uncertainty of the last of three levels or more that show no order to be believed.
+local function doubt(levels, order)
+  local n = #levels
+  local last, before = levels[n].value - levels[n - 1].value, levels[n - 1].value - levels[n - 2].value
+  local most = math.max(math.abs(last), math.abs(before))
+  if order and order < orders.low then
+    return math.max(most, spare * left(levels, last, order))
+  elseif grows(levels, 2) then
+    return math.max(most, left(levels, last, slowest))
+  end
+  return most
+end
+
+--- {correction =, uncertainty =, order =, diverges =} of levels {{h =, value =}, ...}, h falling: limit = last value + correction.
 --- Three levels with an order in 0.7 .. 4: Richardson's correction, uncertain by half of it; above 2.2 by the last difference, unless
---- a level more confirms the order. Else none, uncertain by the larger of the last two differences; by twice the difference where
---- there are but two levels, and not known (infinite) from one.
+--- a level more confirms the order. Else none, uncertain by the larger of the last two differences, and by what is left of an order
+--- below 0.7 (half as much again) or, where differences do not fall, of the order 0.4; three of these in a row show no limit:
+--- diverges. Uncertain by twice the difference where there are but two levels, and not known (infinite) from one.
 function extrapolation.limit(levels)
   local n = #levels
   if n < 2 then
@@ -55,11 +95,10 @@ function extrapolation.limit(levels)
   local order = extrapolation.order(levels)
   if order and order >= orders.low and order <= orders.high then
     local correction = last / ((levels[n - 1].h / levels[n].h) ^ order - 1)
-    local doubt = is_confirmed(levels, order) and 0.5 * math.abs(correction) or math.abs(last)
-    return { correction = correction, uncertainty = doubt, order = order }
+    local unsure = is_confirmed(levels, order) and 0.5 * math.abs(correction) or math.abs(last)
+    return { correction = correction, uncertainty = unsure, order = order }
   end
-  local before = levels[n - 1].value - levels[n - 2].value
-  return { correction = 0, uncertainty = math.max(math.abs(last), math.abs(before)), order = order }
+  return { correction = 0, uncertainty = doubt(levels, order), order = order, diverges = grows(levels, 3) or nil }
 end
 
 return extrapolation

@@ -163,9 +163,11 @@ local function show_references(trade)
       report.line("%s: reference %s%s", quantity.name, value, quantity.exact and ", exact" or " +- " .. doubt)
     end
   end
-  for _, own in ipairs(reference.still(trade.knobs, trade.runs, trade.quantities)) do
-    report.line("remark: %s moves others and leaves %s exactly as it is; if that takes steps, its reference is less sure than is told",
-      own.knob, own.quantity)
+  for _, quantity in ipairs(trade.quantities) do
+    local its = trade.references[quantity.name]
+    if its.doubt and not quantity.watched then
+      report.line("remark: the uncertainty of %s is not known: %s", quantity.name, its.doubt)
+    end
   end
 end
 

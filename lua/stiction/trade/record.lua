@@ -52,7 +52,8 @@ local function judged_of(trade)
 end
 
 --- trade.csv: a row per run: settings, quantities and their errors (of a curve the error alone), bound (largest error
---- with the reference's own), costs, verdict, whether it is the default and whether it lies on the front.
+--- with the reference's own), costs, verdict, whether it is the default and whether it lies on the front. A number of the last whose
+--- name a knob or a quantity has is called NAME_counted.
 function record.write_csv(trade)
   local head = { "case" }
   for _, knob in ipairs(trade.knobs) do
@@ -63,10 +64,15 @@ function record.write_csv(trade)
     head[#head + 1] = not quantity.curve and quantity.name or nil
     head[#head + 1] = quantity.name .. "_error"
   end
-  for _, name in ipairs { "error", "bound", "work", "seconds" } do
-    head[#head + 1] = name
+  local taken = {}
+  for _, name in ipairs(head) do
+    taken[name] = true
   end
-  table.move(record.counts, 1, #record.counts, #head + 1, head)
+  for _, names in ipairs { { "error", "bound", "work", "seconds" }, record.counts } do
+    for _, name in ipairs(names) do
+      head[#head + 1] = taken[name] and name .. "_counted" or name
+    end
+  end
   table.move({ "verdict", "default", "front" }, 1, 3, #head + 1, head)
   local lines = { table.concat(head, ",") }
   for _, run in ipairs(trade.runs) do
@@ -97,7 +103,7 @@ local function plain_references(trade)
   local plain = {}
   for _, quantity in ipairs(trade.quantities) do
     local its = trade.references[quantity.name]
-    local relative = { curve = true, uncertainty = its.uncertainty / its.scale, scale = 1 }
+    local relative = { curve = true, uncertainty = its.uncertainty / its.scale, scale = 1, doubt = its.doubt }
     plain[quantity.name] = quantity.curve and relative or its
   end
   return plain

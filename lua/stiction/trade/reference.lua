@@ -40,11 +40,15 @@ function reference.order(line, quantity)
   end
 end
 
+local function words_diverging(knob)
+  return knob and ("it moves more at each finer level of %s: no limit shows"):format(knob)
+end
+
 --- The corner and, knob by knob, the correction to its limit. The corrections are those of the lines through the
 --- default; how far the corner is from the sum of these lines tells how much less they hold there, and adds to the
 --- uncertainty: up to the corrections, where all lines have one.
 local function extrapolated(knobs, runs, quantity, default, corner)
-  local sum, correction, squares, whole = default, 0, 0, true
+  local sum, correction, squares, whole, diverges = default, 0, 0, true, nil
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local line = reference.line(knobs, runs, knob, quantity)
@@ -52,25 +56,28 @@ local function extrapolated(knobs, runs, quantity, default, corner)
       sum = sum + line[#line].value - default
       correction, squares = correction + limit.correction, squares + limit.uncertainty ^ 2
       whole = whole and (limit.correction ~= 0 or limit.uncertainty == 0)
+      diverges = diverges or limit.diverges and knob.name
     end
   end
   local interaction = 0.5 * math.abs(corner - sum)
   return {
     value = corner + correction,
     uncertainty = math.sqrt(squares + (whole and math.min(interaction, math.abs(correction)) or interaction) ^ 2),
+    doubt = words_diverging(diverges),
   }
 end
 
 --- The corner's curve as it is: uncertain by all that the lines through the default still have to move.
 local function finest_curve(knobs, runs, quantity, corner)
-  local squares = 0
+  local squares, diverges = 0, nil
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local limit = extrapolation.limit(reference.line(knobs, runs, knob, quantity))
       squares = squares + (math.abs(limit.correction) + limit.uncertainty) ^ 2
+      diverges = diverges or limit.diverges and knob.name
     end
   end
-  return { value = corner, uncertainty = math.sqrt(squares) }
+  return { value = corner, uncertainty = math.sqrt(squares), doubt = words_diverging(diverges) }
 end
 
 --- {value =, uncertainty =}, of a curve known exactly on its abscissas; nil if it takes runs that did not finish.
@@ -107,9 +114,9 @@ local function moves(line, share)
   end) ~= nil
 end
 
---- {{quantity =, knob =}} where a number leaves a judged quantity exactly as it is, though it moves others: if it takes steps its
---- reference is less sure than it looks. What is known exactly, or is 0, is left out.
-function reference.still(knobs, runs, quantities)
+--- By name, a knob whose number leaves a judged quantity exactly as it is, though it moves others: the quantity may take steps. What
+--- is known exactly, or is 0, is left out.
+local function still(knobs, runs, quantities)
   local list = {}
   for _, knob in ipairs(knobs) do
     local lines = knob.numeric and numeric.map(quantities, function(quantity) return reference.line(knobs, runs, knob, quantity) end) or {}
@@ -117,16 +124,16 @@ function reference.still(knobs, runs, quantities)
     for i, quantity in ipairs(any and quantities or {}) do
       local line = lines[i]
       local open = not quantity.watched and not quantity.exact and #line > 1 and (quantity.curve or line[1].value ~= 0)
-      list[#list + 1] = open and not moves(line, 0) and { quantity = quantity.name, knob = knob.name } or nil
+      list[quantity.name] = open and not moves(line, 0) and knob.name or list[quantity.name]
     end
   end
   return list
 end
 
---- References of all quantities: by name {value =, uncertainty =, scale =}, the last two in the quantity's unit; nil
---- and the reason if the default or the finest run did not finish.
+--- References of all quantities: by name {value =, uncertainty =, scale =, doubt = (words on why how sure it is is not known, or
+--- nil)}, the two before the last in the quantity's unit; nil and the reason if the default or the finest run did not finish.
 function reference.all(knobs, runs, quantities)
-  local references = {}
+  local references, kept = {}, still(knobs, runs, quantities)
   for _, quantity in ipairs(quantities) do
     local its = reference_of(knobs, runs, quantity)
     if not its then
@@ -136,6 +143,8 @@ function reference.all(knobs, runs, quantities)
     if its.scale == 0 then
       return nil, ("'%s' tends to 0: give it a scale in study.trade.quantities"):format(quantity.name)
     end
+    local knob = kept[quantity.name]
+    its.doubt = its.doubt or knob and ("%s moves others and leaves it exactly as it is; it may take steps"):format(knob)
     references[quantity.name] = its
   end
   return references
