@@ -52,11 +52,12 @@ struct Scales {
 
 /// What a law calls its scales in its own letters, for those who read them.
 struct Wording {
-  std::string_view strength, opening; ///< as formulas; empty: none
+  std::string_view strength = {}, opening = {}; ///< as formulas; empty: none
   std::string_view length = "E* w / sigma0^2", softening = "softening", tabor = "sigma0 / w";
-  std::string_view viscosity; ///< parameter that sets the time of a bond that evolves
+  std::string_view viscosity = {}; ///< parameter that sets the time of a bond that evolves
   std::string_view time = "in which a bond forms or goes by its own rate";
   std::string_view speed = "of opening times the bonding time over u0";
+  std::string_view eases = {}; ///< parameter in proportion to which its pull falls off less steeply
 };
 
 /// One step of a bond from its end: the openings (x_n, stretch) in the frame there.

@@ -35,6 +35,7 @@ struct Dugdale {
   [[nodiscard]] double work() const { return sigma0 * h0; }
   static constexpr bool evolves = false;
   static constexpr bool constant_traction = true; ///< up to its range
+  static constexpr Wording wording{.eases = "ramp"};
   [[nodiscard]] static bool tangential() { return false; }
   [[nodiscard]] double range() const { return lasts() ? 0 : end(); }
   [[nodiscard]] bool lasts() const { return memory == Memory::irreversible; }

@@ -6,8 +6,6 @@ local ordered = require "stiction.ordered"
 
 local field_pictures = {}
 
-field_pictures.default = "von_mises"
-
 local unit_of = { von_mises = "Pa", cauchy_stress = "Pa", contact_pressure = "Pa", normal_adhesion = "Pa",
   tangential_adhesion = "Pa", displacement = "m", velocity = "m/s", beta = "1", status = "1", gap = "m", friction = "Pa" }
 
@@ -18,18 +16,28 @@ function field_pictures.unit(name)
     table.concat(names, ", "))
 end
 
+--- Does a case in this folder know its bodies' surfaces only?
+local function of_surfaces(scene)
+  for _, body in pairs(type(scene) == "table" and scene.bodies or {}) do
+    if body.kind == "body.half_space" then
+      return true
+    end
+  end
+  return false
+end
+
+--- The field that a case in this folder is shown by where none is asked for.
+function field_pictures.default(folder)
+  return of_surfaces(manifest.read(folder).scene) and "contact_pressure" or "von_mises"
+end
+
 --- From where a case in this folder is seen: {} if it is a solid, nil if it is plane.
 function field_pictures.view(folder)
   local scene = manifest.read(folder).scene
   if type(scene) ~= "table" or scene.kinematics ~= "three_dimensional" then
     return nil
   end
-  for _, body in pairs(scene.bodies) do
-    if body.kind == "body.half_space" then
-      return nil -- its surface, seen from above
-    end
-  end
-  return {}
+  return not of_surfaces(scene) and {} or nil -- a surface is seen from above
 end
 
 --- The index of the frames that are kept in this folder, nil if there are none.

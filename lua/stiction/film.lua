@@ -20,7 +20,8 @@ function film.draw(outcome, cases, file, options)
     fault.input("--animate: a film shows one case, and %d are chosen; give --case ID, one of those that "
       .. "'stiction show %s' lists", #cases, outcome.folder)
   end
-  local case, field = cases[1], options.field or field_pictures.default
+  local case = cases[1]
+  local field = options.field or field_pictures.default(case.folder)
   local unit = field_pictures.unit(field)
   if not field_pictures.file(case.folder) then
     fault.input("--animate: case %s has no fields (fields.pvd); a scene's output{ frames = ... } says how many", case.name)

@@ -53,7 +53,7 @@ function sheet.draw(outcome, cases, file, field)
   if not file:find("%.png$") then
     fault.input("--sheet: a picture's name ends in .png, unlike %s", file)
   end
-  field = field or field_pictures.default
+  field = field or field_pictures.default((cases[1] or outcome).folder)
   field_pictures.unit(field)
   local list = pictures(outcome, cases, field)
   if #list == 0 then

@@ -128,6 +128,32 @@ if [ $figures = yes ]; then
   "$stiction" show out/tiny --where 'mu == 0.2' --sheet one.png --field contact_pressure >/dev/null
   holds "a smaller one" [ "$(wc -c <one.png)" -lt "$(wc -c <sheet.png)" ]
 fi
+# surfaces of half spaces are shown by their pressure
+if [ $figures = yes ]; then
+  cat >surface.lua <<'END'
+local stiction = require "stiction"
+local u = stiction.units
+return stiction.study {
+  title = "A ball", question = "What is drawn of a surface?",
+  given = { R = 10*u.mm }, chosen = {}, sweep = { {} }, case_id = function() return "ball" end,
+  scene = function(p)
+    return stiction.scene { kinematics = "three_dimensional",
+      bodies = { base = stiction.body.half_space { young = 1*u.MPa, poisson = 0.3, size = { 2*u.mm, 2*u.mm }, points = { 16, 16 },
+        boundary = "free" } },
+      obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = p.R },
+        times = { 0*u.s, 1*u.s }, z = { 0*u.mm, -0.02*u.mm } } },
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball" } },
+      scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*u.s, steps = 2 } } },
+      output = stiction.output { frames = 2 }, probes = { touch = stiction.probe.contact { pair = "touch" } },
+    }
+  end,
+}
+END
+  "$stiction" run surface.lua --no-figures >run.log 2>&1
+  expect 0 "surface.png: contact_pressure of 1 of 1 cases" "$stiction" show out/surface --sheet surface.png
+  expect 0 "surface.ogv: contact_pressure of case ball" "$stiction" show out/surface --animate surface.ogv
+fi
 # a film of one case
 if [ $figures = yes ]; then
   expect 0 "film.ogv: beta of case mu0.2 over its time" "$stiction" show out/tiny --case mu0.2 --animate film.ogv --field beta --frames 2 --rate 3

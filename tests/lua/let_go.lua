@@ -62,3 +62,21 @@ test("points as near as advised know the force of a ball's small contact", funct
   equal(told(enough), nil)
   assert(off(64) > 0.1 and off(enough) < 0.02, off(enough))
 end)
+
+test("bonds of one traction snap point by point on points as coarse as this, and no longer with the ramp that is advised", function()
+  local function told(ramp)
+    return scenes.warning(stiction.scene { kinematics = "three_dimensional",
+      bodies = { base = stiction.body.half_space { young = 1*MPa, poisson = 0.3, size = { 1*mm, 1*mm }, points = { 32, 32 },
+        boundary = "free" } },
+      obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = 10*mm }, times = { 0*s, 1*s },
+        z = { 0*mm, -0.01*mm } } },
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball",
+        adhesion = stiction.adhesion.dugdale { sigma0 = 0.2*MPa, h0 = 20*units.um, ramp = ramp } } },
+      scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
+      probes = { touch = stiction.probe.contact { pair = "touch" } },
+    }, "falls off faster than one point")
+  end
+  local times = told(0.05).change:match("or ([%d.]+) times its ramp")
+  equal(told(0.05 * times), nil)
+  assert(told(0.05 * times / 3) ~= nil)
+end)

@@ -182,13 +182,15 @@ void warn_of_range(GridFacts const& facts, std::vector<Warning>& warnings) {
   double const number = square * facts.spacing() * scales.softening / facts.modulus();
   if (!(number > 1))
     return;
+  auto const eases = interface::wording(*law.adhesion).eases;
+  auto const larger = eases.empty() ? "" : fmt::format(", or {:.2g} times its {}", 2 * number, eases);
   warnings.push_back(
       {fmt::format(
            "pair {}: adhesion falls off faster than one point of the grid follows ({:.3g} > 1 times, spacing "
            "{}): each point snaps by itself, and forces depend on the grid",
            facts.scene.pairs.front(), number, human(facts.spacing(), "m")),
-       fmt::format("give points at most {} apart, or a law of longer range and the same work",
-                   human(facts.spacing() / number / 2, "m"))});
+       fmt::format("give points at most {} apart{}, or a law of longer range and the same work",
+                   human(facts.spacing() / number / 2, "m"), larger)});
 }
 
 /// The shortest waves of a rough surface, in points.

@@ -58,12 +58,28 @@ void describe(Facts const& all, SurfaceStressPart const& part, Section& section)
        length, "m", "gamma / E"});
 }
 
+/// Where a path is above 0 under a seal, which lets that out at once.
+void warn_of_vent(GasPart const& part, std::vector<Warning>& warnings) {
+  auto const over = std::ranges::find_if(part.pressure, [](double p) { return p > 0; });
+  if (part.seal.empty() || over == part.pressure.end())
+    return;
+  auto const k = static_cast<std::size_t>(over - part.pressure.begin());
+  warnings.push_back(
+      {fmt::format("load of {}: its pressure is {} at {}, and under a seal gas goes out whenever "
+                   "it is over that outside: none of that acts",
+                   part.set, human(*over, "Pa"), human(part.times[k], "s")),
+       "a pressure below 0 (suction) or the `volume`, or a wall that is closed, without `seal`"});
+}
+
 } // namespace
 
 void describe_loads(Facts const& all, Explanation& explanation) {
   Section section{"Loads", {}};
   for (auto const& load : all.scene->part.loads)
     std::visit([&](auto const& part) { describe(all, part, section); }, load);
+  for (auto const& load : all.scene->part.loads)
+    if (auto const* gas = std::get_if<GasPart>(&load))
+      warn_of_vent(*gas, explanation.warnings);
   if (!section.lines.empty())
     explanation.sections.push_back(std::move(section));
 }

@@ -22,7 +22,7 @@ struct Pace {
 };
 constexpr Pace finite_flat{3, 0.1}, finite_curved{5, 0.25}, finite_bodies{5.5, 0.4}, finite_slender{5.5, 1.1};
 constexpr double slender = 0.1; // thickness over length of what bends a lot before it strains
-constexpr double linear_flat = 1, linear_curved = 1.6, linear_bodies = 2, linear_flying = 5; // iterations
+constexpr double linear_flat = 1, linear_curved = 1.6, linear_bodies = 2; // iterations
 constexpr double bearing = 0.6;         // of the points near contact: they bear forces
 constexpr double plain_sweeps = 100;    // a contact problem
 constexpr double newton_iterations = 3; // a contact problem
@@ -67,9 +67,7 @@ Pace pace_of(Facts const& facts) {
     return {1, 0};
   if (!linear(facts))
     return bends(facts) ? finite_slender : bodies ? finite_bodies : curved ? finite_curved : finite_flat;
-  if (bodies)
-    return {facts.dynamic() ? linear_flying : linear_bodies, 0};
-  return {curved ? linear_curved : linear_flat, 0};
+  return {bodies ? linear_bodies : curved ? linear_curved : linear_flat, 0};
 }
 
 /// In the whole run. A linear matrix changes with the step, where there is inertia or a stabilisation.

@@ -169,6 +169,26 @@ TEST_CASE("explain says what acts on surfaces, how large a cavity is and what su
   CHECK(words.find("surface stress 2 N/m: rounds what is finer than gamma / E = 2 mm") != std::string::npos);
 }
 
+TEST_CASE("explain warns of gas over the pressure outside that a seal lets out") {
+  auto const told = [](double late, bool sealed) {
+    auto table = test::foot_on_floor();
+    core::Table gas{{"times", values({0, 2}, "s")},
+                    {"pressure", values({-5, late}, "Pa")},
+                    {"centre", values({0.5, 0}, "m")}};
+    if (sealed)
+      gas.insert({{"seal", values({0, 1})}, {"leaks_at", value(0.1, "m")}});
+    test::at(table, "loads") = test::list({load("gas", sealed ? "foot.top" : "foot.all", std::move(gas))});
+    test::at(table, "motions") = test::list({test::make("motion.fix", {{"set", text("foot.all")}})});
+    auto const warnings = scene::explain(scene::build(table)).warnings;
+    return std::ranges::any_of(warnings, [](auto const& one) {
+      return one.text.find("its pressure is 5 Pa at 2 s, and under a seal gas goes out") != std::string::npos;
+    });
+  };
+  CHECK(told(5, true));
+  CHECK(!told(-5, true));
+  CHECK(!told(5, false));
+}
+
 TEST_CASE("explain warns of a given volume where the scheme damps nothing") {
   auto const warned = [](test::Input scheme) {
     auto table = tube({{"volume", values({1, 1.1})}});

@@ -87,6 +87,21 @@ Input multigrid(Input table) {
   return with(std::move(table), "control", make("control", {{"bulk", text("multigrid")}}));
 }
 
+/// One linear block moved on another or flying at it, with inertia.
+Input blocks(bool flying) {
+  auto table = two_blocks();
+  at(table, "bodies.lower") = block({{0, -1}, {2, 1}, {30, 15}}, linear_elastic(1000, 0.3));
+  at(table, "bodies.upper") = block({{0.5, 0}, {1, 0.5}, {20, 10}}, linear_elastic(1000, 0.3));
+  at(table, "pairs.joint.friction") = coulomb(0.3);
+  at(table, "scheme") = make("scheme.theta_xi");
+  if (flying) {
+    at(table, "bodies.upper.velocity") = values({0.1, -0.5}, "m/s");
+    at(table, "motions") = list({fix("lower.bottom")});
+    at(table, "schedule") = schedule({{0.2, 40}});
+  }
+  return table;
+}
+
 /// Peeled off the floor by its end: it turns far before it strains.
 Input strip() {
   auto table = foot_on_floor();
@@ -172,7 +187,8 @@ TEST_CASE("the operations of a run are told before it") {
         Known{"space, multigrid", multigrid(slab(linear_elastic(1000, 0.3)))},
         Known{"space, multigrid, finite strain, friction",
               multigrid(with(slab(rubber(1000), 8), "pairs.sole.friction", coulomb(0.3)))},
-        Known{"two bodies", plate_on_disc()}, Known{"strip, bonds", strip()}}) {
+        Known{"two bodies", plate_on_disc()}, Known{"two linear bodies, moved", blocks(false)},
+        Known{"two linear bodies, in flight", blocks(true)}, Known{"strip, bonds", strip()}}) {
     CAPTURE(name);
     auto const said = scene::explain(table);
     auto const counted = run(table);
