@@ -99,6 +99,25 @@ TEST_SUITE("mesh") {
     CHECK(length(mesh, mesh.sets.at("hole")) == doctest::Approx(2 + std::sqrt(2.0)));
   }
 
+  TEST_CASE("sizes at points grow from there, however far they are") {
+    if (no_mesher())
+      return;
+    OwnCache const cache;
+    GmshGeometry square;
+    square.edges = {{{1, 0}, {}, {}, ""}, {{1, 1}, {}, {}, ""}, {{0, 1}, {}, {}, ""}, {{0, 0}, {}, {}, ""}};
+    square.start = {0, 0};
+    square.size = 0.5;
+    square.growth = 0.1;
+    square.sizes = {0, 0, 0.04, 1, 0, 0.04, 0, 1, 0.04}; // 0.14 at the corner without a point
+    Mesh const mesh = gmsh_geometry(square);
+    long near = 0;
+    for (Index node = 0; node < mesh.node_count(); ++node)
+      near += mesh.nodes.row(node).minCoeff() > 0.6 ? 1 : 0;
+    CHECK(near > 9);
+    CHECK(near < 60);
+    CHECK(mesh.node_count() > 6 * near);
+  }
+
   TEST_CASE("refinement makes small cells near the named edges and only there") {
     if (no_mesher())
       return;
