@@ -71,3 +71,47 @@ end)
 test("an arm lifted at its end is not asked for steps in which all of its bonds would open alike", function()
   equal(scenes.warned(arm { cell = 0.6*mm, bond = 25*mm, sigma = 4*MPa, lift = 4*mm, steps = 80 }, "the motions open it"), false)
 end)
+
+test("a beam that bends on two rollers is not taken for one that is pressed flat", function()
+  local function roller(x) return stiction.obstacle { shape = stiction.rigid.circle { centre = { x*mm, -5*mm }, radius = 5*mm } } end
+  local function beam(depth)
+    return stiction.scene {
+      bodies = { beam = stiction.body { mesh = stiction.mesh.block { origin = { -60*mm, 0*mm }, size = { 120*mm, 3*mm },
+        cells = { 60, 3 } },
+        material = stiction.material.linear_elastic { young = 1*GPa, poisson = 0.3 }, density = 1000*kg/m^3 } },
+      obstacles = { left = roller(-50), right = roller(50) },
+      pairs = { left = stiction.pair { secondary = "beam.bottom", primary = "left" },
+        right = stiction.pair { secondary = "beam.bottom", primary = "right" } },
+      motions = { stiction.motion.drive { set = "beam.top", near = { 0*mm, 3*mm }, times = { 0*s, 1*s }, x = { 0*mm, 0*mm },
+        y = { 0*mm, -depth } } },
+      scheme = stiction.scheme.quasi_static { stabilisation = 1e-6 },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 20 } } }, probes = {},
+    }
+  end
+  equal(scenes.warned(beam(2*mm), "will be strained"), false) -- by 6 h depth / L^2 = 0.4 %
+  equal(scenes.warned(beam(60*mm), "will be strained"), true) -- 11 %
+end)
+
+test("a half of a disc is pressed along the normal of the plane, not along the mean of its rim's", function()
+  local function to(x, y, name, round)
+    return stiction.edge { to = { x*mm, y*mm }, name = name, centre = round and { 0*mm, 0*mm } or nil }
+  end
+  local function plane(y, way)
+    return stiction.obstacle { shape = stiction.rigid.plane { point = { 0*mm, y*mm }, normal = { 0, way } }, times = { 0*s, 1*s },
+      y = { 0*mm, (way < 0 and -4 or 0)*mm } }
+  end
+  local scene = stiction.scene {
+    bodies = { disc = stiction.body { mesh = stiction.mesh.gmsh { size = 1*mm, start = { 0*mm, -10*mm },
+        edges = { to(10, 0, "rim", true), to(0, 10, "rim", true), to(0, -10, "middle") } },
+      material = stiction.material.linear_elastic { young = 1*MPa, poisson = 0.3 }, density = 1000*kg/m^3 } },
+    obstacles = { low = plane(-10, 1), top = plane(10, -1) },
+    pairs = { low = stiction.pair { secondary = "disc.rim", primary = "low" },
+      top = stiction.pair { secondary = "disc.rim", primary = "top" } },
+    motions = { stiction.motion.fix { set = "disc.middle", y = false } },
+    scheme = stiction.scheme.quasi_static { stabilisation = 1e-6 },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 10 } } }, probes = {},
+  }
+  local warning = scenes.warning(scene, "will be strained by about")
+  local strain = tonumber(warning.text:match("by about ([%d.]+) %%"))
+  assert(strain > 15 and strain < 30, warning.text) -- 4 mm of 20
+end)

@@ -113,7 +113,8 @@ void add_pair_numbers(Facts const& all, PairFacts const& facts, Explanation& exp
   if (motion.depth > 0) {
     add(section, "depth", motion.depth, "approach of the motions beyond the first touch", "m");
     add(section, "strain", std::max(facts.strain[0], facts.strain[1]),
-        "expected, of the more strained body: by depth over thickness, or 0.4 E*/E sqrt(depth / R)");
+        "expected, of the more strained body: by depth over thickness, where it bends 6 h depth / L^2, or "
+        "0.4 E*/E sqrt(depth / R)");
   }
   if (facts.size > 0)
     add(section, "closing per step / cell", motion.closing_step / facts.size, "above 8 steps may be halved");

@@ -293,6 +293,16 @@ bool moved_by_forces(dynamics::Model const& model, PairFacts const& facts) {
          !model.gravity.isZero(0) || (!facts.primary && model.rigids[facts.rigid].free());
 }
 
+/// Into a plane that the pair meets, whatever the secondary side looks like; nothing of other counterparts.
+std::optional<Vec3> towards_plane(dynamics::Model const& model, dynamics::Pair const& pair) {
+  auto const* side = std::get_if<dynamics::RigidSide>(&pair.primary);
+  auto const* plane =
+      side != nullptr ? std::get_if<contact::RigidPlane>(&model.rigids[side->body].shape) : nullptr;
+  if (plane == nullptr)
+    return std::nullopt;
+  return plane->normal.empty() ? -Vec3::Unit(model.dim() - 1) : Vec3(-vec(plane->normal).normalized());
+}
+
 void add_primary(Facts const& all, PairFacts& facts, Vec3 const& position, std::optional<double>& curved) {
   auto const& model = *all.scene->model;
   if (auto const* side = std::get_if<dynamics::RigidSide>(&facts.pair->primary)) {
@@ -375,17 +385,43 @@ void add_stiffness(Facts const& all, PairFacts& facts) {
   facts.bending = 1 / bending;
 }
 
-/// Of the bodies as columns, depth K_column / E, or beneath a Hertz contact of radius a = sqrt(R depth),
-/// where the strain is about 0.6 p0 / E = 0.4 a/R E*/E (p0 = 2 E* a / (pi R)); the larger.
+/// Length of a body along the surface, m.
+double span_of(PairFacts const& facts, BodyFacts const& body) {
+  return body.sides.cwiseProduct(Vec3::Ones() - facts.normal.cwiseAbs()).maxCoeff();
+}
+
+/// Does a body give way to what presses it by bending: held or moved beside it, or a slender one that nothing
+/// but round obstacles hold?
+bool gives_way(Facts const& all, PairFacts const& facts, std::size_t number) {
+  constexpr double slender = 0.2; // thickness over length
+  if (facts.normal.isZero(0))
+    return false;
+  auto const& body = all.bodies[number];
+  bool const holds = part_taken(all, facts, number, false).has_value();
+  return holds ? bends(all, facts, number)
+               : facts.radius > 0 && thickness_of(facts, body) < slender * span_of(facts, body);
+}
+
+/// Of a beam of three points, 6 h depth / L^2; else of the bodies as columns, depth K_column / E, or beneath
+/// a Hertz contact of radius a = sqrt(R depth), where the strain is about 0.6 p0 / E = 0.4 a/R E*/E (p0 = 2
+/// E* a / (pi R)); the larger. What bends takes all of the depth.
 void add_strain(Facts const& all, PairFacts& facts) {
   double const depth = facts.motion.depth;
   double const slope = facts.radius > 0 ? std::sqrt(std::min(1.0, depth / facts.radius)) : 0;
-  auto const strain = [&](BodyFacts const& body) {
-    return std::max(depth * facts.column, 0.4 * slope * facts.modulus) / body.moduli.young;
+  std::array<bool, 2> const bent{gives_way(all, facts, facts.secondary),
+                                 facts.primary && gives_way(all, facts, *facts.primary)};
+  auto const strain = [&](std::size_t number, bool by_bending) {
+    auto const& body = all.bodies[number];
+    double const span = span_of(facts, body);
+    if (by_bending)
+      return 6 * thickness_of(facts, body) * depth / (span * span);
+    return bent[0] || bent[1]
+               ? 0.0
+               : std::max(depth * facts.column, 0.4 * slope * facts.modulus) / body.moduli.young;
   };
-  facts.strain[0] = strain(all.bodies[facts.secondary]);
+  facts.strain[0] = strain(facts.secondary, bent[0]);
   if (facts.primary)
-    facts.strain[1] = strain(all.bodies[*facts.primary]);
+    facts.strain[1] = strain(*facts.primary, bent[1]);
 }
 
 } // namespace
@@ -414,7 +450,8 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   facts.part = &scene.part.pairs.at(scene.pairs[p]);
   auto const side = side_of(scene, facts.part->secondary);
   facts.secondary = side.body;
-  facts.normal = mean_normal(*scene.model, side.body, *side.set);
+  facts.normal =
+      towards_plane(*scene.model, *facts.pair).value_or(mean_normal(*scene.model, side.body, *side.set));
   Vec3 const position = position_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
   std::optional<double> curved;
   add_primary(all, facts, position, curved);
