@@ -22,9 +22,8 @@ public:
       : surface_(surface), problem_(problem), wanted_(wanted), n_(problem.size()),
         natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()),
         own_(problem.W.template block<D>(0)) {
-    double const longest = surface.longest();
-    least_hold_ = 1e-3 / longest;
-    governed_ = longest;
+    governed_ = surface.longest();
+    least_hold_ = 1e-3 / governed_;
     unfelt_ = !wanted.force && !surface.mean_gives();
     for (auto const& law : problem.adhesions) {
       auto const scales = interface::scales(law);
@@ -432,10 +431,12 @@ private:
     back_to(held);
     return false;
   }
-  /// Is there nothing left that a force could pull at?
+  /// Is there nothing left that a force could pull at, or only what is open beyond the peak of its traction?
   [[nodiscard]] bool parted() const {
+    auto const gaps = Eigen::Map<Vector const, 0, Eigen::InnerStride<D>>(answer_.x.data(), n_);
     return wanted_.force && *wanted_.force < 0 &&
-           answer_.force.cwiseAbs().sum() < 1e-6 * std::abs(*wanted_.force);
+           ((opening_ > 0 && gaps.minCoeff() > opening_) ||
+            answer_.force.cwiseAbs().sum() < 1e-6 * std::abs(*wanted_.force));
   }
 
   void finish() {
@@ -445,17 +446,17 @@ private:
     answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
     if (answer_.converged)
       return;
-    answer_.reason =
-        answer_.interrupted
-            ? "it was left off"
-            : fmt::format("contact is solved to {:.2e} of the largest traction only, not to {:.2e}, after {} "
-                          "iterations",
-                          answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
-    if (!answer_.interrupted && !balanced())
-      answer_.reason =
-          parted() ? fmt::format("nothing is left that bears a pull of {:g} {}", -*wanted_.force,
-                                 surface_.grid().line ? "N/m" : "N")
-                   : fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
+    if (answer_.interrupted)
+      answer_.reason = "it was left off";
+    else if (parted())
+      answer_.reason = fmt::format("nothing is left that bears a pull of {:g} {}", -*wanted_.force,
+                                   surface_.grid().line ? "N/m" : "N");
+    else if (!balanced())
+      answer_.reason = fmt::format("{:g} of the force of {:g} are not found", missing(), *wanted_.force);
+    else
+      answer_.reason = fmt::format("contact is solved to {:.2e} of the largest traction only, not to {:.2e}, "
+                                   "after {} iterations",
+                                   answer_.verdict.relative(), wanted_.tolerance, answer_.iterations);
   }
 
   static constexpr double loosest = 0.05, tightest = 1e-4, shortest = 1e-2;
@@ -481,8 +482,7 @@ private:
   double reach_ = 0;    ///< of the law: beyond, it hardly falls, m
   double opening_ = 0;  ///< of the strength, the least, m
   Answer answer_;
-  Vector F_; ///< N
-  Vector guess_, near_;
+  Vector F_, guess_, near_;               ///< N, N, m
   double hold_ = 0, norm_ = 0;            ///< N/m^3; N
   double lift_share_ = 0, lift_near_ = 0; ///< of the hold, m^2; m
   bool torn_ = false;                     ///< does the step tear bonds before any force changes?

@@ -414,7 +414,8 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     if (there && !leads_others_)
       break;
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
-      outcome.reason = fmt::format("{} after {} iterations", unmet(outcome, now), outcome.iterations);
+      outcome.reason = fmt::format("{} after {} iterations{}", unmet(outcome, now), outcome.iterations,
+                                   come_off(old, now));
       return outcome;
     }
     if (enough_ && enough_()) {

@@ -167,6 +167,7 @@ private:
   [[nodiscard]] double obstacle_work(std::size_t pair, State const& old, State const& next) const;
 
   void watch(Outcome const& outcome);
+  [[nodiscard]] std::string come_off(State const& old, double imbalance) const;
   [[nodiscard]] std::string unanswered() const;
   [[nodiscard]] std::string held_and_pressed() const;
 

@@ -72,6 +72,17 @@ void Stepper::watch(Outcome const& outcome) {
   mixes_ = mixes_ || (slow_ >= several && outcome.iterations >= settle_after);
 }
 
+/// Words where loads act on a body that contact and bonds bear nothing of any more.
+std::string Stepper::come_off(State const& old, double imbalance) const {
+  constexpr double nothing_borne = 1e-3, most = 0.1; // of the loads
+  double const loads = largest_force(external_);
+  bool const off = !weights_.inertia && loads > 0 && imbalance > most * loads &&
+                   contact_->force_scale() < nothing_borne * loads && !old.reaction.isZero(0);
+  return off ? ": a body has come off under its loads, which no equilibrium bears; a scheme with inertia "
+               "follows it, and the run so far is kept"
+             : "";
+}
+
 bool Stepper::take_correction() {
   cost_.add(bulk_.factor().spent());
   ++cost_.solves;
