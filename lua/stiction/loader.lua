@@ -130,7 +130,12 @@ end
 --- Another study named by its path from this one, in a sandbox of its own; the files that it reads, then or later,
 --- count as this study's.
 local function load_other(source, path)
-  return (loader.load(source.folder .. "/" .. path, source.trust, source))
+  local file = source.folder .. "/" .. path
+  if not engine.kind_of_path(file) and engine.kind_of_path(file .. ".lua") == "file" then
+    fault.script("require '%s': a name with / is another study's, of its folder or of its file, '%s.lua'; a module beside this one "
+      .. "has dots: require '%s'", path, path, (path:gsub("^%./", ""):gsub("/", ".")))
+  end
+  return (loader.load(file, source.trust, source))
 end
 
 --- `require` as scripts see it: "stiction", modules beside the study, and other studies by their path ("../other").

@@ -92,7 +92,8 @@ function provenance.in_scratch(f, ...)
   local code, printed = jobs.program { "mktemp", "-d", "-t", "stiction.XXXXXX" }
   local path = printed:match("^(/.-)%s*$")
   if code ~= 0 or not path then
-    fault.run("cannot make a folder for scratch files: %s", printed)
+    fault.input("cannot make a folder for scratch files (%s); set TMPDIR to a folder that can be written",
+      (printed:gsub("^mktemp: ", ""):gsub("%s+$", "")))
   end
   local answers = table.pack(engine.call(f, path, ...))
   engine.remove(path)

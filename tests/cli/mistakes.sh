@@ -94,6 +94,12 @@ echo 'local a = 5*mm' >scripts/unit.lua
 expect 2 "unit.lua:1: |local mm = stiction.units.mm" "$stiction" run scripts/unit.lua
 echo 'require "other"' >scripts/require.lua
 expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
+mkdir scripts/sub
+echo 'return {}' >scripts/sub/other.lua
+for name in sub/other ./sub/other; do
+  echo "require '$name'" >scripts/require.lua
+  expect 2 "require.lua:1: require '$name': |'$name.lua'; |require 'sub.other'" "$stiction" run scripts/require.lua
+done
 
 changed result 's/"sole", "force_y"/"sole", "forcey"/'
 expect 2 "study.lua:34: |no series 'sole/forcey'; did you mean 'sole/force_y'?" "$stiction" run result --jobs 2

@@ -171,5 +171,23 @@ expect 2 "--sample" "$stiction" verify s --sample 0
 expect 2 "an archive's name ends in .tar.gz or .tgz" "$stiction" pack s --to s.zip
 expect 2 "there is no folder for" "$stiction" pack s --to no/s.tgz
 expect 2 "holds no results" "$stiction" pack far
+expect 2 "set TMPDIR to a folder that can be written" env TMPDIR="$work/nowhere" "$stiction" pack s --to nowhere.tgz
+
+# what cannot be written is packed all the same, and its page goes elsewhere
+mkdir kept
+cp -r s kept/s
+if [ "$(id -u)" = 0 ]; then
+  chmod 755 "$work" # for whom nothing but reading is allowed
+  chmod 777 . "$TMPDIR"
+  reader="setpriv --reuid=65534 --regid=65534 --clear-groups"
+else
+  chmod -R a-w kept
+  reader=
+fi
+chmod -R a+rX kept
+expect 0 "page.tgz: " $reader "$stiction" pack kept/s --to page.tgz
+expect 2 "cannot write kept/s/report.html; --to FILE puts the page elsewhere" $reader "$stiction" report kept/s
+expect 0 "page.html" $reader "$stiction" report kept/s --to page.html
+chmod -R u+w kept
 holds "scratch folders are left" [ -z "$(ls "$TMPDIR")" ]
 finish

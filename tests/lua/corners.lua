@@ -7,8 +7,9 @@ local mm, s, kg, m, MPa = units.mm, units.s, units.kg, units.m, units.MPa
 local run = shared("runs").quasi_static "corners_runs"
 
 local function body(x, y, width, across, young)
-  return stiction.body { mesh = stiction.mesh.block { origin = { x*mm, y*mm }, size = { width*mm, 3*mm }, cells = { across, across * 3 // width } },
-    material = stiction.material.neo_hookean { young = young*MPa, poisson = 0.4 }, density = 1000*kg/m^3 }
+  local mesh = stiction.mesh.block { origin = { x*mm, y*mm }, size = { width*mm, 3*mm }, cells = { across, across * 3 // width } }
+  return stiction.body { mesh = mesh, density = 1000*kg/m^3,
+    material = stiction.material.neo_hookean { young = young*MPa, poisson = 0.4 } }
 end
 
 --- below, above: cells along the lower body, the upper one.

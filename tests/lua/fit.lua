@@ -156,6 +156,20 @@ test("a misfit no larger than what a finer level changes rejects nothing yet", f
   equal(judged.rejected, true)
   equal(settled(3), true)
   equal(judged.rejected, false)
+  -- nor where the change passes 0 at the point that misses most
+  local worst, changes = 1, numeric.map(x, function() return 3 end)
+  for i, r in ipairs(found.at.r) do
+    worst = math.abs(r) > math.abs(found.at.r[worst]) and i or worst
+  end
+  changes[worst] = 0
+  local function rejected(curves)
+    judged.curves, judged.rejected = curves, true
+    found.at.r[worst] = 10
+    verdict.settle(judged, { known = true, changes = changes, variants = { { residual = 3 } } }, found)
+    return judged.rejected
+  end
+  equal(rejected {}, true)
+  equal(rejected { { first = 1, last = #x } }, false)
 end)
 
 test("a standard error that is not known is that of the residuals", function()

@@ -38,12 +38,14 @@ return function(options)
   elseif engine.kind_of_path(engine.absolute(file):match("^(.*)/")) ~= "folder" then
     fault.input("--to: there is no folder for %s", file)
   end
-  local lock, words = engine.lock(outcome.folder .. "/.lock", "stiction pack")
-  if not lock then
+  local writable, lock, words = engine.call(engine.lock, outcome.folder .. "/.lock", "stiction pack")
+  if writable and not lock then
     fault.input("%s is in use by %s; wait until that ends", outcome.folder, words)
   end
   local held, value = engine.call(provenance.in_scratch, write, outcome, file, options.license)
-  engine.unlock(lock)
+  if writable then
+    engine.unlock(lock)
+  end
   if not held then
     error(value, 0)
   end

@@ -22,7 +22,12 @@ return function(options)
   if not file:find("%.html?$") then
     fault.input("--to: a page's name ends in .html, unlike %s", file)
   end
-  engine.write_file(file, study_page.write(outcome))
+  local written, reason = engine.call(engine.write_file, file, study_page.write(outcome))
+  if not written and not options.to and reason.kind ~= "stopped" then
+    fault.input("cannot write %s; --to FILE puts the page elsewhere", file)
+  elseif not written then
+    error(reason, 0)
+  end
   report.line("%s", file)
   return 0
 end

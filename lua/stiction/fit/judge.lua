@@ -243,12 +243,27 @@ function judge.by_profiles(parameters, judged, intervals)
   return relative
 end
 
+--- Squares of what the simulation changes (a list), each at least the mean of its curve: where a change passes 0 the curve is no surer.
+local function smoothed(changes, curves)
+  local list = numeric.map(changes, function(change) return change ^ 2 end)
+  for _, curve in ipairs(curves) do
+    local sum = 0
+    for i = curve.first, curve.last do
+      sum = sum + changes[i] ^ 2
+    end
+    for i = curve.first, curve.last do
+      list[i] = math.max(list[i], sum / (curve.last - curve.first + 1))
+    end
+  end
+  return list
+end
+
 --- The chance of so large squares if each residual may be off by the simulation's own change too (lists); nil where it tells nothing.
 function judge.chance_with(judged, residuals, changes)
-  local sum = 0
+  local sum, own = 0, smoothed(changes, judged.curves)
   for i, r in ipairs(residuals) do
     local weight = judged.weights and judged.weights[i] or 1
-    sum = sum + r * r / (weight + changes[i] ^ 2)
+    sum = sum + r * r / (weight + own[i])
   end
   return judged.chance and engine.beyond(sum, judged.degrees)
 end
@@ -279,9 +294,9 @@ end
 --- weights = (of residuals, or nil), spreads = (its root), correlations =, eigenvalues = (of the information in relative coordinates, the
 --- largest first), directions =, fates = by place, combinations = {{error =, powers =}}, squares = (the least without weights), degrees =,
 --- factor =, t = (of 95 %), chance = (of so large squares; nil where errors are not known), runs = {by curve: the chance, or false},
---- correlated = (of correlated.told), rejected =, stretch = (by judge.stretch), lost = {by place: whether its interval could not be
---- followed, of judge.by_profiles}}. about = {curves = {{name =, first =, last =, x =, length =, estimated =, endless =}}, noise = (of a
---- residual), share = (of differences)}.
+--- correlated = (of correlated.told), curves = (of about), rejected =, stretch = (by judge.stretch), lost = {by place: whether its
+--- interval could not be followed, of judge.by_profiles}}. about = {curves = {{name =, first =, last =, x =, length =, estimated =,
+--- endless =}}, noise = (of a residual), share = (of differences)}.
 function judge.of(problem, found, about)
   local at, free = found.at, found.free
   local slopes, sizes, values = judge.scales(problem.parameters, found.z)
@@ -293,7 +308,7 @@ function judge.of(problem, found, about)
   local squares = squares_of(at, columns, weights)
   local judged = { values = values, free = free, sizes = sizes, slopes = slopes, errors = {}, relative = {}, fates = {}, runs = {},
     weights = weights, squares = squares, degrees = #at.r - #free, factor = factor_of(problem, at, squares, #free), times = {},
-    alone = {} }
+    alone = {}, curves = about.curves or {} }
   judged.t = engine.quantile(0.5 + judge.level / 2, not problem.known and math.max(1, judged.degrees) or nil)
   local floor = exact.are_known(at.J, #found.z) and exact.error * longest(columns)
     or blurred * (about.noise or 0) * math.sqrt(#at.r) / (about.share or 1)
