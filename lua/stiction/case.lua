@@ -181,11 +181,11 @@ local function result_number(entry, value)
     value = value:to(entry.unit) * engine.parse_unit(entry.unit)
   end
   if type(value) ~= "number" then
-    fault.input("result %s must be a number%s", entry.name,
+    fault.script("it must be a number%s",
       value == nil and "; its function gave nothing: is its `return` missing?" or ", not a " .. type(value))
   elseif not numeric.is_finite(value) then
-    fault.input("result %s is %s: its function divides by zero, or takes a root or logarithm of what has none; a finite number is wanted",
-      entry.name, value ~= value and "not a number" or "infinite")
+    fault.script("it is %s: its function divides by zero, or takes a root or logarithm of what has none; a finite number is wanted",
+      value ~= value and "not a number" or "infinite")
   end
   return value
 end

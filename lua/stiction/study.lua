@@ -45,7 +45,7 @@ end
 --- A parameter is a number, a quantity, a text or a flag.
 function study.is_value(x)
   local kind = type(x)
-  return kind == "number" or kind == "string" or kind == "boolean" or units.is_quantity(x)
+  return kind == "number" and x == x or kind == "string" or kind == "boolean" or units.is_quantity(x)
 end
 
 --- {name = {value =, note =}} of `given` (a note is welcome) or `chosen` (it must be there).
@@ -79,7 +79,9 @@ local function read_result(name, entry)
     fault.script("study.results.%s must be { unit = ..., meaning = ..., function(run, p) ... end }", tostring(name))
   end
   local unit = entry.unit or "1"
-  if type(unit) ~= "string" or not engine.parse_unit(unit) then
+  if type(unit) ~= "string" then
+    fault.script("study.results.%s: the unit is a %s; a text is wanted, as \"1\" or \"kPa\"", name, type(unit))
+  elseif not engine.parse_unit(unit) then
     fault.script("study.results.%s: unknown unit '%s'; 'stiction help units' lists them", name, tostring(unit))
   end
   return { name = name, unit = unit, meaning = entry.meaning or "", compute = body }
@@ -137,8 +139,8 @@ local function check_values(name, values)
   end
   for i = 1, #values do
     if not study.is_value(values[i]) then
-      fault.script("study.sweep.%s: value %d is a %s; it must be a number, a quantity, a text or a flag",
-        tostring(name), i, type(values[i]))
+      fault.script("study.sweep.%s: value %d is %s; it must be a number, a quantity, a text or a flag",
+        tostring(name), i, type(values[i]) == "number" and "not a number" or "a " .. type(values[i]))
     end
   end
 end

@@ -203,6 +203,8 @@ end
 
 local taken = { figures = true, trade = true, finer = true, source = true, fit = true, sample = true } -- folders beside those of cases
 
+local longest_id = 200 -- with what is put aside behind it, and what file systems take
+
 local function make_case(study, names, swept, first, values, drawn_id)
   check_case(names, swept, values)
   local p = copy(values)
@@ -211,7 +213,12 @@ local function make_case(study, names, swept, first, values, drawn_id)
   end
   setmetatable(p, strict)
   local id = study.case_id and study.case_id(p) or drawn_id or default_id(names, swept, first, study.first)
-  if type(id) ~= "string" or not id:find("^[%w._+-]+$") or id:find("^%.") then
+  if type(id) ~= "string" then
+    fault.input("study.case_id gave a %s; the case's name, a text, is wanted", type(id))
+  elseif #id > longest_id then
+    fault.input("study.case_id gave a name of %d characters, more than the %d that a folder's has room for: %s...", #id, longest_id,
+      id:sub(1, 40))
+  elseif not id:find("^[%w._+-]+$") or id:find("^%.") then
     fault.input("study.case_id gave '%s': a case's name is a folder's name of letters, digits and . _ + -", tostring(id))
   elseif taken[id] or id:find("%.json$") or id:find("%.csv$") then
     fault.input("a case cannot be called '%s', as that is a name of the output's own; give the study another case_id(p)",

@@ -94,6 +94,14 @@ echo 'local a = 5*mm' >scripts/unit.lua
 expect 2 "unit.lua:1: |local mm = stiction.units.mm" "$stiction" run scripts/unit.lua
 echo 'require "other"' >scripts/require.lua
 expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
+changed unit 's/unit = "N\/m"/unit = 1/'
+expect 2 "force_y: the unit is a number; a text is wanted, as \"1\" or \"kPa\"" "$stiction" run unit
+changed names 's/^  sweep = .*/&\n  case_id = function(p) return p.mu end,/'
+expect 2 "study.case_id gave a number; the case's name, a text, is wanted" "$stiction" run names
+changed long 's/^  sweep = .*/&\n  case_id = function(p) return ("x"):rep(240) end,/'
+expect 2 "a name of 240 characters, more than the 200" "$stiction" run long
+changed undefined 's/^  sweep = .*/  sweep = { mu = { 0 \/ 0, 0.2 } },/'
+expect 2 "value 1 is not a number; it must be a number" "$stiction" run undefined
 mkdir scripts/sub
 echo 'return {}' >scripts/sub/other.lua
 for name in sub/other ./sub/other; do

@@ -37,11 +37,11 @@ expect 0 "results of 1 case made anew from its history|mu0.4  finished" "$sticti
 expect 2 "no finished case of these scenes in out/nowhere" "$stiction" results raises --out out/nowhere
 holds "results made a folder" [ ! -e out/nowhere ]
 changed text 's/return run:at(1\*s, "sole", "force_y")/return "much"/'
-expect 1 "result force_y must be a number, not a string" "$stiction" run text --no-figures --quick
+expect 1 "result force_y: study.lua:|: it must be a number, not a string" "$stiction" run text --no-figures --quick
 changed undefined 's/return run:at(1\*s, "sole", "force_y")/return 0 \/ 0/'
-expect 1 "result failed: result force_y: result force_y is not a number: its function divides by zero" "$stiction" run undefined --no-figures --quick
+expect 1 "result failed: result force_y: study.lua:|: it is not a number: its function divides by zero" "$stiction" run undefined --no-figures --quick
 changed infinite 's/return run:at(1\*s, "sole", "force_y")/return 1 \/ 0/'
-expect 1 "result force_y is infinite" "$stiction" run infinite --no-figures --quick
+expect 1 "result force_y: study.lua:|: it is infinite" "$stiction" run infinite --no-figures --quick
 
 # components of a vector-valued column are counted from 1
 changed points 's/energy = stiction.probe.energy/points = stiction.probe.contact_line { pair = "sole" }, &/; s/return math.abs(run:at(2\*s, "sole", "force_x"))/local x = {}\
