@@ -39,6 +39,15 @@ test("an order above 2 from three levels alone is uncertain by the last differen
   end
 end)
 
+test("what values lack between steps is carried on with them", function()
+  local list = levels(3, -0.7, 1, { 0.4, 0.2, 0.1 })
+  local plain = extrapolation.limit(list).uncertainty
+  list[2].lacking, list[3].lacking = 0.02, 0.01
+  near(extrapolation.limit(list).uncertainty, plain + 0.03)
+  list[2].lacking = 0.01 -- of a resolution in space
+  near(extrapolation.limit(list).uncertainty, plain)
+end)
+
 test("levels that do not approach one limit are not continued", function()
   local found = extrapolation.limit { { h = 4, value = 1 }, { h = 2, value = 1.5 }, { h = 1, value = 1.2 } }
   equal(found.correction, 0)

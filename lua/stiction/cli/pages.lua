@@ -276,9 +276,10 @@ uncertainty, above 2.2 the last difference unless a level more confirms the orde
 no correction, and the uncertainty is the larger of the last two differences, one and a half times what an order below
 0.7 leaves, and what the order 0.4 does where differences do not fall; where three in a row do not, or where a finer
 number leaves a quantity exactly as it is while it moves others, as a time of the grid, its uncertainty is not known,
-and --accuracy promises nothing of it). That of a curve is the finest run's, uncorrected; its error is the L2 norm of
-the difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the abscissas of the
-one with most points and linear between them. Where a reference is given, it has no uncertainty.
+and --accuracy promises nothing of it; what the finest run may lack between its steps at an extreme of run:max or
+run:min, or as an instant, is added). That of a curve is the finest run's, uncorrected; its error is the L2 norm of the
+difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the abscissas of the one
+with most points and linear between them. Where a reference is given, it has no uncertainty.
 Error: the largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point
 operations, the same on every machine. Settings that no other beat in both error and work, by a hundredth of the error
 at least, are the front.
@@ -296,9 +297,9 @@ sum of what these change, of a number times 1 / (1 - r^-0.4) where its resolutio
 errors fell with the order 0.4: mostly they fall faster, but of 46 changed scenes (studies/trade/claims) 8 were off by
 more than first order says, 1 by more than this, and half of the claims are more than four times the error. A millionth
 of the value is added for the solvers' tolerances, and to what run:max and run:min give also how far the history may go
-between two steps there, which finer steps at the same instants do not show. Of a result that a finer number leaves
-exactly as it is, while it moves others, nothing is claimed: it may take steps, as a time of the grid or an area in
-cells does. With --accuracy it is a check that the claim is within the share.
+between two steps there, which finer steps at the same instants do not show, to an instant of the run its step. Of a
+result that a finer number leaves exactly as it is, while it moves others, nothing is claimed: it may take steps, as a
+time of the grid or an area in cells does. With --accuracy it is a check that the claim is within the share.
 The finer runs are kept below finer/ in the output.]]
 
 pages.fit = [[

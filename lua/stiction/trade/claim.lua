@@ -126,13 +126,9 @@ local function without_effect(variants, moved, own)
   end
 end
 
---- Share of each result, by name, that a history's extreme may lack between two steps.
+--- What each result may lack between two steps, by name.
 local function between_steps(study, case)
-  local shares = {}
-  for _, entry in ipairs(rawget(case, "folder") and study.results or {}) do
-    shares[entry.name] = sampled.share(entry, case)
-  end
-  return shares
+  return rawget(case, "folder") and sampled.lacking(study, case, case.results) or {}
 end
 
 --- Of a finished case and its variants in their order, by quantity: {absolute =, relative =, judged =, changes = (of each
@@ -153,7 +149,7 @@ function claim.judge(study, case, variants, cases, against)
   local moved, between = moving(known, #variants), between_steps(study, case)
   for _, own in ipairs(known) do
     local list, scale, changes = own.list, own.scale, {}
-    local sum = (floor + (between[own.quantity.name] or 0)) * own.size
+    local sum = floor * own.size + (between[own.quantity.name] or 0)
     for i, variant in ipairs(variants) do
       sum, changes[i] = sum + variant.factor * list[i + 1], numeric.share(list[i + 1], scale)
     end

@@ -4,6 +4,7 @@ local extrapolation = {}
 local orders = { low = 0.7, high = 4 } -- of the observed order that is believed
 local slowest = 0.4 -- of what has no order: claims of single cases take this one as well
 local spare = 1.5 -- over what is left by an order below those believed
+local refined = 1.2 -- times as much is lacking before the last step of a resolution that refines the runs' own steps
 local floor = 1e-6 -- of a value: what solvers leave
 local single, agreement = 2.2, 0.5 -- up to this one from three levels; above it, the three before must have the same within so much
 
@@ -78,7 +79,15 @@ local function doubt(levels, order)
   return most
 end
 
---- {correction =, uncertainty =, order =, diverges =} of levels {{h =, value =}, ...}, h falling: limit = last value + correction.
+--- What Richardson's correction makes of what values lack between the steps of their runs, if this refines the steps.
+local function carried(levels, order)
+  local n = #levels
+  local last, before = levels[n].lacking or 0, levels[n - 1].lacking or 0
+  return before > refined * last and left(levels, last + before, order) or 0
+end
+
+--- {correction =, uncertainty =, order =, diverges =} of levels {{h =, value =, lacking = (of sampled.lacking, or nil)}, ...}, h falling:
+--- limit = last value + correction.
 --- Three levels with an order in 0.7 .. 4: Richardson's correction, uncertain by half of it; above 2.2 by the last difference, unless
 --- a level more confirms the order. Else none, uncertain by the larger of the last two differences, and by what is left of an order
 --- below 0.7 (half as much again) or, where differences do not fall, of the order 0.4; three of these in a row show no limit:
@@ -96,7 +105,7 @@ function extrapolation.limit(levels)
   if order and order >= orders.low and order <= orders.high then
     local correction = last / ((levels[n - 1].h / levels[n].h) ^ order - 1)
     local unsure = is_confirmed(levels, order) and 0.5 * math.abs(correction) or math.abs(last)
-    return { correction = correction, uncertainty = unsure, order = order }
+    return { correction = correction, uncertainty = unsure + carried(levels, order), order = order }
   end
   return { correction = 0, uncertainty = doubt(levels, order), order = order, diverges = grows(levels, 3) or nil }
 end

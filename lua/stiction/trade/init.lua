@@ -15,6 +15,7 @@ local quantity_module = require "stiction.trade.quantity"
 local record = require "stiction.trade.record"
 local reference = require "stiction.trade.reference"
 local report = require "stiction.report"
+local sampled = require "stiction.trade.sampled"
 local study_module = require "stiction.study"
 local sweep = require "stiction.sweep"
 
@@ -29,9 +30,12 @@ local function missing(quantities, results)
   end
 end
 
+local function case_of(trade, row)
+  return case_module.new(row.case.id, row.case.p, output.case_folder(trade.folder, row.case))
+end
+
 local function curves_of(trade, row)
-  local case = case_module.new(row.case.id, row.case.p, output.case_folder(trade.folder, row.case))
-  local curves = {}
+  local case, curves = case_of(trade, row), {}
   for _, quantity in ipairs(trade.quantities) do
     curves[quantity.name] = quantity.curve and quantity_module.curve(quantity, case) or nil
   end
@@ -55,6 +59,7 @@ local function run_of(trade, row)
     return run
   end
   run.values, run.curves = copy(result.results), curves_of(trade, row)
+  run.lacking = sampled.lacking(trade.study, case_of(trade, row), result.results)
   run.work, run.seconds = result.counters.work, result.counters.cpu_seconds
   return run
 end

@@ -21,7 +21,8 @@ function reference.line(knobs, runs, knob, quantity)
         moved = moved + quantity_module.distance(quantity, value, before)
         value = moved
       end
-      line[#line + 1] = { h = ladder.resolution(knob, level), value = value, work = run.work, run = run }
+      line[#line + 1] = { h = ladder.resolution(knob, level), value = value, work = run.work, run = run,
+        lacking = (run.lacking or {})[quantity.name] }
     end
   end
   return line
@@ -46,9 +47,9 @@ end
 
 --- The corner and, knob by knob, the correction to its limit. The corrections are those of the lines through the
 --- default; how far the corner is from the sum of these lines tells how much less they hold there, and adds to the
---- uncertainty: up to the corrections, where all lines have one.
-local function extrapolated(knobs, runs, quantity, default, corner)
-  local sum, correction, squares, whole, diverges = default, 0, 0, true, nil
+--- uncertainty: up to the corrections, where all lines have one; and so does what the corner lacks between its steps.
+local function extrapolated(knobs, runs, quantity, default, corner, lacking)
+  local sum, correction, squares, whole, diverges = default, 0, lacking ^ 2, true, nil
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local line = reference.line(knobs, runs, knob, quantity)
@@ -94,7 +95,7 @@ local function reference_of(knobs, runs, quantity)
   if quantity.curve then
     return finest_curve(knobs, runs, quantity, corner.values[name])
   end
-  return extrapolated(knobs, runs, quantity, default.values[name], corner.values[name])
+  return extrapolated(knobs, runs, quantity, default.values[name], corner.values[name], (corner.lacking or {})[name] or 0)
 end
 
 --- What errors are relative to: the reference itself, or the scale given; of a curve its norm, or that of the scale.
