@@ -69,6 +69,16 @@ test("a probe of the force on what nothing holds is warned of", function()
   equal(warned(on("block.top"), "nothing moves or holds"), false)
 end)
 
+test("turns beyond what a law of small rotations knows are warned of", function()
+  local function turned(angle)
+    local own = scene_of({ friction = coulomb }, { motions = { stiction.motion.turn { set = "block.top", times = { 0*s, 1*s },
+      angle = { 0, angle }, centre = { 0*m, 1*m } } } })
+    return scenes.warning(own, "and linear_elastic knows small strains and rotations only: of that it makes a strain of ")
+  end
+  equal(turned(0.1), nil)
+  assert(turned(-0.6).text:find("turned by 0.6 rad", 1, true) and turned(-0.6).text:find("a strain of 17 %", 1, true))
+end)
+
 test("half spaces are told of options that do nothing, too", function()
   local function under(law)
     return { kinematics = "plane_strain",

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "contact/solvers/solver.hpp"
+
 namespace stiction::contact {
 
 std::string words(Methods const& counts) {

@@ -479,6 +479,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   warn_of_shared_nodes(all, warnings);
   warn_of_springs(all, warnings);
   warn_of_idle(all, warnings);
+  warn_of_turns(all, warnings);
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);
