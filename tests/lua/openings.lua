@@ -152,3 +152,16 @@ test("bonds that are torn off in steps too long to see them pull are remarked on
   equal(told(10), true)
   equal(told(100), false)
 end)
+
+test("bonds that follow their opening take no iteration for whether they touch", function()
+  for _, law in pairs(whole) do
+    local case = run(stiction.scene {
+      bodies = { block = stiction.body { mesh = stiction.mesh.block { size = { 1*mm, 1*mm }, cells = { 1, 1 } },
+        material = stiction.material.linear_elastic { young = 70*GPa, poisson = 0 }, density = 1000*kg/m^3 } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+      pairs = { glue = stiction.pair { secondary = "block.bottom", primary = "floor", adhesion = law } },
+      motions = { drive { set = "block.top", times = { 0*s, 1*s }, x = { 0*um, 5*um }, y = { 0*um, 0*um } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 20 } } }, probes = {} })
+    equal(case.result.iterations, 20)
+  end
+end)

@@ -142,9 +142,11 @@ template<int D, int C> void ContactPoints<D, C>::choose_active(Point& point) con
     point.rho = 0;
 }
 
-/// A point touches if its dry reaction presses; the adhesion at a closed point has no normal part.
+/// A point touches if its dry reaction presses; the adhesion at a closed point has no normal part. Laws whose
+/// bonds follow their opening do not ask.
 template<int D, int C> void ContactPoints<D, C>::settle_closing(Point& point) {
-  if (point.data.adhesion < 0 || point.rho == 0)
+  if (point.data.adhesion < 0 || point.rho == 0 ||
+      !interface::evolves(problem_->adhesions[ix(point.data.adhesion)]))
     return;
   auto const state = contact::evaluate<C>(*problem_, point.data, point.force, point.x(), point.rho);
   bool const closed = state.status != interface::Status::open;

@@ -174,6 +174,7 @@ TEST_CASE("explain warns of gas over the pressure outside that a seal lets out")
     auto table = test::foot_on_floor();
     core::Table gas{{"times", values({0, 2}, "s")},
                     {"pressure", values({-5, late}, "Pa")},
+                    {"outside", value(100, "Pa")},
                     {"centre", values({0.5, 0}, "m")}};
     if (sealed)
       gas.insert({{"seal", values({0, 1})}, {"leaks_at", value(0.1, "m")}});
