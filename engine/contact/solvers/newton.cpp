@@ -314,12 +314,12 @@ private:
     if (!downhill_first)
       return at_last(problem, polish(problem, guess, Stuck::sweep));
     auto last = near(problem, guess); // where a descent does not settle, Newton may answer
-    return last.converged || solution.force.size() == 0 ? last : swept_on(problem, std::move(solution));
+    return last.converged || solution.force.size() == 0 ? last : swept_on(problem, solution);
   }
 
   /// From where a descent has ended, short of the tolerance for what rounding makes of a singular W, by
   /// sweeps.
-  [[nodiscard]] Solution swept_on(Problem const& problem, Solution solution) {
+  [[nodiscard]] Solution swept_on(Problem const& problem, Solution const& solution) {
     auto swept = polish(problem, solution.force, Stuck::sweep);
     return swept.converged && !leaps(problem, solution.force, swept.force) ? swept : solution;
   }

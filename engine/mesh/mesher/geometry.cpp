@@ -69,7 +69,7 @@ public:
     });
     double const area = std::max(top[0] - low_[0], 1e-300) * std::max(top[1] - low_[1], 1e-300);
     double const longest = std::max(top[0] - low_[0], top[1] - low_[1]);
-    auto const points = static_cast<double>(sizes_.size() / 3);
+    double const points = static_cast<double>(sizes_.size()) / 3;
     width_ = std::max({std::sqrt(area / points), longest / most_bins, 1e-300});
     for (std::size_t c = 0; c < 2; ++c)
       counts_[c] = 1 + static_cast<int>((top[c] - low_[c]) / width_);
