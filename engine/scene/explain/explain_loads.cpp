@@ -1,5 +1,8 @@
 // What acts on surfaces, and how much that is beside the bodies.
+#include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
+#include <set>
 
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
@@ -71,6 +74,61 @@ void warn_of_vent(GasPart const& part, std::vector<Warning>& warnings) {
        "a pressure below 0 (suction) or the `volume`, or a wall that is closed, without `seal`"});
 }
 
+/// Does anything but its bonds act on a body along the normal of one of its pairs: motions, springs, weight?
+bool helped(Facts const& all, PairFacts const& pair) {
+  auto const& model = *all.scene->model;
+  Index const first = model.first_node[pair.secondary], end = model.first_node[pair.secondary + 1];
+  constexpr double along = 0.1; // part of a direction
+  return !model.springs.empty() || !model.links.empty() || !model.gravity.isZero(0) ||
+         std::ranges::any_of(model.motions, [&](dynamics::Motion const& motion) {
+           return std::abs(pair.normal[motion.component]) > along &&
+                  std::ranges::any_of(motion.nodes, [&](Index node) { return node >= first && node < end; });
+         });
+}
+
+/// Largest force by which dead loads draw a body off the counterpart of one of its pairs, N.
+double pull_of(Facts const& all, PairFacts const& pair) {
+  auto const& model = *all.scene->model;
+  int const dim = model.dim();
+  Index const first = model.first_node[pair.secondary], end = model.first_node[pair.secondary + 1];
+  double most = 0;
+  for (auto const& knots : model.loads)
+    for (double const t : knots.path.times) {
+      double pull = 0;
+      for (auto const& load : model.loads)
+        for (Index node = first; node < end; ++node)
+          pull -= load.path.value(t) * load.force.segment(dim * node, dim).dot(pair.normal.head(dim));
+      most = std::max(most, pull);
+    }
+  return most;
+}
+
+/// Loads that draw a body off at more than all of its bonds bear at their peak together.
+void warn_of_overload(Facts const& all, std::vector<Warning>& warnings) {
+  std::set<std::size_t> seen;
+  for (auto const& pair : all.pairs) {
+    if (all.dynamic() || !pair.adheres() || pair.primary || pair.normal.isZero(0) || helped(all, pair) ||
+        !seen.insert(pair.secondary).second)
+      continue;
+    double borne = 0;
+    for (auto const& other : all.pairs)
+      if (other.secondary == pair.secondary || other.primary == pair.secondary)
+        borne += !other.adheres()
+                     ? 0
+                     : interface::scales(*other.pair->law.adhesion).strength *
+                           std::accumulate(other.pair->areas.begin(), other.pair->areas.end(), 0.0);
+    double const pull = pull_of(all, pair);
+    char const* unit = all.scene->part.kinematics == solid::Kinematics::plane_strain ? "N/m" : "N";
+    if (pull > borne)
+      warnings.push_back(
+          {fmt::format(
+               "body {}: its loads pull with {}, and all of its bonds bear {} at their peak together: it "
+               "comes off",
+               all.bodies[pair.secondary].body->name, human(pull, unit), human(borne, unit)),
+           "smaller loads, stronger bonds, or a motion in place of the load, which shows how they let go"});
+  }
+}
+
 } // namespace
 
 void describe_loads(Facts const& all, Explanation& explanation) {
@@ -80,6 +138,7 @@ void describe_loads(Facts const& all, Explanation& explanation) {
   for (auto const& load : all.scene->part.loads)
     if (auto const* gas = std::get_if<GasPart>(&load))
       warn_of_vent(*gas, explanation.warnings);
+  warn_of_overload(all, explanation.warnings);
   if (!section.lines.empty())
     explanation.sections.push_back(std::move(section));
 }
