@@ -4,7 +4,7 @@ local stiction = require "stiction"
 local units = stiction.units
 local mm, s, kg, m, MPa = units.mm, units.s, units.kg, units.m, units.MPa
 
-local run = shared("runs").quasi_static "corners_runs"
+local run, attempt = shared("runs").quasi_static "corners_runs", shared("runs").below "corners_failed"
 
 local function body(x, y, width, across, young)
   local mesh = stiction.mesh.block { origin = { x*mm, y*mm }, size = { width*mm, 3*mm }, cells = { across, across * 3 // width } }
@@ -12,14 +12,15 @@ local function body(x, y, width, across, young)
     material = stiction.material.neo_hookean { young = young*MPa, poisson = 0.4 } }
 end
 
---- below, above: cells along the lower body, the upper one.
-local function slide(below, above)
+--- below, above: cells along the lower body, the upper one; depth by which that is pressed, mm.
+local function slide(below, above, depth, discretisation)
   local times = { 0*s, 0.5*s, 1*s }
   return stiction.scene {
     bodies = { low = body(0, 0, 12, below, 3), top = body(3, 3, 6, above, 2) },
-    pairs = { joint = stiction.pair { secondary = "top.bottom", primary = "low.top", friction = stiction.friction.coulomb { mu = 0.4 } } },
+    pairs = { joint = stiction.pair { secondary = "top.bottom", primary = "low.top", friction = stiction.friction.coulomb { mu = 0.4 },
+      discretisation = discretisation } },
     motions = { stiction.motion.fix { set = "low.bottom" },
-      stiction.motion.drive { set = "top.top", times = times, x = { 0*mm, 0*mm, 1.2*mm }, y = { 0*mm, -0.25*mm, -0.25*mm } } },
+      stiction.motion.drive { set = "top.top", times = times, x = { 0*mm, 0*mm, 1.2*mm }, y = { 0*mm, -depth*mm, -depth*mm } } },
     scheme = stiction.scheme.quasi_static {},
     schedule = stiction.schedule { stages = { stiction.stage { to = 0.5*s, steps = 5 }, stiction.stage { to = 1*s, steps = 15 } } },
     output = stiction.output { frames = 0 }, probes = { joint = stiction.probe.contact { pair = "joint" } },
@@ -28,8 +29,14 @@ end
 
 for _, cells in ipairs { { 36, 21 }, { 36, 29 }, { 48, 15 }, { 48, 21 } } do
   test(("corners slide over facets of %d cells by %d, in the steps they are given"):format(cells[1], cells[2]), function()
-    local own = run(slide(cells[1], cells[2]))
+    local own = run(slide(cells[1], cells[2], 0.25))
     equal(#own.time, 21)
     assert(own.result.iterations < 8 * 20, own.result.iterations)
   end)
 end
+
+test("where no step is found, what spreads a corner's force is named, and goes on", function()
+  local result = attempt(slide(60, 15, 0.4)).result
+  assert(result.verdict == "not converged" and result.reason:find('discretisation = "mortar" spreads', 1, true), result.reason)
+  equal(#run(slide(60, 15, 0.4, "mortar")).time, 21)
+end)

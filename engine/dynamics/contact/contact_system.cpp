@@ -35,6 +35,7 @@ public:
   void restore() override { points_.restore(); }
   [[nodiscard]] bool turned() const override { return assembly_.turned(); }
   [[nodiscard]] bool insist() override { return assembly_.insist(); }
+  [[nodiscard]] bool overturned() const override { return assembly_.overturned(); }
   [[nodiscard]] bool turning() const override { return assembly_.turning(); }
   void locate(Vector const& u, bool settle) override { points_.locate(u, settle); }
   void each_point(Visit const& visit) const override {

@@ -37,6 +37,8 @@ public:
   /// Lets the next problems know it even where nothing tells that they have an answer then; one that has
   /// none is posed without. False if they do anyway, or if that was tried before in this attempt.
   [[nodiscard]] virtual bool insist() = 0;
+  /// Was one of the attempt kept from it, as the bulk would be unstable?
+  [[nodiscard]] virtual bool overturned() const = 0;
   /// Did the last problem know it?
   [[nodiscard]] virtual bool turning() const = 0;
   /// Kinematics of every point at u; `settle` freezes which points may bond, so that none flips for ever.

@@ -18,6 +18,7 @@ public:
   [[nodiscard]] bool spins() const { return spins_; }
   [[nodiscard]] bool turned() const { return turned_; }
   [[nodiscard]] bool turning() const { return turning_; }
+  [[nodiscard]] bool overturned() const { return unstable_ != Unstable::unmet; }
   /// The linear problem of the active points, with the laws that it holds; returns their present forces.
   [[nodiscard]] Vector pose(Points const& points, linear::BulkFactor& bulk, Vector const& y, double weight,
                             contact::Problem& problem);

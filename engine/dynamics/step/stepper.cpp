@@ -280,7 +280,7 @@ bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
   outcome.verdict = surface_.allFinite() ? StepVerdict::contact_failed : StepVerdict::indefinite;
   outcome.reason =
       surface_.allFinite()
-          ? unanswered()
+          ? unanswered() + overturned()
           : "multigrid did not solve for the loads on the bodies: their stiffness is not positive "
             "definite, or too badly conditioned; control.bulk = \"direct\" takes a factor";
   return false;
@@ -414,8 +414,8 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     if (there && !leads_others_)
       break;
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
-      outcome.reason = fmt::format("{} after {} iterations{}", unmet(outcome, now), outcome.iterations,
-                                   come_off(old, now));
+      outcome.reason = fmt::format("{} after {} iterations{}{}", unmet(outcome, now), outcome.iterations,
+                                   come_off(old, now), overturned());
       return outcome;
     }
     if (enough_ && enough_()) {

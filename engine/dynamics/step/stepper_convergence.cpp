@@ -83,6 +83,17 @@ std::string Stepper::come_off(State const& old, double imbalance) const {
              : "";
 }
 
+/// Words where points turn a body's surface under them, node to segment, farther than the bulk bears.
+std::string Stepper::overturned() const {
+  bool const by_nodes = std::ranges::any_of(model_->pairs, [](Pair const& pair) {
+    return !std::holds_alternative<RigidSide>(pair.primary) && !pair.mortar;
+  });
+  return by_nodes && contact_->overturned()
+             ? ": points turn the surface under them farther than the bodies bear, as corners do; the pair's "
+               "discretisation = \"mortar\" spreads their forces"
+             : "";
+}
+
 bool Stepper::take_correction() {
   cost_.add(bulk_.factor().spent());
   ++cost_.solves;
