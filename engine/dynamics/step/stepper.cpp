@@ -280,7 +280,7 @@ bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
   outcome.verdict = surface_.allFinite() ? StepVerdict::contact_failed : StepVerdict::indefinite;
   outcome.reason =
       surface_.allFinite()
-          ? unanswered() + overturned()
+          ? unanswered()
           : "multigrid did not solve for the loads on the bodies: their stiffness is not positive "
             "definite, or too badly conditioned; control.bulk = \"direct\" takes a factor";
   return false;
@@ -325,24 +325,26 @@ Outcome Stepper::step(State const& old, double dt) {
   bulk_.recall(old.factors, weights_);
   bool const at_rest = old.v.isZero(0) || model_->held_by_bonds;
   Outcome outcome = attempt(old, dt, at_rest ? Start::rest : Start::onward);
-  bool turned = contact_->turned();
+  bool turned = contact_->turned(), overturned = contact_->overturned();
+  auto const told = [&](Outcome const& what) { return overturned ? with_remedy(what) : what; };
   auto const again = [&](Start start) {
     int const before = outcome.iterations;
     bulk_.recall({}, weights_); // where one led nowhere its factor is of no use
     outcome = attempt(old, dt, start);
     outcome.iterations += before;
     turned = turned || contact_->turned();
+    overturned = overturned || contact_->overturned();
   };
   if (!outcome.converged() && outcome.verdict != StepVerdict::interrupted && !at_rest)
     again(Start::rest);
   if (outcome.verdict != StepVerdict::not_converged || !turned || weights_.inertia)
-    return outcome;
+    return told(outcome);
   Outcome turning = outcome;
   again(Start::unturned);
   if (outcome.converged() || turning.out_of_balance == 0 || turning.out_of_balance > outcome.out_of_balance)
-    return outcome;
+    return told(outcome);
   turning.iterations = outcome.iterations; // what came nearest tells why the step failed
-  return turning;
+  return told(turning);
 }
 
 /// Of a step much too long a stiff viscosity makes energy, or the mean forces of the scheme, which ring: more
@@ -414,8 +416,8 @@ Outcome Stepper::attempt(State const& old, double dt, Start start) {
     if (there && !leads_others_)
       break;
     if (outcome.iterations >= model_->control.iterations || !std::isfinite(now)) {
-      outcome.reason = fmt::format("{} after {} iterations{}{}", unmet(outcome, now), outcome.iterations,
-                                   come_off(old, now), overturned());
+      outcome.reason = fmt::format("{} after {} iterations{}", unmet(outcome, now), outcome.iterations,
+                                   come_off(old, now));
       return outcome;
     }
     if (enough_ && enough_()) {

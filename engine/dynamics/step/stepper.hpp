@@ -168,7 +168,7 @@ private:
 
   void watch(Outcome const& outcome);
   [[nodiscard]] std::string come_off(State const& old, double imbalance) const;
-  [[nodiscard]] std::string overturned() const;
+  [[nodiscard]] Outcome with_remedy(Outcome outcome) const;
   [[nodiscard]] std::string unanswered() const;
   [[nodiscard]] std::string held_and_pressed() const;
 

@@ -83,15 +83,16 @@ std::string Stepper::come_off(State const& old, double imbalance) const {
              : "";
 }
 
-/// Words where points turn a body's surface under them, node to segment, farther than the bulk bears.
-std::string Stepper::overturned() const {
+/// Of a step in which points turn the surface under them farther than the bulk bears: what to do where that
+/// is a body's, node to segment.
+Outcome Stepper::with_remedy(Outcome outcome) const {
   bool const by_nodes = std::ranges::any_of(model_->pairs, [](Pair const& pair) {
     return !std::holds_alternative<RigidSide>(pair.primary) && !pair.mortar;
   });
-  return by_nodes && contact_->overturned()
-             ? ": points turn the surface under them farther than the bodies bear, as corners do; the pair's "
-               "discretisation = \"mortar\" spreads their forces"
-             : "";
+  if (by_nodes && !outcome.converged())
+    outcome.reason += ": points turn the surface under them farther than the bodies bear, as corners do; the "
+                      "pair's discretisation = \"mortar\" spreads their forces";
+  return outcome;
 }
 
 bool Stepper::take_correction() {

@@ -20,13 +20,6 @@ std::string path_words(Numbers const& times, Numbers const& values, std::string 
   return fmt::format("{}{}", fmt::join(words, ", "), times.size() > 6 ? ", ..." : "");
 }
 
-BodyFacts const& body_of(Facts const& all, std::string const& set) {
-  std::size_t b = 0;
-  while (all.bodies[b].body->name != set.substr(0, set.find('.')))
-    ++b;
-  return all.bodies[b];
-}
-
 void describe(Facts const&, TractionPart const& part, Section& section) {
   add(section, part.set, "dead traction");
 }
@@ -91,13 +84,18 @@ double pull_of(Facts const& all, PairFacts const& pair) {
   auto const& model = *all.scene->model;
   int const dim = model.dim();
   Index const first = model.first_node[pair.secondary], end = model.first_node[pair.secondary + 1];
+  std::vector<double> pulls; // of each load, per unit of its path
+  for (auto const& load : model.loads) {
+    pulls.push_back(0);
+    for (Index node = first; node < end; ++node)
+      pulls.back() -= load.force.segment(dim * node, dim).dot(pair.normal.head(dim));
+  }
   double most = 0;
   for (auto const& knots : model.loads)
     for (double const t : knots.path.times) {
       double pull = 0;
-      for (auto const& load : model.loads)
-        for (Index node = first; node < end; ++node)
-          pull -= load.path.value(t) * load.force.segment(dim * node, dim).dot(pair.normal.head(dim));
+      for (std::size_t k = 0; k < pulls.size(); ++k)
+        pull += model.loads[k].path.value(t) * pulls[k];
       most = std::max(most, pull);
     }
   return most;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
 #include "solid/responses.hpp"
 
@@ -15,21 +14,18 @@ void warn_of_turns(Facts const& all, std::vector<Warning>& warnings) {
     auto const* turn = std::get_if<TurnPart>(&motion);
     if (turn == nullptr)
       continue;
-    auto const name = turn->set.substr(0, turn->set.find('.'));
-    auto const facts =
-        std::ranges::find_if(all.bodies, [&](BodyFacts const& body) { return body.body->name == name; });
+    auto const& facts = body_of(all, turn->set);
     auto const [low, high] = std::ranges::minmax(turn->angle);
     double const angle = std::max(std::abs(low), std::abs(high));
-    if (facts == all.bodies.end() || !solid::small_strain(facts->body->material) || angle <= much)
+    if (!solid::small_strain(facts.body->material) || angle <= much)
       continue;
-    auto const law = std::visit([](auto const& own) { return own.schema().name; }, facts->body->material);
+    auto const law = std::visit([](auto const& own) { return own.schema().name; }, facts.body->material);
     warnings.push_back(
         {fmt::format(
              "{}: it is turned by {:.2g} rad, and {} knows small strains and rotations only: of that it "
              "makes a strain of {:.2g} %",
              turn->set, angle, law, 100 * (1 - std::cos(std::min(angle, 3.0)))),
-         fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}", human(facts->moduli.young, "Pa"),
-                     facts->moduli.poisson)});
+         law_of_large_strains(facts)});
   }
 }
 

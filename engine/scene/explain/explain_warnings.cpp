@@ -182,9 +182,7 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
     auto const& body = *facts.body;
     auto const name = std::visit([](auto const& law) { return law.schema().name; }, body.material);
     bool const small = solid::small_strain(body.material);
-    auto const& moduli = facts.moduli;
-    auto const law = fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}",
-                                 human(moduli.young, "Pa"), moduli.poisson);
+    auto const law = law_of_large_strains(facts);
     if (small && strain > small_strain)
       warnings.push_back(
           {fmt::format("body {} will be strained by about {}, and {} knows small strains and rotations only",

@@ -1,6 +1,10 @@
 // Facts of bodies and of the run.
 #include "scene/explain/facts.hpp"
 
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+
 namespace stiction::scene {
 
 namespace {
@@ -104,6 +108,18 @@ Facts facts_of(Scene const& scene, dynamics::State const& start) {
   for (std::size_t p = 0; p < scene.pairs.size(); ++p)
     facts.pairs.push_back(pair_facts(facts, p, start));
   return facts;
+}
+
+BodyFacts const& body_of(Facts const& all, std::string const& set) {
+  std::size_t b = 0;
+  while (all.bodies[b].body->name != set.substr(0, set.find('.')))
+    ++b;
+  return all.bodies[b];
+}
+
+std::string law_of_large_strains(BodyFacts const& facts) {
+  return fmt::format("material.neo_hookean{{young = {}, poisson = {:.3g}}}", human(facts.moduli.young, "Pa"),
+                     facts.moduli.poisson);
 }
 
 } // namespace stiction::scene

@@ -106,6 +106,10 @@ struct Facts {
 
 /// start: the stepper's state at t = 0.
 [[nodiscard]] Facts facts_of(Scene const& scene, dynamics::State const& start);
+/// Of the body that a set "body.set" is of, which is there.
+[[nodiscard]] BodyFacts const& body_of(Facts const& all, std::string const& set);
+/// As a script says it, with the same moduli at rest.
+[[nodiscard]] std::string law_of_large_strains(BodyFacts const& facts);
 [[nodiscard]] PairFacts pair_facts(Facts const& facts, std::size_t pair, dynamics::State const& start);
 
 /// A line of words alone.
