@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linear/decompositions.hpp"
 
@@ -15,6 +16,14 @@ constexpr double enough = 1e-11;          // projected gradient over the largest
 constexpr double least_descent = 1e-4;    // of the descent that the gradient foretells
 constexpr double longest_descent = 0.5;   // stride of a step, see `stride`
 constexpr double harmless_descent = 1e-5; // step over the least opening of a law
+constexpr double touching = 1e-10;        // over the least opening of a law
+constexpr double quick = 0.1;             // contraction of the gradient
+constexpr double symmetric = 1e-12;       // difference across the diagonal over the largest entry
+constexpr long most_in_vain = 100;        // iterations without a smaller gradient: bonds that mix modes cycle
+constexpr double slight = 0.1;            // stride of a step after which one is near the end
+constexpr int most_tries = 8;             // of which points are held, in a step
+constexpr int refinements = 10;           // of forces, each of which has to halve what is left at least
+constexpr double last_digits = 1e-15;     // of them
 constexpr int panels = 4;                 // of Simpson's rule for the work of a bond in one step
 
 /// The unknown is x; the gradient of the potential is p - A rtilde(x) with p = W^-1 (x - free).
@@ -24,12 +33,14 @@ public:
     Dense const& W = problem.W.dense();
     if (W.rows() == 0 || !(W.diagonal().minCoeff() > 0)) // at a point whose place is given
       return;
-    Eigen::LLT<Dense> const inner(W);
+    Eigen::LLT<Dense> const inner(0.5 * (W + W.transpose()));
     if (inner.info() != Eigen::Success)
       return;
     stiffness_ = inner.solve(Dense::Identity(problem.W.rows(), problem.W.rows()));
+    work_ = 7.0 / 6 * static_cast<double>(W.rows());
     stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
     sound_ = stiffness_.allFinite();
+    held_.resize(ix(problem.size()));
     for (auto const& law : problem.adhesions)
       opening_ = std::min(opening_, interface::scales(law).opening);
   }
@@ -39,21 +50,50 @@ public:
     x_ = problem_.start.size() > 0 ? problem_.start : displacement(problem_, guess);
     for (Index i = 0; i < problem_.size(); ++i)
       x_[D * i] = std::max(x_[D * i], shift(i));
-    long k = 0;
-    for (; k < iterations; ++k) {
+    double before = std::numeric_limits<double>::infinity(), least = before;
+    long k = 0, least_at = 0;
+    for (; k < iterations && k - least_at < most_in_vain; ++k) {
       differentiate();
-      if (projected_gradient() <= enough * p_.template lpNorm<Eigen::Infinity>() + rounding())
-        return {p_, k, work(k), true};
-      if (!(find_direction() && walk()))
+      if (!accurate_ && take_whole())
+        differentiate();
+      double const now = projected_gradient();
+      if (now <= enough * p_.template lpNorm<Eigen::Infinity>() + rounding())
+        return {p_, k, work_, true};
+      if (now < 0.9 * least) {
+        least = now;
+        least_at = k;
+      }
+      if (!(now < quick * before) && take_whole())
+        differentiate();
+      if (near_ && !(now < 0.5 * before)) {
+        astray_ = true;
+        near_ = false;
+        differentiate();
+      }
+      bool const gone = find_direction() && walk();
+      if (!gone && !take_whole())
         break;
+      before = gone ? now : std::numeric_limits<double>::infinity();
+      near_ = gone && !astray_ && gone_whole_ && stride(direction_) < slight;
     }
-    return {p_, k, work(k), false};
+    return {p_, k, work_, false};
   }
 
 private:
-  /// A product and a symmetric factorization for each iteration.
-  [[nodiscard]] double work(long iterations) const {
-    return static_cast<double>(iterations) * (1 + static_cast<double>(problem_.free.size()) / 6);
+  /// From now on with what W is not symmetric by, as where normals turn; false if that was done or is
+  /// nothing.
+  bool take_whole() {
+    if (std::exchange(whole_, true))
+      return false;
+    Dense const& W = problem_.W.dense();
+    if ((W - W.transpose()).cwiseAbs().maxCoeff() <= symmetric * W.cwiseAbs().maxCoeff())
+      return false;
+    Dense inverse = W.partialPivLu().inverse();
+    turned_ = inverse.allFinite();
+    if (turned_)
+      stiffness_ = std::move(inverse);
+    work_ += 2 * static_cast<double>(W.rows());
+    return turned_;
   }
   [[nodiscard]] double shift(Index point) const { return problem_.points[ix(point)].shift[0]; }
   [[nodiscard]] interface::Adhesion<D> bond(Index point, Local<D> const& x) const {
@@ -62,29 +102,58 @@ private:
                              : interface::adhere<D>(problem_.adhesions[ix(data.adhesion)], data.bond, x);
   }
 
-  /// Forces, gradient, the bonds' stiffness, and which components are held at their bound.
+  /// Forces, gradient, the bonds' stiffness, and which points are held at their bound.
   void
   differentiate() {
-    p_ = stiffness_ * (x_ - problem_.free);
+    set_forces();
     gradient_ = p_;
     softening_.assign(ix(problem_.size()), LocalMatrix<D>::Zero());
-    free_.clear();
+    mixes_ = false;
     for (Index i = 0; i < problem_.size(); ++i) {
-      auto const answer = bond(i, x_.segment<D>(D * i));
       double const area = problem_.points[ix(i)].area;
-      gradient_.segment<D>(D * i) -= area * answer.traction;
-      softening_[ix(i)] = -0.5 * area * (answer.traction_by_x + answer.traction_by_x.transpose());
-      if (x_[D * i] > shift(i) || gradient_[D * i] < 0)
-        free_.push_back(D * i);
-      for (int c = 1; c < D; ++c)
-        free_.push_back(D * i + c);
+      Local<D> at = x_.segment<D>(D * i);
+      gradient_.segment<D>(D * i) -= area * bond(i, at).traction;
+      if (std::abs(at[0]) < touching * opening_) // where it can only open, the slope on that side
+        at[0] = touching * opening_;
+      LocalMatrix<D> const slope = bond(i, at).traction_by_x;
+      softening_[ix(i)] = -0.5 * area * (slope + slope.transpose());
+      if (near_ && !slope.isApprox(slope.transpose(), symmetric)) { // as of a bond that mixes modes
+        softening_[ix(i)] = -area * slope;
+        mixes_ = true;
+      }
+      held_[ix(i)] = x_[D * i] <= shift(i) && gradient_[D * i] >= 0;
+    }
+  }
+
+  /// p of x = free + W p. The inverse may be that of W's symmetric part, and has few digits where bodies are
+  /// slender: what it leaves is solved for again.
+  void set_forces() {
+    Vector const moved = x_ - problem_.free;
+    Dense const& W = problem_.W.dense();
+    p_ = stiffness_ * moved;
+    work_ += 1;
+    double before = std::numeric_limits<double>::infinity();
+    accurate_ = false;
+    for (int k = 0; k < refinements; ++k) {
+      Vector const change = stiffness_ * (moved - W * p_);
+      double const size = change.template lpNorm<Eigen::Infinity>();
+      work_ += 2;
+      if (!(size < 0.5 * before))
+        return;
+      p_ += change;
+      double const largest = p_.template lpNorm<Eigen::Infinity>();
+      accurate_ = size <= enough * largest;
+      if (size <= last_digits * largest)
+        return;
+      before = size;
     }
   }
 
   [[nodiscard]] double projected_gradient() const {
     double largest = 0;
-    for (Index const k : free_)
-      largest = std::max(largest, std::abs(gradient_[k]));
+    for (Index k = 0; k < gradient_.size(); ++k)
+      if (k % D != 0 || !held_[ix(k / D)])
+        largest = std::max(largest, std::abs(gradient_[k]));
     return largest;
   }
 
@@ -96,47 +165,83 @@ private:
 
   /// Newton's direction; where the potential is not convex, with less and less of what softens.
   bool find_direction() {
-    auto const n = static_cast<Index>(free_.size());
-    Vector right(n);
-    for (Index a = 0; a < n; ++a)
-      right[a] = -gradient_[free_[ix(a)]];
     for (double const part : {1.0, 0.5, 0.25, 0.1, 0.0}) {
-      Eigen::LLT<Dense> const factor(hessian(part));
-      if (factor.info() == Eigen::Success) {
-        direction_.setZero(x_.size());
-        Vector const step = factor.solve(right);
-        for (Index a = 0; a < n; ++a)
-          direction_[free_[ix(a)]] = step[a];
-        return step.allFinite();
-      }
+      add_bonds(part);
+      if (solve_model())
+        return true;
     }
     return false;
   }
 
-  [[nodiscard]] Dense hessian(double part) const {
-    Dense H = stiffness_(free_, free_);
-    for (std::size_t a = 0; a < free_.size(); ++a)
-      for (std::size_t b = a - std::min<std::size_t>(a, D - 1); b <= a; ++b) {
-        if (free_[a] / D != free_[b] / D)
-          continue;
-        double const entry = softening_[ix(free_[a] / D)](free_[a] % D, free_[b] % D);
-        double const taken = a == b && entry > 0 ? entry : part * entry;
-        H(static_cast<Index>(a), static_cast<Index>(b)) += taken;
-        if (a != b)
-          H(static_cast<Index>(b), static_cast<Index>(a)) += taken;
+  /// The minimum of the quadratic model over what the bounds admit: which points they hold is tried until
+  /// none pulls and none is behind them, or often enough. False where the model is not convex.
+  bool solve_model() {
+    auto held = held_;
+    for (int k = 0; k < most_tries; ++k) {
+      if (!solve_with(held))
+        return false;
+      Vector const slope = gradient_ + hessian_ * direction_;
+      work_ += 1;
+      bool changed = false;
+      for (Index i = 0; i < problem_.size(); ++i) {
+        bool const now = held[ix(i)] ? slope[D * i] >= 0 : x_[D * i] + direction_[D * i] < shift(i);
+        changed = changed || now != held[ix(i)];
+        held[ix(i)] = now;
       }
-    return H;
+      if (!changed)
+        break;
+    }
+    return true;
   }
 
-  /// The largest part of any bond's opening that a step moves an attracted point, or one that touches, whose
-  /// bond does not pull yet.
+  /// direction_ of the model with these points at their bound.
+  bool solve_with(std::vector<bool> const& held) {
+    free_.clear();
+    direction_.setZero(x_.size());
+    for (Index k = 0; k < x_.size(); ++k)
+      if (k % D != 0 || !held[ix(k / D)])
+        free_.push_back(k);
+      else
+        direction_[k] = shift(k / D) - x_[k];
+    Vector right = -gradient_(free_);
+    if (!direction_.isZero(0))
+      right -= (hessian_ * direction_)(free_);
+    Dense const H = hessian_(free_, free_);
+    bool const skew = turned_ || mixes_;
+    Eigen::LLT<Dense> const factor(skew ? Dense(0.5 * (H + H.transpose())) : H);
+    auto const whole = static_cast<double>(x_.size()), share = static_cast<double>(free_.size()) / whole;
+    work_ += (skew ? 3 : 1) * whole * share * share * share / 6;
+    if (factor.info() != Eigen::Success)
+      return false;
+    direction_(free_) = skew ? Vector(H.partialPivLu().solve(right)) : Vector(factor.solve(right));
+    return direction_.allFinite();
+  }
+
+  /// hessian_ with a part of what softens of the bonds.
+  void add_bonds(double part) {
+    hessian_ = stiffness_;
+    for (Index i = 0; i < problem_.size(); ++i) {
+      LocalMatrix<D> const& K = softening_[ix(i)];
+      LocalMatrix<D> taken = part * K;
+      taken.diagonal() = taken.diagonal().cwiseMax(K.diagonal());
+      hessian_.block<D, D>(D * i, D * i) += taken;
+    }
+  }
+
+  /// The largest part that a step moves an attracted point, or one that touches whose bond will pull, of its
+  /// bond's opening, or of how far it is open already: a law changes over either.
   [[nodiscard]] double stride(Vector const& step) const {
     double largest = 0;
     for (Index i = 0; i < problem_.size(); ++i) {
       auto const& data = problem_.points[ix(i)];
-      if (data.adhesion < 0 || (x_[D * i] > shift(i) && bond(i, x_.segment<D>(D * i)).traction.isZero(0)))
+      Local<D> const at = x_.segment<D>(D * i);
+      if (data.adhesion < 0)
         continue;
-      double const opening = interface::scales(problem_.adhesions[ix(data.adhesion)]).opening;
+      auto const answer = bond(i, at);
+      if (answer.traction.isZero(0) && (at[0] > shift(i) || answer.traction_by_x.isZero(0)))
+        continue;
+      double const opening = std::max(interface::scales(problem_.adhesions[ix(data.adhesion)]).opening,
+                                      interface::opening<D>(at, data.bond.old).norm());
       largest = std::max(largest, step.segment<D>(D * i).norm() / opening);
     }
     return largest;
@@ -172,6 +277,7 @@ private:
       if (length * direction_.template lpNorm<Eigen::Infinity>() < harmless_descent * opening_ ||
           gain(next) <= least_descent * gradient_.dot(next - x_)) {
         x_ = next;
+        gone_whole_ = length == 1;
         return true;
       }
       length *= 0.5;
@@ -180,12 +286,20 @@ private:
   }
 
   Problem const& problem_;
-  Dense stiffness_; ///< W^-1, N/m
+  Dense stiffness_; ///< W^-1, or that of its symmetric part, N/m
   bool sound_ = false;
+  bool near_ = false, astray_ = false;  ///< is the end near, and was it taken for near where it was not?
+  bool mixes_ = false;                  ///< is `softening_` not symmetric?
+  bool gone_whole_ = false;             ///< did `walk` go all of the step?
+  bool accurate_ = false;               ///< does W p_ move as it should?
+  bool whole_ = false, turned_ = false; ///< was all of W asked for, and is `stiffness_` its inverse?
+  double work_ = 0;                     ///< in products of W
   double opening_ = std::numeric_limits<double>::infinity(); ///< least of the laws, m
   Vector x_, p_, gradient_, direction_;
+  Dense hessian_;
   std::vector<LocalMatrix<D>> softening_; ///< second derivative of the bonds' energies, N/m
-  std::vector<Index> free_;               ///< components that may move
+  std::vector<bool> held_;                ///< points that their bound holds
+  Indices free_;                          ///< components that may move
 };
 
 } // namespace

@@ -30,6 +30,17 @@ bool jams(Problem const& problem, Vector const& force) {
   }
   return deepest > no_answer * elsewhere;
 }
+/// By which the force of a point's bond follows where it is, N/m.
+double bond_stiffness(Problem const& problem, Index i, Vector const& x) {
+  auto const& point = problem.points[ix(i)];
+  if (point.adhesion < 0)
+    return 0;
+  return by_dimension(problem.dim, [&]<int D>() {
+    Local<D> const at = x.segment<D>(D * i);
+    return point.area *
+           interface::adhere<D>(problem.adhesions[ix(point.adhesion)], point.bond, at).traction_by_x.norm();
+  });
+}
 } // namespace
 
 double forces_there(Problem const& problem, Vector const& guess) {
@@ -64,7 +75,8 @@ bool within_rounding(Problem const& problem, Solution const& solution) {
   double largest = 0; // Pa
   for (Index i = 0; i < problem.size(); ++i) {
     auto const of = [&](Vector const& v) { return v.segment(problem.dim * i, problem.dim).norm(); };
-    double const size = of(solution.force) + natural_scale(problem, i) * (of(x) + of(problem.free));
+    double const stiffness = natural_scale(problem, i) + bond_stiffness(problem, i, x);
+    double const size = of(solution.force) + stiffness * (of(x) + of(problem.free));
     largest = std::max(largest, size / problem.points[ix(i)].area);
   }
   double const terms = std::sqrt(static_cast<double>(problem.free.size()));

@@ -36,6 +36,42 @@ Problem bonded(int dim, int n, double softness, double common) {
   return problem;
 }
 
+/// n points 1 mm apart under an arm of 1 m width that is held at their end, glued, and drawn up at the other.
+/// skew: what normals that turn leave of W not symmetric, over the compliance of a point alone.
+Problem arm(int n, double stiffness, double skew) {
+  double const spacing = 1e-3, bending = 70e9 * 1.5e-3 * 1.5e-3 * 1.5e-3 / 12, alone = 4e-8; // N m^2, m/N
+  Problem problem;
+  problem.dim = 2;
+  interface::Bilinear law;
+  law.K = stiffness;
+  law.sigma_n = 30e6;
+  law.sigma_t = 40e6;
+  law.G_I = 250;
+  law.G_II = 700;
+  problem.adhesions = {law};
+  problem.W = alone * Dense::Identity(2 * n, 2 * n);
+  problem.free.setZero(2 * n);
+  for (int i = 0; i < n; ++i) {
+    ProblemPoint point{spacing, 0, 0, {}};
+    point.bond.old.beta = 1;
+    point.bond.dt = 1;
+    problem.points.push_back(point);
+    double const a = spacing * (i + 1), end = spacing * n + 30e-3;
+    for (int j = 0; j < n; ++j) {
+      double const b = spacing * (j + 1), shorter = std::min(a, b), longer = std::max(a, b);
+      problem.W.entries()(2 * i, 2 * j) += shorter * shorter * (3 * longer - shorter) / (6 * bending);
+      problem.W.entries()(2 * i + 1, 2 * j + 1) += shorter / (70e9 * 1.5e-3);
+    }
+    problem.free[2 * i] = 4000 * a * a * (3 * end - a) / (6 * bending);
+    for (int j = 0; j < i; ++j) {
+      double const turned = skew * alone * std::cos(3.0 * i + j);
+      problem.W.entries()(2 * i, 2 * j + 1) += turned;
+      problem.W.entries()(2 * j + 1, 2 * i) -= turned;
+    }
+  }
+  return problem;
+}
+
 /// The first point downhill of the start where a bonded point on its spring stays, found in small steps; m.
 double downhill(Problem const& problem) {
   double const small = 1e-3 * interface::scales(problem.adhesions[0]).opening;
@@ -282,6 +318,26 @@ TEST_SUITE("contact") {
       REQUIRE(sweeps.converged);
       CHECK((sweeps.force - newton.force).norm() == 0);
     }
+  }
+
+  TEST_CASE("what a descent ends with is an answer, of slender arms too and where W is not symmetric") {
+    for (double const stiffness : {1e13, 1e14, 1e15})
+      for (double const skew : {0.0, 1e-3, 0.1}) {
+        CAPTURE(stiffness);
+        CAPTURE(skew);
+        auto problem = arm(60, stiffness, skew);
+        problem.start = Vector::Zero(problem.free.size());
+        auto const found = descend(problem, problem.start, 100);
+        REQUIRE(found.has_value());
+        CHECK(found->settled);
+        CHECK(judge(problem, found->force).relative() <= 1e-8); // rounding of x times the stiffness
+        CHECK(found->force.maxCoeff() > 0);                     // some drawn, some pressed
+        CHECK(found->force.minCoeff() < 0);
+        auto const answer = make_solver(BipotentialNewton{})->solve(problem, problem.start);
+        CHECK(answer.converged);
+        CHECK(answer.method == Method::descent);
+        CHECK(answer.iterations <= found->iterations + 6);
+      }
   }
 
   TEST_CASE("a singular W has no potential in x") {
