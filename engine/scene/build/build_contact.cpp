@@ -1,8 +1,10 @@
 // Obstacles and contact pairs of a scene.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <set>
 
 #include "contact/surface/direction.hpp"
 #include "mesh/topology/hats.hpp"
@@ -250,6 +252,8 @@ void Builder::add_pair(std::string const& name, PairPart const& part) {
     pair.primary = side;
   } else {
     add_primary(part, *primary, pair);
+    if (!pair.self && !leave_out_shared(name, *secondary, *primary, pair))
+      return;
   }
   pair.reach = std::max(pair.reach, part.law.range());
   scene_.model->pairs.push_back(std::move(pair));
@@ -267,6 +271,48 @@ dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& 
   else
     lend_areas(set, pair);
   return pair;
+}
+
+/// Nodes of both sides, as where a body's surface folds, would be counterparts of themselves, and are no
+/// points. False where the two sides are the same facets, or where a node cannot be left out.
+bool Builder::leave_out_shared(std::string const& name, mesh::Set const& secondary, mesh::Set const& primary,
+                               dynamics::Pair& pair) {
+  auto const sorted = [](Indices nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  Indices const theirs = sorted(primary.nodes);
+  auto const shared = [&](Index node) { return std::binary_search(theirs.begin(), theirs.end(), node); };
+  std::set<Indices> facets;
+  for (auto const& facet : primary.facets)
+    facets.insert(sorted(facet.nodes));
+  auto const same = std::count_if(secondary.facets.begin(), secondary.facets.end(),
+                                  [&](auto const& facet) { return facets.contains(sorted(facet.nodes)); });
+  if (same > 0) {
+    complain(
+        {"pairs", name, "secondary"},
+        fmt::format("has {} of the facets of the primary; name one set on both sides, which then touches "
+                    "itself, or two sets without a facet in common",
+                    same));
+    return false;
+  }
+  if (pair.mortar || std::none_of(pair.secondary.begin(), pair.secondary.end(), shared))
+    return true;
+  if (!pair.means.empty()) {
+    complain({"pairs", name, "secondary"},
+             "shares nodes with the primary, and its points are means over nodes; set discretisation = "
+             "\"mortar\" or leave the cells there out of one of the two sets");
+    return false;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pair.secondary.size(); ++i)
+    if (!shared(pair.secondary[i])) {
+      pair.secondary[kept] = pair.secondary[i];
+      pair.areas[kept++] = pair.areas[i];
+    }
+  pair.secondary.resize(kept);
+  pair.areas.resize(kept);
+  return true;
 }
 
 /// Where the shape functions of a facet leave its nodes without an area, points are means over nodes.

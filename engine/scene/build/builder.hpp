@@ -154,6 +154,8 @@ private:
   [[nodiscard]] std::optional<mesh::Set> surface(Where const& where, std::string const& name);
   [[nodiscard]] dynamics::Pair secondary_side(std::string const& name, PairPart const& part,
                                               mesh::Set const& set);
+  [[nodiscard]] bool leave_out_shared(std::string const& name, mesh::Set const& secondary,
+                                      mesh::Set const& primary, dynamics::Pair& pair);
   void lend_areas(mesh::Set const& set, dynamics::Pair& pair) const;
   void share_edges(mesh::Set const& set, dynamics::Pair& pair) const;
   void share_facets(std::string const& name, mesh::Set const& set, dynamics::Pair& pair) const;
