@@ -372,9 +372,12 @@ std::string Stepper::makes_energy(State const& old, State const& next) const {
 }
 
 double Stepper::rounding_energy(State const& state) const {
-  double const way = state.u.lpNorm<Eigen::Infinity>();
-  return bulk_.unknowns() > 0 ? 1e-14 * bulk_.bodies_stiffness() * way * way
-                              : std::numeric_limits<double>::infinity();
+  if (bulk_.unknowns() == 0)
+    return std::numeric_limits<double>::infinity();
+  double const eps = std::numeric_limits<double>::epsilon(), last_digit = 8 * eps * extent_, // of positions
+      way = state.u.lpNorm<Eigen::Infinity>();
+  double const differences = bulk_.linear_bodies() ? 0 : eps * extent_ * extent_; // of stretches from 1
+  return bulk_.bodies_stiffness() * (1e-14 * way * way + last_digit * last_digit + differences);
 }
 
 /// A correction that turns a cell inside out went too far, not astray: half of it, or half of that, need not.

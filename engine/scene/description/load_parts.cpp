@@ -108,9 +108,10 @@ core::Schema const& SurfaceStressPart::schema() {
           .number(
               "gamma", &SurfaceStressPart::gamma, "N/m", core::positive, Need::required,
               "energy per area, J/m^2; it stretches with the surface without change. It acts from the start, "
-              "at "
-              "once: what it rounds by much flows there in steps under scheme.quasi_static{stabilisation = "
-              "0.03}, say")
+              "at once: what it rounds by much flows there in steps under "
+              "scheme.quasi_static{stabilisation = 0.03}, say; slender bodies, which bend easily, stay "
+              "behind "
+              "unless stabilisation (length / thickness)^2 is far below 1")
           .build();
   return made;
 }

@@ -166,10 +166,12 @@ void Remarks::seek_large_strain(dynamics::State const& state) {
 
 /// What a snap of quasi-static steps loses is no fault of a scheme.
 void Remarks::weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded) {
+  if (!std::exchange(weighed_, true))
+    surface_ = old.surface; // gamma A of all of it is no energy that anything turns over
   stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
-                           ledger.spring, ledger.surface});
+                           ledger.spring, std::abs(ledger.surface - surface_)});
   if (double const made = -ledger.scheme_loss(); made > rounded)
     made_ = std::max(made_, made);
   if (dynamics::weights(scene_->model->scheme).inertia) {

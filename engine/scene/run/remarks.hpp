@@ -33,9 +33,9 @@ public:
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     auto& [scene, friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-           turned_over, spent, stabilised, made, lost, torn, torn_free] = *this;
-    archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-            turned_over, spent, stabilised, made, lost, torn, torn_free);
+           weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free] = *this;
+    archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact, weighed,
+            surface, turned_over, spent, stabilised, made, lost, torn, torn_free);
   }
 
 private:
@@ -50,8 +50,10 @@ private:
   Remark friction_, softening_, weakening_, beneath_, let_go_;
   std::string strained_;
   long steps_ = 0;
-  double force_ = 0, unmet_ = 0;    ///< largest nodal force; largest imbalance beyond the tolerance, N
-  double contact_ = 0;              ///< residual, of its yardstick
+  double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
+  double contact_ = 0;           ///< residual, of its yardstick
+  bool weighed_ = false;
+  double surface_ = 0;              ///< energy of the surfaces before the first step, J
   double turned_over_ = 0;          ///< largest energy or work so far, J
   double spent_ = 0;                ///< without inertia: lost by bonds or friction, J
   double stabilised_ = 0;           ///< dissipated by the stabilisation of quasi-statics, J

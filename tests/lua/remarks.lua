@@ -1,0 +1,50 @@
+-- Remarks on a run's energy: none of what is rounding, and of what a stabilisation holds back beside what is turned over.
+local test, equal, _, shared = ...
+local stiction = require "stiction"
+local u = stiction.units
+local mm, s = u.mm, u.s
+
+local run = shared("runs").below "remarks_runs"
+
+local function remark(scene, words)
+  for _, text in ipairs(run(scene).result.remarks or {}) do
+    if text:find(words, 1, true) then
+      return text
+    end
+  end
+end
+
+local function block(more)
+  local scene = { bodies = { a = stiction.body { mesh = stiction.mesh.block { size = { 10*mm, 5*mm }, cells = { 12, 6 } },
+      density = 1000*u.kg/u.m^3, material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 20 } } }, probes = {} }
+  for key, value in pairs(more) do
+    scene[key] = value
+  end
+  return stiction.scene(scene)
+end
+
+test("a body that nothing reaches, and one that only goes along, make no energy", function()
+  equal(remark(block {
+    obstacles = { o = stiction.obstacle { shape = stiction.rigid.plane { point = { 0*mm, 7*mm }, normal = { 0, -1 } },
+      times = { 0*s, 1*s }, y = { 0*mm, -1*mm } } },
+    pairs = { j = stiction.pair { secondary = "a.top", primary = "o" } },
+    motions = { stiction.motion.fix { set = "a.bottom" } },
+  }, "made energy"), nil)
+  local along = stiction.motion.drive { set = "a.bottom", times = { 0*s, 1*s }, x = { 0*mm, 3*mm }, y = { 0*mm, 1*mm } }
+  equal(remark(block { motions = { along } }, "made energy"), nil)
+end)
+
+test("a slender strip that its stabilisation holds back is told, whatever its surface's own energy", function()
+  local function strip(stabilisation)
+    return stiction.scene { bodies = { d = stiction.body { density = 1000*u.kg/u.m^3,
+        mesh = stiction.mesh.block { size = { 20*mm, 1*mm }, cells = { 40, 2 }, kind = "quad8" },
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.3 } } },
+      loads = { stiction.load.surface_stress { set = "d.top", gamma = 0.2*u.N/u.m } },
+      motions = { stiction.motion.fix { set = "d.left", y = false }, stiction.motion.fix { set = "d.left", near = { 0*mm, 0.5*mm } } },
+      scheme = stiction.scheme.quasi_static { stabilisation = stabilisation },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 10 } } }, probes = {} }
+  end
+  assert(remark(strip(0.03), "take less of it"), remark(strip(0.03), "stabilisation") or "nothing")
+end)
