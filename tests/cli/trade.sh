@@ -52,6 +52,7 @@ sed -i '/"force_y": {/,/}/s/"uncertainty": [^,]*/"uncertainty": 1.5/' soft/trade
 expect 0 "--accuracy 20% of force_y" "$stiction" run soft --accuracy 20% --of force_y --no-figures
 holds "a claim holds the doubt of the reference" awk -v error="$(value_of force_y_error mu0.2)" 'BEGIN { exit !(error >= 1.5) }'
 mv measured soft/trade.json
+expect 0 "--accuracy 20%: cells = |--set cells=4 stands instead" "$stiction" run soft --accuracy 20% --set cells=4 --no-figures --out hand
 expect 2 "the best that was measured is|finer levels" "$stiction" run soft --accuracy 1e-9 --no-figures
 # one number decides where one is asked for; a scene that was not measured is told as such, and can be measured
 expect 0 "--accuracy 20% of force_y: " "$stiction" run soft --accuracy 20% --of force_y --no-figures --case mu0.2 --out one

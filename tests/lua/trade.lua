@@ -31,6 +31,16 @@ test("knobs know where they stand and where they are refined to", function()
   equal(#ladder.first_round(knobs), 7) -- the default, two more of each number, one word, the corner
 end)
 
+test("a knob that no scene reads is told, as all its levels give one scene", function()
+  local stiction = require "stiction"
+  local study = stiction.study { title = "t", scene = function(p) return { steps = p.steps } end,
+    chosen = { steps = { 20, "why" }, size = { 2*mm, "why" } } }
+  local case = { id = "a", p = { steps = 20, size = 2*mm } }
+  study:scene_of(case)
+  claim.require_read(study, { { name = "steps" } })
+  fails("study.trade.knobs: no scene reads 'size'", claim.require_read, study, { { name = "steps" }, { name = "size" } })
+end)
+
 test("levels that lie close are told apart", function()
   local close = ladder.knobs({ { "n", { 1000, 1001, 1002 } } }, { n = 1001 })
   equal(close[1].default, 2)

@@ -99,6 +99,12 @@ local function scenes_of(study, kept, wanted)
   return list
 end
 
+--- What --set says of a parameter, nil if nothing.
+local function set_by_hand(options, name)
+  local at = numeric.first_where(options.set or {}, function(setting) return setting:match("^%s*([%w_]+)%s*=") == name end)
+  return at and options.set[at]
+end
+
 --- The plan's options with the settings of its accuracy, and {share =, of = (names or nil), scenes =, chosen =}. What the
 --- user sets by hand stays set.
 function accuracy.choose(study, options)
@@ -119,14 +125,18 @@ function accuracy.choose(study, options)
     fault.input("--accuracy %s: the best that was measured is %.2g%%; give 'trade' finer levels and measure them: "
       .. "'stiction trade %s'", options.accuracy, 100 * nearest, options.study)
   end
-  local settings, words = {}, {}
+  local settings, words, overruled = {}, {}, nil
   for _, name in ipairs(ordered.keys(run.settings)) do
     settings[#settings + 1] = name .. "=" .. run.settings[name]
     words[#words + 1] = ("%s = %s"):format(name, run.settings[name])
+    overruled = overruled or set_by_hand(options, name)
   end
   report.line("--accuracy %s%s: %s (off by at most %.2g%% in the scene that was measured, %.2g of the default's work)",
     options.accuracy, of and " of " .. table.concat(of, ", ") or "", table.concat(words, ", "), 100 * bound_of(run),
     run.work / accuracy.default_work(kept.runs))
+  if overruled then
+    report.line("--set %s stands instead, and that is not what these words are of", overruled)
+  end
   for _, doubt in ipairs(doubts) do
     report.line("%s", doubt)
   end

@@ -24,6 +24,15 @@ function claim.knobs(study)
   return (sweep.knobs(study, {}))
 end
 
+--- Bad input where none of the scenes made so far has read a knob.
+function claim.require_read(study, knobs)
+  local unread = study:unread(numeric.map(knobs, function(knob) return knob.name end))
+  if unread[1] then
+    fault.input("study.trade.knobs: no scene reads '%s', so that all its levels give the same scene and tell nothing of " ..
+      "its error; use p.%s in study.scene, or leave it out of the knobs", unread[1], unread[1])
+  end
+end
+
 --- Parameters of the scene that a study's trade is measured on, `changes` in their place.
 function claim.parameters(study, changes)
   local _, p = sweep.knobs(study, {})

@@ -1,6 +1,7 @@
 -- stiction trade: runs a ladder of settings of one scene and tells what accuracy costs.
 local campaign = require "stiction.campaign"
 local case_module = require "stiction.case"
+local claim = require "stiction.trade.claim"
 local copy = require "stiction.copy"
 local drawing = require "stiction.drawing"
 local engine = require "stiction.engine"
@@ -82,6 +83,7 @@ local function run_round(trade, wanted)
   local plan = { study = trade.study, cases = cases_at(trade.all, trade.wanted), names = trade.names,
     folder = trade.folder, options = trade.options, curves = trade.quantities }
   local rows = campaign.survey(plan)
+  claim.require_read(trade.study, trade.knobs)
   local stopped = campaign.run(plan, rows)
   if campaign.bad_input(rows) then
     return "bad input"

@@ -71,6 +71,7 @@ end
 --- ended it early, if anything.
 function recheck.run(plan, rows)
   local knobs, entries, groups = claim.knobs(plan.study), {}, {}
+  claim.require_read(plan.study, knobs)
   for _, row in ipairs(rows) do
     local entry = { row = row, variants = claim.variants(knobs, row.case.p), cases = {} }
     entries[#entries + 1] = entry
