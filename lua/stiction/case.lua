@@ -64,7 +64,7 @@ function Case:min(group, name, component)
   return extreme(self, numeric.min, (self:series(group, name, component)))
 end
 
---- Value of a history at a time (number in s, or a quantity), interpolated.
+--- Value of a history at a time (number in s, or a quantity), interpolated; before the start or past the end, what it is there.
 function Case:at(time, group, name, component)
   return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
 end

@@ -37,8 +37,8 @@ function check.recorder()
   --- |value - expected| <= tolerance; numbers in SI or quantities.
   function recorder.equal(name, value, expected, tolerance)
     local v, e, t = number(value), number(expected), number(tolerance)
-    if not e or not t then
-      fault.script("check '%s' needs an expected number and a tolerance", tostring(name))
+    if not e or not t or t < 0 then
+      fault.script("check '%s' needs an expected number and a tolerance%s", tostring(name), t and t < 0 and ", not below 0" or "")
     end
     return record(name, v, e, t, v ~= nil and math.abs(v - e) <= t)
   end
@@ -46,8 +46,9 @@ function check.recorder()
   --- |value - expected| <= relative |expected|
   function recorder.close(name, value, expected, relative)
     local e, r = number(expected), number(relative)
-    if not e or not r then
-      fault.script("check '%s' needs an expected number and a relative tolerance", tostring(name))
+    if not e or not r or r < 0 then
+      fault.script("check '%s' needs an expected number and a relative tolerance%s", tostring(name),
+        r and r < 0 and ", not below 0" or "")
     end
     return recorder.equal(name, value, e, r * math.abs(e))
   end
@@ -133,10 +134,27 @@ function check.recorder()
   return recorder, list
 end
 
+--- Names of results that the study does not have are told where checks ask for them.
+local function guard_results(study, cases)
+  local known = numeric.map(study.results, function(result) return result.name end)
+  local guard = {
+    __index = function(_, name)
+      if not numeric.first_where(known, function(own) return own == name end) then
+        fault.script("the study has no result '%s'%s; results: %s", tostring(name), fault.meant(name, known),
+          table.concat(known, ", "))
+      end
+    end,
+  }
+  for _, case in ipairs(cases) do
+    setmetatable(case.results, guard)
+  end
+end
+
 --- Runs a study's checks on its cases, and those of the accuracy asked for (or nil), as accuracy.choose gives it.
 function check.run(study, cases, asked)
   local recorder, list = check.recorder()
   if study.check then
+    guard_results(study, cases)
     study.check(cases, recorder)
   end
   if asked then

@@ -74,6 +74,11 @@ local function read_result(name, entry)
   if type(name) ~= "string" or name == "" then
     fault.script("study.results: entry %s has no name; give name = \"force\"", tostring(name))
   end
+  local odd = name:find("[,;\"/\\%c]") -- in a table's head or a folder's name it would be something else
+  if odd then
+    fault.script("study.results: the name '%s' holds %s; take another character, as _", (name:gsub("%c", "?")),
+      name:find("%c", odd) == odd and "a control character" or "a '" .. name:sub(odd, odd) .. "'")
+  end
   local body = type(entry) == "table" and (entry.value or entry[1])
   if type(body) ~= "function" then
     fault.script("study.results.%s must be { unit = ..., meaning = ..., function(run, p) ... end }", tostring(name))
@@ -120,6 +125,9 @@ local function doubled(results, swept)
     taken[name] = "is swept"
   end
   for _, result in ipairs(results) do
+    taken[result.name .. "_error"] = "tells what the result " .. result.name .. " may be off by"
+  end
+  for _, result in ipairs(results) do
     if seen[result.name] then
       fault.script("study.results: there are two called '%s'", result.name)
     end
@@ -133,6 +141,11 @@ local function is_table(x)
   return type(x) == "table" and not units.is_quantity(x)
 end
 
+--- Quantities of one dimension, or none of them a quantity.
+local function are_alike(a, b)
+  return not units.is_quantity(a) and not units.is_quantity(b) or units.same_dimension(a, b)
+end
+
 local function check_values(name, values)
   if not is_table(values) or #values == 0 then
     fault.script("study.sweep.%s must be a list of values", tostring(name))
@@ -141,6 +154,9 @@ local function check_values(name, values)
     if not study.is_value(values[i]) then
       fault.script("study.sweep.%s: value %d is %s; it must be a number, a quantity, a text or a flag",
         tostring(name), i, type(values[i]) == "number" and "not a number" or "a " .. type(values[i]))
+    elseif not are_alike(values[1], values[i]) then
+      fault.script("study.sweep.%s: value %d, %s, is not of the first's dimension, %s", tostring(name), i, tostring(values[i]),
+        tostring(values[1]))
     end
   end
 end
@@ -149,6 +165,15 @@ local function check_cases(cases)
   for i = 1, #cases do
     if not is_table(cases[i]) then
       fault.script("study.sweep: case %d must be a table of values by name, not a %s", i, type(cases[i]))
+    end
+    for _, name in ipairs(names_of(cases[i])) do
+      if type(name) ~= "string" then
+        fault.script("study.sweep: %s stands there without a name; write sweep = { mu = { 0.2, 0.5 } } for values of mu, or a " ..
+          "list of cases, { { mu = 0.2 }, { mu = 0.5 } }", tostring(cases[i][name]))
+      elseif not are_alike(cases[1][name], cases[i][name]) then
+        fault.script("study.sweep: %s of case %d, %s, is not of the first's dimension, %s", name, i, tostring(cases[i][name]),
+          tostring(cases[1][name]))
+      end
     end
   end
   return cases

@@ -47,6 +47,27 @@ test("a method after a dot and a function after a colon are told", function()
   equal((5*mm):to("m"), 0.005)
 end)
 
+test("a check that asks for a result that is none is told", function()
+  local check = require "stiction.check"
+  local cases = list_of { 1, 2 }
+  for i, case in ipairs(cases) do
+    case.results = { drag = i }
+  end
+  local function checked(f)
+    return check.run({ results = { { name = "drag" }, { name = "lift" } }, check = f }, cases)
+  end
+  local held = checked(function(all, recorder)
+    recorder.increasing("drag", all:values "drag")
+    recorder.holds("no lift", all[1].results.lift == nil)
+  end)
+  equal(held[1].pass and held[2].pass, true)
+  local words = "the study has no result 'drg'; did you mean 'drag'?"
+  fails(words, checked, function(all, recorder) recorder.increasing("x", all:values "drg") end)
+  fails(words, checked, function(all, recorder) recorder.close("x", all[1].results.drg, 1, 0.1) end)
+  fails("a relative tolerance, not below 0", checked, function(_, recorder) recorder.close("x", 1, 1, -0.1) end)
+  fails("and a tolerance, not below 0", checked, function(_, recorder) recorder.equal("x", 1, 1, -0.1) end)
+end)
+
 test("a result that fails leaves the others", function()
   local study = { results = { { name = "good", unit = "1", compute = function() return 1 end },
     { name = "bad", unit = "1", compute = function(_, p) return p.mu.no.such end },
@@ -55,7 +76,7 @@ test("a result that fails leaves the others", function()
   equal(results.good, 1)
   equal(results.bad, nil)
   equal(#failures, 2)
-  assert(failures[1]:find("result bad: cases.lua:52: ", 1, true), failures[1])
+  assert(failures[1]:find("result bad: cases.lua:73: ", 1, true), failures[1])
   equal(missing, false)
 end)
 

@@ -185,7 +185,7 @@ run.time                 list of the times of its steps, s
 run:series(probe, column [, component])    list of values at those times, and the unit; component: of a column that has
                          several values, as those of contact_line: one per point, from 1
 run:max(probe, column [, component])       largest value and its time; run:min likewise
-run:at(time, probe, column [, component])  value at a time, between steps on a straight line
+run:at(time, probe, column [, component])  value at a time, between steps on a straight line; past the end what it is there
 run:last(probe, column [, component])      value at the end
 run:derivative(parameter, function(run) ... end)   derivative of what that gives; 'stiction help derivatives'
 run:columns()            names "probe/column" of all there is; 'stiction help columns' says what they are
@@ -329,7 +329,7 @@ fit = {                                               -- a key of a study
   finer = { cell = 0.02*mm },                         -- settings a level finer; default: those of the study's trade
   further = { speed = { 2*mm/s, 20*mm/s } },          -- measurements thought of, of the first curve with another value
   noise = 1e-6, profiles = true, most = 180,          -- relative noise of runs (default: measured), intervals by profiles,
-                                                      -- evaluations at most (60 a parameter)
+                                                      -- evaluations of the search at most (60 a parameter), a batch begun is ended
   quick = { profiles = false },                       -- what --quick puts in their place
 }
 
