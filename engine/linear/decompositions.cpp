@@ -40,4 +40,10 @@ Dense negative_part(Dense const& A) {
          parts.eigenvectors().transpose();
 }
 
+bool monotone(Dense const& A, double least) {
+  Dense symmetric = 0.5 * (A + A.transpose());
+  symmetric.diagonal().array() += least;
+  return Eigen::LLT<Dense>(symmetric).info() == Eigen::Success;
+}
+
 } // namespace stiction::linear

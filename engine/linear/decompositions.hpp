@@ -36,4 +36,7 @@ namespace stiction::linear {
 /// Of a symmetric matrix, the modes whose eigenvalues are negative.
 [[nodiscard]] Dense negative_part(Dense const& A);
 
+/// Is the symmetric part positive semi-definite, but for `least`?
+[[nodiscard]] bool monotone(Dense const& A, double least);
+
 } // namespace stiction::linear

@@ -341,4 +341,38 @@ std::optional<Descended> descend(Problem const& problem, Vector const& guess, lo
   });
 }
 
+std::optional<Descended> descend_beside_friction(Problem const& problem, Vector const& force,
+                                                 long iterations) {
+  if (frictionless(problem) || std::none_of(problem.points.begin(), problem.points.end(),
+                                            [](auto const& point) { return point.adhesion >= 0; }))
+    return std::nullopt;
+  return by_dimension(problem.dim, [&]<int D>() -> std::optional<Descended> {
+    Vector const x = displacement(problem, force);
+    Vector held = Vector::Zero(force.size());
+    Problem eased = problem;
+    for (Index i = 0; i < problem.size(); ++i) {
+      auto& point = eased.points[ix(i)];
+      if (!(point.mu > 0) && point.friction < 0)
+        continue;
+      Local<D> dry = force.segment<D>(D * i);
+      if (point.adhesion >= 0)
+        dry -= point.area *
+               interface::adhere<D>(problem.adhesions[ix(point.adhesion)], point.bond, x.segment<D>(D * i))
+                   .traction;
+      held.segment<D>(D * i).template tail<D - 1>() = dry.template tail<D - 1>();
+      point.mu = 0;
+      point.friction = -1;
+    }
+    eased.free += problem.W.dense() * held;
+    Descent<D> descent(eased);
+    if (!descent.sound())
+      return std::nullopt;
+    auto end = descent.run(force - held, iterations);
+    if (!end.settled)
+      return std::nullopt;
+    end.force += held;
+    return end;
+  });
+}
+
 } // namespace stiction::contact

@@ -30,4 +30,9 @@ struct Descended {
 /// bond's opening. Nothing where W is singular. The problem has no friction.
 [[nodiscard]] std::optional<Descended> descend(Problem const& problem, Vector const& guess, long iterations);
 
+/// The same with the friction of `force` [dim n] held: forces with which friction may begin anew. Nothing
+/// where there are no bonds or no friction, or no descent.
+[[nodiscard]] std::optional<Descended> descend_beside_friction(Problem const& problem, Vector const& force,
+                                                               long iterations);
+
 } // namespace stiction::contact

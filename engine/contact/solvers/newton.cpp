@@ -25,6 +25,7 @@ constexpr int proximals = 80;     // in which the residual has to halve: rigid w
 constexpr int few_proximals = 25; // of them, before another map is tried
 constexpr double near_answer = 1e-4, nearer = 0.1; // residuals at which proximal points are finished
 constexpr int last_steps = 10;                     // in which that succeeds or not
+constexpr int held_frictions = 4;                  // descents between which friction changes
 constexpr int pivotings = 12;                      // with the bonds linear about the last answer
 
 /// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
@@ -152,13 +153,6 @@ private:
   bool in_vain_ = false;
 };
 
-/// Is the symmetric part positive semi-definite, but for `least`?
-bool monotone(Dense const& W, double least) {
-  Dense symmetric = 0.5 * (W + W.transpose());
-  symmetric.diagonal().array() += least;
-  return Eigen::LLT<Dense>(symmetric).info() == Eigen::Success;
-}
-
 /// The same as this method's, if it converged.
 Solution by(Method method, Solution solution) {
   if (solution.converged)
@@ -250,7 +244,7 @@ private:
   [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most, double& part) {
     Dense const& W = problem.W.dense();
     double const mean = W.diagonal().mean();
-    if (solution.converged || !monotone(W, 1e-10 * mean))
+    if (solution.converged || !linear::monotone(W, 1e-10 * mean))
       return solution;
     Problem nearby = problem;
     nearby.W = W;
@@ -351,8 +345,25 @@ private:
     for (auto const from : {From::nothing, From::statuses, From::closed})
       if (!solution.converged)
         pivot_from(problem, from, from == From::statuses ? guess : stuck, solution);
+    if (!solution.converged)
+      if (auto beside = beside_bonds(problem, guess); beside.converged)
+        return beside;
     solution = at_last(problem, std::move(solution));
     return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// From where bonds go downhill while friction stays as it is, and again with what that makes of it.
+  [[nodiscard]] Solution beside_bonds(Problem const& problem, Vector const& guess) {
+    Solution solution;
+    solution.force = guess;
+    for (int k = 0; k < held_frictions && !solution.converged; ++k) {
+      auto const end = descend_beside_friction(problem, solution.force, 20L * settings_.iterations);
+      if (!end)
+        break;
+      spend(end->iterations, end->work);
+      solution = by(Method::descent, polish(problem, end->force, Stuck::give_up));
+    }
+    return solution;
   }
 
   /// Few rows were not swept, and nothing of what many are answered by was tried.
@@ -477,20 +488,6 @@ Solution newton_from(Problem const& problem, Vector const& guess, double toleran
   BipotentialNewton settings;
   settings.tolerance = tolerance;
   return NewtonSolver(settings).polish(problem, guess, Stuck::give_up);
-}
-
-core::Schema const& BipotentialNewton::schema() {
-  static auto const made =
-      core::Describe<BipotentialNewton>{"newton",
-                                        "bi-potential Newton (semismooth), all points at once; after mixed "
-                                        "sweeps where many without bonds touch",
-                                        "(27)-(29)"}
-          .number("tolerance", &BipotentialNewton::tolerance, "1", {1e-16, 1, false, true},
-                  core::Need::optional, "natural-map residual over the largest traction")
-          .integer("iterations", &BipotentialNewton::iterations, {1, 1e6, false, false}, core::Need::optional,
-                   "Newton iterations at most")
-          .build();
-  return made;
 }
 
 std::unique_ptr<Solver> BipotentialNewton::make() const {

@@ -4,6 +4,7 @@
 #include "contact/solvers.hpp"
 #include "contact/solvers/descent.hpp"
 #include "contact/solvers/minimum.hpp"
+#include "contact/solvers/newton.hpp"
 #include "interface/laws.hpp"
 
 using namespace stiction;
@@ -338,6 +339,40 @@ TEST_SUITE("contact") {
         CHECK(answer.method == Method::descent);
         CHECK(answer.iterations <= found->iterations + 6);
       }
+  }
+
+  TEST_CASE("bonds go downhill beside points whose friction is held, and from there Newton answers") {
+    for (double const mu : {0.1, 0.4}) {
+      CAPTURE(mu);
+      auto problem = arm(60, 1e14, 1e-3);
+      problem.start = Vector::Zero(problem.free.size());
+      for (Index i = 0; i < 60; i += 3) { // pressed where the arm goes down
+        auto& point = problem.points[static_cast<std::size_t>(i)];
+        point.adhesion = -1;
+        point.mu = mu;
+        problem.free[2 * i + 1] = 2e-8;
+      }
+      Vector force = problem.start;
+      bool found = false;
+      for (int k = 0; k < 4 && !found; ++k) {
+        auto const end = descend_beside_friction(problem, force, 200);
+        REQUIRE(end.has_value());
+        auto const answer = newton_from(problem, end->force, 1e-10);
+        found = answer.converged;
+        force = answer.force;
+      }
+      CHECK(found);
+      CHECK(judge(problem, force).relative() <= 1e-8);
+      bool rubs = false;
+      for (Index i = 0; i < 60; i += 3)
+        rubs = rubs || (force[2 * i] > 0 && force[2 * i + 1] != 0);
+      CHECK(rubs);
+      problem.points[0].mu = 0;
+      CHECK(descend_beside_friction(problem, force, 200).has_value());
+      for (auto& point : problem.points)
+        point.mu = 0;
+      CHECK_FALSE(descend_beside_friction(problem, force, 200).has_value()); // nothing rubs
+    }
   }
 
   TEST_CASE("a singular W has no potential in x") {
