@@ -94,9 +94,10 @@ struct FactorSource {
 };
 
 struct State {
-  double t = 0; ///< s
-  Vector u, v;  ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
-  Vector a;     ///< accelerations, m/s^2; empty where the scheme keeps none
+  double t = 0;     ///< s
+  double onset = 0; ///< until which loads that act from the start at once are on their way, s; 0: they act
+  Vector u, v;      ///< [dim nodes], m and m/s; the turn of a free rigid body in rad and rad/s
+  Vector a;         ///< accelerations, m/s^2; empty where the scheme keeps none
   /// Of explicit schemes: half the last contact impulse over the mass, m/s. v holds it, and the next step
   /// takes it out before it finds its own impulse; empty otherwise.
   Vector kick;

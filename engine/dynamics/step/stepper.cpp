@@ -157,8 +157,7 @@ void Stepper::predict(State const& old, double dt, Start start) {
            lead_.lpNorm<Eigen::Infinity>() > leap * bulk_.cell_size();
   if (!leads_)
     arrive(old, t1);
-  gather_external(old.t, external_old_);
-  gather_external(t1, external_);
+  gather_external(old, dt);
   bulk_.remember_from(old.memory, dt);
   if (bulk_.surface_loads().pressed()) {
     prescribed_ = external_;

@@ -100,6 +100,7 @@ private:
   enum class Start { onward, rest, unturned };
   [[nodiscard]] Outcome attempt(State const& old, double dt, Start start);
   void gather_external(double t, Vector& force) const;
+  void gather_external(State const& old, double dt);
   void add_following(Vector const& u, double t, Gases const& gas, Vector& force) const;
   void follow(double t);
   [[nodiscard]] Vector stored_forces(Vector const& u, double t, double& energy) const;
@@ -199,6 +200,7 @@ private:
   bool leads_ = false;             ///< the next correction moves them by it
   Vector skin_old_;                ///< force of the skin at the step's start, N
   Vector excess_;                  ///< what its end adds to the mean internal force, N
+  double onset_ = 0;               ///< of the step's state, s
   Vector external_old_, external_; ///< dead load and loads at the step's ends, N
   Vector mean_drive_;              ///< of motions, that does the ledger's work, N
   Vector prescribed_;           ///< of external_ what does not follow surfaces, N; empty where nothing does

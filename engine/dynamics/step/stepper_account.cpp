@@ -91,6 +91,7 @@ void Stepper::drive_against(Vector const& force, Vector& drive) const {
 
 /// Adds the step to the ledger (physics.md 6); works use the force averages of the scheme.
 void Stepper::account(State const& old, State& next) {
+  next.onset = onset_;
   auto& ledger = next.ledger;
   double const chi = weights_.contact_work, omega = weights_.work;
   Vector mean_force = (1 - omega) * (external_old_ - old.internal) + omega * (external_ - internal_) +

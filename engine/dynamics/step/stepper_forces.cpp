@@ -1,4 +1,5 @@
 // The forces of a step beside contact and inertia: weight and loads, cells, springs, surfaces.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "dynamics/bulk/timer.hpp"
@@ -11,6 +12,21 @@ void Stepper::gather_external(double t, Vector& force) const {
   force = bulk_.mass().dead_load;
   for (auto const& load : model_->loads)
     force += load.path.value(t) * load.force;
+}
+
+/// Of both ends of a step. Without inertia nothing but the step's length could ease weight and loads that act
+/// at once: where the first step is cut, they come on along it.
+void Stepper::gather_external(State const& old, double dt) {
+  double const t1 = old.t + dt;
+  onset_ = old.t > 0 ? old.onset : weights_.inertia ? 0 : std::max(onset_, dt);
+  gather_external(old.t, external_old_);
+  gather_external(t1, external_);
+  if (!(old.t > 0 ? old.t < onset_ : t1 < onset_))
+    return;
+  Vector at_once;
+  gather_external(0, at_once);
+  external_old_ -= (1 - old.t / onset_) * at_once;
+  external_ -= std::max(0.0, 1 - t1 / onset_) * at_once;
 }
 
 /// Adds the loads that follow the surface.

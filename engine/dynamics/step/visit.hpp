@@ -83,10 +83,10 @@ template<class Archive> void visit(Archive& archive, Momenta& momenta) {
 }
 
 template<class Archive> void visit(Archive& archive, State& state) {
-  auto& [t, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid, turned, gas,
-         ledger, factors, critical_step, critical_age, momenta, memory] = state;
-  archive(t, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid, turned,
-          gas, ledger, factors, critical_step, critical_age, momenta, memory);
+  auto& [t, onset, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid,
+         turned, gas, ledger, factors, critical_step, critical_age, momenta, memory] = state;
+  archive(t, onset, u, v, a, kick, internal, damping, reaction, own_reactions, drive, contacts, on_rigid,
+          turned, gas, ledger, factors, critical_step, critical_age, momenta, memory);
 }
 
 template<class Archive> void visit(Archive& archive, Cost& cost) {
