@@ -355,7 +355,8 @@ function sweep.cases(study, options)
     if not seen[case.id] then
       cases[#cases + 1], seen[case.id] = case, case
     elseif not plan.cases or differ(case.p, seen[case.id].p) then
-      fault.input("two cases of the sweep are called '%s'; give the study a case_id(p)", case.id)
+      fault.input("two cases of the sweep are called '%s'; %s", case.id,
+        study.case_id and "let case_id(p) tell them apart" or "give the study a case_id(p)")
     end
   end
   return cases, names

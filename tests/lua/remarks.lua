@@ -48,3 +48,17 @@ test("a slender strip that its stabilisation holds back is told, whatever its su
   end
   assert(remark(strip(0.03), "take less of it"), remark(strip(0.03), "stabilisation") or "nothing")
 end)
+
+test("of a body that turns in steps too long a scheme that damps is named, and that makes none", function()
+  local function spinning(scheme)
+    local mesh = stiction.mesh.block { size = { 10*mm, 4*mm }, cells = { 10, 4 } }
+    return stiction.scene { bodies = { d = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3,
+        velocity = { 0*u.m/s, 0.2*u.m/s }, spin = { 20/s }, velocity_gradient = { 3/s, 5/s, 5/s, -3/s },
+        material = stiction.material.neo_hookean { young = 100*u.MPa, poisson = 0.3 } } },
+      scheme = stiction.scheme.theta_xi(scheme),
+      schedule = stiction.schedule { stages = { stiction.stage { to = 0.6*s, steps = 600 } } }, probes = {} }
+  end
+  local text = remark(spinning {}, "made energy")
+  assert(text and text:find("theta = xi = 0.6", 1, true), text or "nothing")
+  equal(remark(spinning { theta = 0.6, xi = 0.6 }, "made energy"), nil)
+end)

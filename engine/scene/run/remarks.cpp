@@ -81,10 +81,13 @@ std::string words_of(Scene const& scene, dynamics::ContactSystem const& contact,
 
 /// What makes no energy where the present scheme does: when contact ends, or in finite rotations.
 char const* tamer_scheme(Scene const& scene) {
+  auto const& model = *scene.model;
   auto const relaxes = [](auto const& body) { return !body->relaxing.empty(); };
-  return dynamics::weights(scene.model->scheme).skin || std::ranges::any_of(scene.model->bodies, relaxes)
-             ? "a scheme that damps (theta = xi = 1)"
-             : "scheme.theta_xi{contact_inertia = \"cells\"}, which makes none when contact ends";
+  if (dynamics::weights(model.scheme).skin || std::ranges::any_of(model.bodies, relaxes))
+    return "a scheme that damps (theta = xi = 1)";
+  if (model.pairs.empty() || std::ranges::any_of(model.motions, [](auto const& one) { return !!one.turn; }))
+    return "a scheme that damps what swings in bodies that turn (theta = xi = 0.6)";
+  return "scheme.theta_xi{contact_inertia = \"cells\"}, which makes none when contact ends";
 }
 
 } // namespace
