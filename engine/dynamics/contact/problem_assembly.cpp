@@ -2,6 +2,8 @@
 #include "dynamics/contact/problem_assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "dynamics/contact/bond_grip.hpp"
 #include "dynamics/model/spin.hpp"
@@ -15,7 +17,10 @@ constexpr double lightest = 1e-4, loosest = 0.05, tighter = 10, tightest = 0.5;
 
 template<int D, int C>
 ProblemAssembly<D, C>::ProblemAssembly(Model const& model, BulkSystem const& bulk)
-    : model_(&model), bulk_(&bulk), spins_(std::ranges::any_of(model.rigids, tensorial)) {}
+    : model_(&model), bulk_(&bulk), spins_(std::ranges::any_of(model.rigids, tensorial)) {
+  if (model.reference.size() > 0)
+    last_digit_ = 8 * std::numeric_limits<double>::epsilon() * model.reference.cwiseAbs().maxCoeff();
+}
 
 template<int D, int C> void ProblemAssembly<D, C>::begin(State const& old, double dt, bool turning) {
   old_ = &old;
@@ -108,10 +113,13 @@ Vector ProblemAssembly<D, C>::fill(Points const& points, contact::Problem& probl
   problem.dim = C;
   problem.points.clear();
   problem.start.setZero(problem.free.size());
+  bool const known = problem.W.rows() == problem.free.size(); // else it is another's, who poses the same
   for (std::size_t row = 0; row < points.active().size(); ++row) {
     auto const& point = points.active(row);
     auto const first = C * static_cast<Index>(row);
     problem.free.segment<C>(first) += point.x();
+    if (known && problem.W.diagonal(first) == 0 && std::abs(problem.free[first]) <= last_digit_)
+      problem.free[first] = 0; // of a point that nothing moves rounding presses no force out
     problem.points.push_back(point.data);
     problem.start[first] = points.before(point).gap;
   }

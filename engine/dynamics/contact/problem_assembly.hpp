@@ -60,6 +60,7 @@ private:
   State const* old_ = nullptr;
   double dt_ = 0;
   bool spins_;
+  double last_digit_ = 0;                ///< of positions, m
   double grip_ = 0;                      ///< part of the stiffness of bonds that the matrix has
   bool turning_ = true, turned_ = false; ///< may problems know that normals turn; has one known it
   /// May they although the bulk is unstable with that: not now, as one would be; yes; never again.
