@@ -106,3 +106,14 @@ test("matching meshes of quadratic cells are not told to swap sides, coarser one
     equal(warned(scene, "steps in which it slides may find no balance"), coarse)
   end
 end)
+
+test("a set that holds nodes of the axis of a section is not to be moved off it", function()
+  local function of(x, kinematics)
+    return with(scene_of({ friction = coulomb }), { kinematics = kinematics,
+      motions = { stiction.motion.drive { set = "block.top", times = { 0*s, 1*s }, x = { 0*m, x*m }, y = { 0*m, -0.1*m } } } })
+  end
+  local words = "block.top: nodes on the axis are moved off it in x, by up to 10 mm"
+  equal(warned(of(0.01, "axisymmetric"), words), true)
+  equal(warned(of(0, "axisymmetric"), "moved off it"), false)
+  equal(warned(of(0.01, "plane_strain"), "moved off it"), false)
+end)

@@ -53,15 +53,6 @@ void Builder::add_motion(Where const& where, DrivePart const& part) {
   for (int c = 0; c < scene_.part.dim() && !nodes.empty(); ++c)
     if (!values[ix(c)]->empty())
       scene_.model->motions.push_back({nodes, c, path(part.times, *values[ix(c)]), part.set});
-  auto const& reference = scene_.model->reference;
-  bool const opens = scene_.part.kinematics == solid::Kinematics::axisymmetric &&
-                     std::ranges::any_of(part.x, [](double x) { return x != 0; }) &&
-                     std::ranges::any_of(nodes, [&](Index node) { return reference(node, 0) == 0; });
-  if (opens)
-    complain({where[0], "x"},
-             fmt::format("moves nodes of {} that lie on the axis, which stay at r = 0; take a "
-                         "set without them, or leave x out",
-                         part.set));
 }
 
 void Builder::check_turn(Where const& where, TurnPart const& part) {

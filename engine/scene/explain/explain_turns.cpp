@@ -1,8 +1,9 @@
-// Bodies that are turned by more than their law knows.
+// Bodies that are turned by more than their law knows, and those torn from the axis of a section.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
+#include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
 #include "solid/responses.hpp"
 
@@ -26,6 +27,20 @@ void warn_of_turns(Facts const& all, std::vector<Warning>& warnings) {
              "makes a strain of {:.2g} %",
              turn->set, angle, law, 100 * (1 - std::cos(std::min(angle, 3.0)))),
          law_of_large_strains(facts)});
+  }
+}
+
+void warn_of_holes(Facts const& all, std::vector<Warning>& warnings) {
+  auto const& model = *all.scene->model;
+  if (model.kinematics != solid::Kinematics::axisymmetric)
+    return;
+  for (auto const& motion : model.motions) {
+    auto const held = [&](Index node) { return model.reference(node, 0) == 0; };
+    if (motion.component == 0 && motion.farthest() > 0 && std::ranges::any_of(motion.nodes, held))
+      warnings.push_back(
+          {fmt::format("{}: nodes on the axis are moved off it in x, by up to {}, which opens a hole",
+                       motion.set, human(motion.farthest(), "m")),
+           "a set without the nodes at x = 0, or no x"});
   }
 }
 

@@ -478,6 +478,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   warn_of_springs(all, warnings);
   warn_of_idle(all, warnings);
   warn_of_turns(all, warnings);
+  warn_of_holes(all, warnings);
   inertia(all, warnings);
   critical_steps(all, warnings);
   ringing(all, warnings);

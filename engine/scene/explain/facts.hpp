@@ -141,6 +141,8 @@ void warn_of_relief(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_shared_nodes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_turns.cpp: motions that turn bodies farther than laws of small rotations know.
 void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
+/// The same: motions that move nodes of the axis of a section off it.
+void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_idle.cpp: parameters and probes that do nothing; those of a pair's law alone.
 void warn_of_idle(Facts const& facts, std::vector<Warning>& warnings);
 void warn_of_idle_law(std::string const& pair, interface::Law const& law, int dim,

@@ -157,18 +157,6 @@ TEST_CASE("loads and motions without any component") {
   check_only(table, "motions[1]", {"holds no component"});
 }
 
-TEST_CASE("no motion opens a hole on the axis of a section") {
-  auto table = test::foot_on_floor();
-  test::at(table, "kinematics") = test::text("axisymmetric");
-  auto const moved = [&](double x) {
-    auto other = table;
-    test::at(other, "motions") = test::list({test::drive("foot.top", {0, 2}, {{{0, x}, {0, -0.01}}})});
-    return other;
-  };
-  CHECK(complaints(moved(0)).empty());
-  check_only(moved(0.01), "motions[1].x", {"foot.top that lie on the axis", "take a set without them"});
-}
-
 TEST_CASE("a free obstacle about an axis moves along it alone") {
   auto table = test::foot_on_floor();
   test::at(table, "kinematics") = test::text("axisymmetric");
