@@ -74,7 +74,7 @@ local function read_result(name, entry)
   if type(name) ~= "string" or name == "" then
     fault.script("study.results: entry %s has no name; give name = \"force\"", tostring(name))
   end
-  local odd = name:find("[,;\"/\\%c]") -- in a table's head or a folder's name it would be something else
+  local odd = name:find("[,\"%c]") -- in the head of summary.csv it would end the name
   if odd then
     fault.script("study.results: the name '%s' holds %s; take another character, as _", (name:gsub("%c", "?")),
       name:find("%c", odd) == odd and "a control character" or "a '" .. name:sub(odd, odd) .. "'")
@@ -125,9 +125,6 @@ local function doubled(results, swept)
     taken[name] = "is swept"
   end
   for _, result in ipairs(results) do
-    taken[result.name .. "_error"] = "tells what the result " .. result.name .. " may be off by"
-  end
-  for _, result in ipairs(results) do
     if seen[result.name] then
       fault.script("study.results: there are two called '%s'", result.name)
     end
@@ -170,7 +167,7 @@ local function check_cases(cases)
       if type(name) ~= "string" then
         fault.script("study.sweep: %s stands there without a name; write sweep = { mu = { 0.2, 0.5 } } for values of mu, or a " ..
           "list of cases, { { mu = 0.2 }, { mu = 0.5 } }", tostring(cases[i][name]))
-      elseif not are_alike(cases[1][name], cases[i][name]) then
+      elseif cases[1][name] ~= nil and not are_alike(cases[1][name], cases[i][name]) then
         fault.script("study.sweep: %s of case %d, %s, is not of the first's dimension, %s", name, i, tostring(cases[i][name]),
           tostring(cases[1][name]))
       end
