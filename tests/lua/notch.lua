@@ -39,3 +39,32 @@ test("either face may have the points, with friction too, and the press is the s
   end
 end)
 
+
+test("sides that have facets in common are told", function()
+  local engine = require "stiction.engine"
+  engine.write_file("notch_runs/two.inp", [[
+*NODE
+1, 0, 0
+2, 1, 0
+3, 1, 1
+4, 0, 1
+5, 1, 2
+6, 0, 2
+*ELEMENT, TYPE=CPE4
+1, 1, 2, 3, 4
+2, 4, 3, 5, 6
+*SURFACE, NAME=low, TYPE=ELEMENT
+1, S2
+*SURFACE, NAME=side, TYPE=ELEMENT
+1, S2
+2, S2
+*NSET, NSET=foot
+1, 2
+]])
+  local scene = notched { secondary = "b.low", primary = "b.side" }
+  scene.bodies.b.mesh = stiction.mesh.msh_file { path = engine.absolute "notch_runs/two.inp", scale = 1*mm }
+  scene.motions = { stiction.motion.fix { set = "b.foot" } }
+  scene.probes = {}
+  local _, why = engine.call(run, scene)
+  assert(tostring(why):find("pairs.faces.secondary: has 1 of the facets of the primary", 1, true), tostring(why))
+end)

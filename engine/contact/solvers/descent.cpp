@@ -112,10 +112,13 @@ private:
     for (Index i = 0; i < problem_.size(); ++i) {
       double const area = problem_.points[ix(i)].area;
       Local<D> at = x_.segment<D>(D * i);
-      gradient_.segment<D>(D * i) -= area * bond(i, at).traction;
-      if (std::abs(at[0]) < touching * opening_) // where it can only open, the slope on that side
+      auto answer = bond(i, at);
+      gradient_.segment<D>(D * i) -= area * answer.traction;
+      if (std::abs(at[0]) < touching * opening_) { // where it can only open, the slope on that side
         at[0] = touching * opening_;
-      LocalMatrix<D> const slope = bond(i, at).traction_by_x;
+        answer = bond(i, at);
+      }
+      LocalMatrix<D> const& slope = answer.traction_by_x;
       softening_[ix(i)] = -0.5 * area * (slope + slope.transpose());
       if (near_ && !slope.isApprox(slope.transpose(), symmetric)) { // as of a bond that mixes modes
         softening_[ix(i)] = -area * slope;

@@ -283,6 +283,8 @@ bool Builder::leave_out_shared(std::string const& name, mesh::Set const& seconda
   };
   Indices const theirs = sorted(primary.nodes);
   auto const shared = [&](Index node) { return std::binary_search(theirs.begin(), theirs.end(), node); };
+  if (std::ranges::none_of(secondary.nodes, shared))
+    return true;
   std::set<Indices> facets;
   for (auto const& facet : primary.facets)
     facets.insert(sorted(facet.nodes));
@@ -296,7 +298,7 @@ bool Builder::leave_out_shared(std::string const& name, mesh::Set const& seconda
                     same));
     return false;
   }
-  if (pair.mortar || std::none_of(pair.secondary.begin(), pair.secondary.end(), shared))
+  if (pair.mortar)
     return true;
   if (!pair.means.empty()) {
     complain({"pairs", name, "secondary"},
