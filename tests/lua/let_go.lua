@@ -6,17 +6,19 @@ local mm, s, kg, m, J, MPa, N = units.mm, units.s, units.kg, units.m, units.J, u
 
 local run, scenes = shared("runs").quasi_static "let_go_runs", shared "scenes"
 
---- A ball of 6 mm pressed onto a layer of 3 mm and drawn off.
-local function ball(cell)
+--- A ball of 6 mm pressed onto a layer of 3 mm and drawn off; of another way down and another law where these are given.
+local function ball(cell, depth, law)
   local function cells(size) return math.ceil(size.si / cell.si - 1e-9) end
   return stiction.scene { kinematics = "axisymmetric",
-    bodies = { layer = stiction.body { mesh = stiction.mesh.block { size = { 5*mm, 3*mm }, cells = { cells(5*mm), cells(3*mm) } },
+    bodies = { layer = stiction.body { mesh = law and stiction.mesh.graded_block { size = { 5*mm, 3*mm }, fine = { 1*mm, 0.5*mm },
+        fine_size = cell, coarse_size = 0.5*mm }
+      or stiction.mesh.block { size = { 5*mm, 3*mm }, cells = { cells(5*mm), cells(3*mm) } },
       interpolation = "mean_dilatation", density = 1000*kg/m^3,
       material = stiction.material.neo_hookean { young = 0.4*MPa, poisson = 0.47 } } },
     obstacles = { ball = stiction.obstacle { shape = stiction.rigid.circle { centre = { 0*mm, 9*mm }, radius = 6*mm },
-      times = { 0*s, 1*s, 3*s }, y = { 0*mm, -0.15*mm, 0.35*mm } } },
+      times = { 0*s, 1*s, 3*s }, y = { 0*mm, -(depth or 0.15*mm), 0.35*mm } } },
     pairs = { touch = stiction.pair { secondary = "layer.top", primary = "ball",
-      adhesion = stiction.adhesion.rcc { w = 0.4*J/m^2, C_n = 4e8*N/m^3, C_t = 0*N/m^3, b = 0.02*N*s/m } } },
+      adhesion = stiction.adhesion.rcc(law or { w = 0.4*J/m^2, C_n = 4e8*N/m^3, C_t = 0*N/m^3, b = 0.02*N*s/m }) } },
     motions = { stiction.motion.fix { set = "layer.bottom" }, stiction.motion.fix { set = "layer.left", y = false } },
     scheme = stiction.scheme.quasi_static {},
     schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 50 }, stiction.stage { to = 3*s, steps = 40 } } },
@@ -34,6 +36,20 @@ test("cells as small as advised over what is left of a ball's contact leave a pe
   local fine = pull(advised)
   assert(math.abs(fine / 16.2 - 1) < 0.02, fine) -- mN, of cells of 0.06 mm
   assert(pull(0.33*mm) > 1.1 * fine)
+end)
+
+test("bonds made by touching are counted in whole cells: five per cent at most with cells as small as advised", function()
+  local depth, law = 0.02*mm, { w = 0.05*J/m^2, C_n = 3e7*N/m^3, C_t = 0*N/m^3, b = 0.002*N*s/m } -- 0.35 mm touch
+  local function pull(cell) return 1e3 * run(ball(cell, depth, law)):max("touch", "force_y") end
+  local told = scenes.warning(ball(0.08*mm, depth, law), "when it lets go")
+  local number = tonumber(told.change:match("cells of ([%d.]+) um or less at layer.top, which leave up to five per cent"))
+  equal(scenes.warning(ball(0.03*mm, depth, law), "when it lets go"), nil)
+  local fine = pull(number / 2 * units.um)
+  for _, share in ipairs { 1, 0.9, 0.8 } do
+    local off = pull(share * number * units.um) / fine - 1
+    assert(math.abs(off) < 0.05, off)
+  end
+  assert(pull(0.08*mm) > 1.2 * fine)
 end)
 
 test("points as near as advised know the force of a ball's small contact", function()

@@ -210,16 +210,16 @@ private:
     return part;
   }
   void add_loose(std::vector<std::size_t> const& parts, std::vector<Loose>& found) const {
-    auto const n = static_cast<Eigen::Index>(parts.size());
+    auto const n = static_cast<Index>(parts.size());
     Dense held = Dense::Zero(n * count(), n * count());
-    for (Eigen::Index a = 0; a < n; ++a)
-      for (Eigen::Index b = 0; b < n; ++b)
+    for (Index a = 0; a < n; ++a)
+      for (Index b = 0; b < n; ++b)
         if (auto const block = held_.find({parts[ix(a)], parts[ix(b)]}); block != held_.end())
           held.block(a * count(), b * count(), count(), count()) = block->second;
     Eigen::SelfAdjointEigenSolver<Dense> const all(held);
     auto const& values = all.eigenvalues(); // ascending
     auto const free = (values.array() <= 1e-12 * std::max(1.0, values[values.size() - 1])).count();
-    for (Eigen::Index a = 0; a < n && free > 0; ++a) {
+    for (Index a = 0; a < n && free > 0; ++a) {
       auto const& frame = frames_[parts[ix(a)]];
       bool const alone = std::ranges::count(frames_, frame.body, &Frame::body) == 1;
       Loose part{frame.body, {}, frame.middle(), alone};

@@ -21,142 +21,15 @@ double kept_stiffness(material::Material const& law, double strain) {
 
 namespace {
 
-constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive length: the limit, the aim
-constexpr double radius_cells = 3, good_radius = 4;       // over what holds a ball as it lets go
-constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
-constexpr double part_of_bond = 0.25;                     // beta in a step
-constexpr double closed_cells = 8, good_closed = 4;       // cells of approach in a step: the limit, the aim
-constexpr double coarse = 1.5;                            // over the primary's facets
-constexpr double locking = 0.45;                          // Poisson's ratio
+constexpr double closed_cells = 8, good_closed = 4; // cells of approach in a step: the limit, the aim
+constexpr double coarse = 1.5;                      // over the primary's facets
+constexpr double locking = 0.45;                    // Poisson's ratio
 constexpr double small_strain = 0.05;
 constexpr double softened_to = 0.46; // of the stiffness at rest: St Venant and Kirchhoff's at a strain of 0.2
 constexpr double fast = 0.1;         // over the shear wave speed
 constexpr double small_change = 0.02, many_periods = 25;
 
 using Warnings = std::vector<Warning>;
-
-/// "schedule.stage 2 with 300 steps"
-std::string more_steps(Facts const& all, std::size_t stage, double factor) {
-  auto const& part = all.scene->part.schedule.stages[stage];
-  return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor),
-                     part.steps, human(part.until, "s"));
-}
-
-void cohesive_length(PairFacts const& pair, Warnings& warnings) {
-  double const length = pair.cohesive_length();
-  double const cell = std::max(pair.size, 0.0);
-  if (length >= cohesive_cells * cell)
-    return;
-  warnings.push_back(
-      {fmt::format("pair {}: cohesive length {}, mesh {}, that is {:.2g} of a cell: the pull-off will depend "
-                   "on the mesh",
-                   pair.pair->name, human(length, "m"), human(cell, "m"), length / cell),
-       fmt::format("cells of {} or less at {}, which leave a few per cent", human(length / good_cells, "m"),
-                   pair.part->secondary)});
-}
-
-/// What holds a ball when it lets go: contact by JKR (Johnson, Kendall and Roberts 1971), or bonds of long
-/// range where they are not open beyond their peak.
-void let_go_radius(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  if (all.scene->part.kinematics == solid::Kinematics::plane_strain || !(pair.radius > 0))
-    return;
-  auto const scales = interface::scales(*pair.pair->law.adhesion);
-  double const R = pair.radius,
-               radius = std::max(std::cbrt(9 * std::numbers::pi / 8 * R * R * scales.work / pair.modulus),
-                                 std::sqrt(2 * R * scales.opening));
-  if (!std::isfinite(radius) || radius >= radius_cells * pair.size)
-    return;
-  warnings.push_back(
-      {fmt::format(
-           "pair {}: when it lets go it holds on over a radius of {}, {:.2g} cells of {}: the pull-off "
-           "will depend on the mesh",
-           pair.pair->name, human(radius, "m"), radius / pair.size, human(pair.size, "m")),
-       fmt::format("cells of {} or less at {}, which leave about one per cent",
-                   human(radius / good_radius, "m"), pair.part->secondary)});
-}
-
-/// Steps that jump over the opening at which the traction peaks.
-void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const scales = interface::scales(*pair.pair->law.adhesion);
-  auto const& motion = pair.motion;
-  if (motion.beside)
-    return;
-  auto const check = [&](char const* what, double step, double opening, std::size_t stage) {
-    double const part = step / opening;
-    if (std::isfinite(part) && part > part_of_opening)
-      warnings.push_back(
-          {fmt::format(
-               "pair {}: the motions {} by up to {:.2g} u0 in a step: the peak of the adhesion is cut off "
-               "where it opens so fast, not where it peels from an edge",
-               pair.pair->name, what, part),
-           more_steps(all, stage, part / good_part) + ", which see it to within 8 %"});
-  };
-  check("open it", motion.opening_step, scales.opening, motion.opening_stage);
-  check("slide", motion.sliding_step, scales.along, motion.sliding_stage);
-}
-
-void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
-  if (!interface::grows(law))
-    return;
-  double const bonding = interface::bond_time(law), part = all.longest_step / bonding;
-  if (bonding == 0 || part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time ||
-      pair.motion.closed_time == 0)
-    return; // quick bonds are full whatever the step
-  warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
-                                  pair.pair->name, human(bonding, "s"), 1 / part),
-                      fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
-}
-
-/// Softens the bond faster than the bodies give way, with no viscosity to slow it?
-bool snaps(PairFacts const& pair) {
-  auto const& law = *pair.pair->law.adhesion;
-  return interface::bond_time(law) == 0 && pair.column < interface::scales(law).softening;
-}
-
-/// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
-void snapping(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  auto const& law = *pair.pair->law.adhesion;
-  if (all.dynamic() || !snaps(pair))
-    return;
-  auto const wording = interface::wording(law);
-  bool const viscous = !wording.viscosity.empty(); // if its parameter were more than 0
-  auto const& body = all.bodies[pair.secondary];
-  double const transit = body.extent() / body.pressure_speed();
-  std::string inertia = "scheme.theta_xi{}";
-  if (all.longest_step > transit)
-    inertia += fmt::format(", whose steps see the snap where they are {} or less, as long as a wave goes "
-                           "through the body; longer ones get past it, and damp what follows",
-                           human(transit, "s"));
-  warnings.push_back(
-      {fmt::format("pair {}: the bodies give way more than the bonds soften (E / thickness = {:.2g} N/m^3 < "
-                   "{}: the pull-off snaps, and a quasi-static run may not get past it",
-                   pair.pair->name, pair.column,
-                   viscous ? fmt::format("{}) and {} = 0", wording.softening, wording.viscosity)
-                           : fmt::format("{:.2g} N/m^3)", interface::scales(law).softening)),
-       viscous ? fmt::format("a small viscosity {} > 0, or {}", wording.viscosity, inertia) : inertia});
-}
-
-void no_bond(PairFacts const& pair, Warnings& warnings) {
-  auto const where = pair.gap > 0 ? fmt::format(", {} or more apart", human(pair.gap, "m")) : std::string();
-  warnings.push_back({fmt::format("pair {}: none of its points has a bond at the start{}, and this law makes "
-                                  "none: nothing will adhere",
-                                  pair.pair->name, where),
-                      "surfaces that touch at the start, beta0 > 0, or a law whose bonds form where surfaces "
-                      "touch: adhesion.rcc{bonding = \"contact\"}"});
-}
-
-void adhesion(Facts const& all, PairFacts const& pair, Warnings& warnings) {
-  if (!pair.adheres())
-    return;
-  if (pair.bondless())
-    return no_bond(pair, warnings);
-  cohesive_length(pair, warnings);
-  let_go_radius(all, pair, warnings);
-  opening_steps(all, pair, warnings);
-  bonding_steps(all, pair, warnings);
-  snapping(all, pair, warnings);
-}
 
 void closing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   double const part = pair.motion.closing_step / pair.size;
@@ -471,7 +344,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     coarse_points(all, pair, warnings);
     sharp_peaks(all, pair, warnings);
     if (pair.pair->law.adhesion)
-      adhesion(all, pair, warnings);
+      warn_of_bonds(all, pair, warnings);
   }
   warn_of_relief(all, warnings);
   warn_of_shared_nodes(all, warnings);

@@ -127,6 +127,12 @@ void describe_numbers(Facts const& facts, Explanation& explanation);
 void add_half_space(Facts const& facts, PairFacts const& pair, Section& section);
 /// explain_warnings.cpp: of its stiffness at rest against compression by this strain, sides held.
 [[nodiscard]] double kept_stiffness(material::Material const& law, double strain);
+/// explain_bonds.cpp: what bonds ask of cells and steps of a pair that has a law of adhesion.
+void warn_of_bonds(Facts const& facts, PairFacts const& pair, std::vector<Warning>& warnings);
+/// The same: softens a bond faster than the bodies give way, with no viscosity to slow it?
+[[nodiscard]] bool snaps(PairFacts const& pair);
+/// The same: "300 steps instead of 100 in the stage to 1 s", so many times what a stage has.
+[[nodiscard]] std::string more_steps(Facts const& facts, std::size_t stage, double factor);
 /// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any
 /// purpose.
 bool describe_cost(Facts const& facts, dynamics::State const& start, dynamics::BulkSystem const& bulk,
