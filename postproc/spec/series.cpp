@@ -152,6 +152,8 @@ Curve load_curve(CurveSpec const& spec, std::size_t index, LinesSpec const& figu
   if (curve.points.empty())
     throw core::RunError(fmt::format("curve \"{}\"{}: has no point to draw", spec.label,
                                      spec.file.has_filename() ? " of " + spec.file.string() : ""));
+  if (curve.points.size() == 1)
+    curve.pen.dash = Dash::points; // a line of one point would not be seen
   return curve;
 }
 

@@ -124,6 +124,11 @@ TEST_CASE("error bars have the length of their errors, and the axis has room for
   CHECK(wrong.messages.find("has 1 numbers but the curve has 2 given points") != std::string::npos);
 }
 
+TEST_CASE("a line of one point is a point") {
+  auto const image = lines("alone", R"("label":"y","unit":"1","range":[0,10])", R"({"x":[2],"y":[5]})");
+  CHECK(image.count(blue, {0.15, 0.98, 0.2, 0.9}) > 30);
+}
+
 TEST_CASE("a field tells the time of its frame, not the time asked for") {
   auto const with = drawn("with_time", field(R"("array":"von_mises","unit":"MPa")"));
   auto const without = drawn("without_time", field(R"("array":"von_mises","unit":"MPa","show_time":false)"));
