@@ -239,6 +239,17 @@ local function copy_plan(plan)
   return twin
 end
 
+--- The study's own plan and values in the form that is asked for; bad input of a quick form that asks for what there is not,
+--- whether it is wanted or not.
+local function form(study, options)
+  local plan, values = copy_plan(study.sweep), base_values(study)
+  apply_quick(plan, values, study.quick)
+  if options.quick then
+    return plan, values
+  end
+  return copy_plan(study.sweep), base_values(study)
+end
+
 --- The swept values that study.trade.set must have brought down to one each, now standing with the others.
 local function settle(plan, values, words)
   for _, name in ipairs(axis_names(plan)) do
@@ -296,10 +307,7 @@ end
 --- All values by name of a case in which those of `point` (by name) stand in for the study's own; what is swept has to have
 --- one value then. word: what is told of it; each(name): of one value, where that is more.
 function sweep.values_at(study, options, point, word, each)
-  local plan, values = copy_plan(study.sweep), base_values(study)
-  if options.quick then
-    apply_quick(plan, values, study.quick)
-  end
+  local plan, values = form(study, options)
   apply_settings(plan, values, options.set or {})
   for _, name in ipairs(ordered.keys(point)) do
     set(plan, values, name, point[name], each and each(name) or word)
@@ -339,10 +347,7 @@ function sweep.cases(study, options)
     local case, names = sweep.point(study, options, options.point)
     return { case }, names
   end
-  local plan, values = copy_plan(study.sweep), base_values(study)
-  if options.quick then
-    apply_quick(plan, values, study.quick)
-  end
+  local plan, values = form(study, options)
   apply_settings(plan, values, options.set or {})
   local names, swept = axis_names(plan), plan.cases or multiply(plan.axes)
   local own = study.sweep

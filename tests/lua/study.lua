@@ -56,6 +56,11 @@ test("what --set cannot do is told", function()
   fails("write NAME=VALUE", set "radius")
 end)
 
+test("a quick form that asks for what there is not is told without --quick as well", function()
+  fails("study.quick.set: the study has no parameter 'nope'", function() return sweep.cases(make { quick = { set = { nope = 3 } } }, {}) end)
+  fails("study.quick: unknown key 'setting'", function() return sweep.cases(make { quick = { setting = {} } }, {}) end)
+end)
+
 test("a misspelt parameter is told where it is used", function()
   local p = sweep.cases(make(two), {})[1].p
   fails("there is no parameter 'raduis'; did you mean 'radius'?", function() return p.raduis end)

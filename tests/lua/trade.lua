@@ -280,6 +280,7 @@ test("--accuracy takes the cheapest bound that holds", function()
   near(accuracy.share("2%"), 0.02)
   near(accuracy.share("0.02"), 0.02)
   fails("write a share", function() accuracy.share("much") end)
+  fails("did you mean 3%", function() accuracy.share("3") end)
   local runs = { { work = 1, bound = 0.1 }, { work = 3, bound = 0.01 }, { work = 2, bound = 0.02 }, { work = 0.5 } }
   equal(accuracy.cheapest(runs, 0.02).work, 2)
   local none, nearest = accuracy.cheapest(runs, 0.001)

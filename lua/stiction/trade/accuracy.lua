@@ -24,6 +24,8 @@ function accuracy.share(text)
   local share = tonumber(number)
   if not share or share <= 0 then
     fault.input("--accuracy %s: write a share above 0, as 2%% or 0.02", text)
+  elseif percent == "" and share >= 1 then
+    fault.input("--accuracy %s: a share without %% is one of 1, as 0.02; did you mean %s%%?", text, number)
   end
   return percent == "%" and share / 100 or share
 end
