@@ -144,8 +144,14 @@ void coarse_points(Facts const& all, PairFacts const& pair, Warnings& warnings) 
 void sharp_peaks(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   if (pair.primary)
     return;
-  auto const* map = std::get_if<contact::RigidHeights>(&all.scene->model->rigids[pair.rigid].shape);
-  double const radius = map == nullptr ? pair.size : contact::sharpest_peak(*map);
+  auto const& shape = all.scene->model->rigids[pair.rigid].shape;
+  auto const* map = std::get_if<contact::RigidHeights>(&shape);
+  auto const* circle = std::get_if<contact::RigidCircle>(&shape);
+  auto const* ball = std::get_if<contact::RigidSphere>(&shape);
+  double const radius = map != nullptr ? contact::sharpest_peak(*map)
+                        : circle != nullptr && circle->side == contact::Side::outside ? circle->radius
+                        : ball != nullptr && ball->side == contact::Side::outside     ? ball->radius
+                                                                                      : pair.size;
   if (radius >= pair.size)
     return;
   warnings.push_back(
@@ -170,16 +176,6 @@ int flat_axis(mesh::Mesh const& mesh, Indices const& nodes) {
   return -1;
 }
 
-bool all_held(dynamics::Model const& model, std::size_t body, Indices const& nodes, int component) {
-  std::vector<bool> held(ix(model.node_count()), false);
-  for (auto const& motion : model.motions)
-    if (motion.component == component)
-      for (Index const node : motion.nodes)
-        held[ix(node)] = true;
-  return std::all_of(nodes.begin(), nodes.end(),
-                     [&](Index node) { return held[ix(model.first_node[body] + node)]; });
-}
-
 /// motion.fix of one component
 std::string fix_words(std::string const& set, int component, int dim) {
   std::string words = fmt::format("stiction.motion.fix {{ set = \"{}\"", set);
@@ -195,7 +191,7 @@ void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
   auto const& body = *all.bodies[b].body;
   for (auto const& [name, set] : body.mesh.sets) {
     int const normal = name.starts_with("symmetry") ? flat_axis(body.mesh, set.nodes) : -1;
-    if (normal < 0 || all_held(model, b, set.nodes, normal))
+    if (normal < 0 || all_held(model, set.nodes, normal, model.first_node[b]))
       continue;
     warnings.push_back({fmt::format("body {}: {} is a plane of symmetry and free to leave it along {}",
                                     body.name, name, "xyz"[normal]),
@@ -350,6 +346,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   warn_of_shared_nodes(all, warnings);
   warn_of_springs(all, warnings);
   warn_of_idle(all, warnings);
+  warn_of_meeting(all, warnings);
   warn_of_turns(all, warnings);
   warn_of_holes(all, warnings);
   inertia(all, warnings);

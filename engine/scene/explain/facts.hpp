@@ -50,18 +50,19 @@ struct RelativeMotion {
 struct PairFacts {
   dynamics::Pair const* pair = nullptr;
   PairPart const* part = nullptr;
-  std::size_t secondary = 0;           ///< body
-  std::optional<std::size_t> primary;  ///< body; nothing: an obstacle
-  std::size_t rigid = 0;               ///< obstacle, where there is no primary body
-  int facets = 0;                      ///< of the primary
-  double modulus = 0;                  ///< E* = 1 / sum (1 - nu^2) / E, Pa
-  double column = 0;                   ///< 1 / sum thickness / E along the normal, Pa/m
-  double bending = 0;                  ///< of what bends 1 / sum (1 - nu^2) / (E thickness^3), N m
-  double size = 0, primary_size = 0;   ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
-  double gap = -1;                     ///< smallest at the start, m; < 0: beyond the search
-  double bond = 0;                     ///< most whole bond at the start, 1
-  double radius = 0;                   ///< 1 / sum of curvatures, m; 0: flat or not known
-  Vec3 normal = Vec3::Zero();          ///< mean of the secondary, outward; 0: it closes around
+  std::size_t secondary = 0;          ///< body
+  std::optional<std::size_t> primary; ///< body; nothing: an obstacle
+  std::size_t rigid = 0;              ///< obstacle, where there is no primary body
+  int facets = 0;                     ///< of the primary
+  double modulus = 0;                 ///< E* = 1 / sum (1 - nu^2) / E, Pa
+  double column = 0;                  ///< 1 / sum thickness / E along the normal, Pa/m
+  double bending = 0;                 ///< of what bends 1 / sum (1 - nu^2) / (E thickness^3), N m
+  double size = 0, primary_size = 0;  ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
+  double gap = -1;                    ///< smallest at the start, m; < 0: beyond the search
+  double bond = 0;                    ///< most whole bond at the start, 1
+  double radius = 0;                  ///< 1 / sum of curvatures, m; 0: flat or not known
+  Vec3 normal = Vec3::Zero();         ///< mean of the secondary, outward; 0: it closes around
+  double alike = 0; ///< of the mean outward normals of both sides, 1: they look the same way
   ShapeFit secondary_fit, primary_fit; ///< of deformable sides
   double tension = 0;                  ///< surface stress of the secondary, N/m
   std::array<double, 2> strain{};      ///< expected in the secondary and the primary body, 1
@@ -149,6 +150,11 @@ void warn_of_shared_nodes(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
 /// The same: motions that move nodes of the axis of a section off it.
 void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
+/// explain_meeting.cpp: pairs whose sides cannot meet, bodies and obstacles that no pair lets meet.
+void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
+/// The same: do motions move or hold all these nodes, numbered from `first` on, in this direction?
+[[nodiscard]] bool all_held(dynamics::Model const& model, Indices const& nodes, int component,
+                            Index first = 0);
 /// explain_idle.cpp: parameters and probes that do nothing; those of a pair's law alone.
 void warn_of_idle(Facts const& facts, std::vector<Warning>& warnings);
 void warn_of_idle_law(std::string const& pair, interface::Law const& law, int dim,

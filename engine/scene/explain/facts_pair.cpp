@@ -450,8 +450,9 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   facts.part = &scene.part.pairs.at(scene.pairs[p]);
   auto const side = side_of(scene, facts.part->secondary);
   facts.secondary = side.body;
-  facts.normal =
-      towards_plane(*scene.model, *facts.pair).value_or(mean_normal(*scene.model, side.body, *side.set));
+  auto const into_plane = towards_plane(*scene.model, *facts.pair);
+  Vec3 const own_normal = mean_normal(*scene.model, side.body, *side.set);
+  facts.normal = into_plane.value_or(own_normal);
   Vec3 const position = position_of(*scene.model, find_nearest(*scene.model, start.contacts[p], side, facts));
   std::optional<double> curved;
   add_primary(all, facts, position, curved);
@@ -461,6 +462,11 @@ PairFacts pair_facts(Facts const& all, std::size_t p, dynamics::State const& sta
   auto const own = curvature(facts.secondary_fit, facts.normal, position);
   if (own && curved && *own + *curved > 0)
     facts.radius = 1 / (*own + *curved);
+  if (into_plane)
+    facts.alike = -own_normal.dot(*into_plane);
+  else if (facts.primary)
+    facts.alike =
+        own_normal.dot(mean_normal(*scene.model, *facts.primary, *side_of(scene, facts.part->primary).set));
   add_stiffness(all, facts);
   std::vector<Follower> followers{Follower(facts, position)};
   if (auto const far = farthest_bond(*scene.model, *facts.pair, start.contacts[p], position))

@@ -323,6 +323,7 @@ private:
     if (!blocks_)
       blocks_ = linear::blocks_from_system();
     remarks_.examine(stepper_.contact(), state_.t, lost_part(before, state_.ledger));
+    remarks_.seek_met(state_);
     remarks_.seek_beneath(state_);
     remarks_.weigh(before, state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);

@@ -118,6 +118,31 @@ void Remarks::note(dynamics::ContactSystem const& contact, double t, contact::Do
     add(weakening_, found.weakening);
 }
 
+void Remarks::seek_met(dynamics::State const& state) {
+  constexpr double met = -std::numeric_limits<double>::infinity();
+  for (std::size_t pair = 0; pair < state.contacts.size(); ++pair)
+    if (nearest_[pair] > met)
+      for (auto const& point : state.contacts[pair]) {
+        if (point.status != interface::Status::open || !point.adhesion.isZero(0))
+          nearest_[pair] = met;
+        else if (point.foot.found() && !point.beneath)
+          nearest_[pair] = std::min(nearest_[pair], point.gap);
+      }
+}
+
+void Remarks::add_unmet(std::vector<std::string>& all) const {
+  for (std::size_t pair = 0; pair < nearest_.size() && steps_ > 0; ++pair)
+    if (std::isfinite(nearest_[pair]))
+      all.push_back(
+          fmt::format("pair {}: nothing of it touched or adhered in the run; no point came nearer than {}",
+                      scene_->pairs[pair], human(nearest_[pair], "m")));
+    else if (nearest_[pair] > 0)
+      all.push_back(fmt::format(
+          "pair {}: nothing of it touched or adhered in the run; no point came within reach of the "
+          "other side: do the two look at each other?",
+          scene_->pairs[pair]));
+}
+
 void Remarks::seek_beneath(dynamics::State const& state) {
   for (std::size_t pair = 0; pair < state.contacts.size(); ++pair) {
     auto const& points = state.contacts[pair];
@@ -218,6 +243,7 @@ std::vector<std::string> Remarks::texts() const {
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
   if (!strained_.empty())
     all.push_back(strained_);
+  add_unmet(all);
   add_rounded(all);
   bool const inertia = dynamics::weights(scene_->model->scheme).inertia;
   double const turned_over = std::max(turned_over_, spent_);

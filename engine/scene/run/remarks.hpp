@@ -1,6 +1,8 @@
 // What a run has to say about its own answers: where theory promises no single one, and energy made or lost
 // by the time scheme.
 #pragma once
+#include <limits>
+
 #include "contact/problem/uniqueness.hpp"
 #include "dynamics/step/stepper.hpp"
 #include "scene/build/build.hpp"
@@ -10,7 +12,8 @@ namespace stiction::scene {
 /// Looks at steps; keeps one remark of each kind, of the step that was first, and counts the rest.
 class Remarks {
 public:
-  explicit Remarks(Scene const& scene) : scene_(&scene) {}
+  explicit Remarks(Scene const& scene)
+      : scene_(&scene), nearest_(scene.pairs.size(), std::numeric_limits<double>::infinity()) {}
   /// An accepted step to time t. lost: the part of the energy that it turned over which its scheme lost, as
   /// bodies at rest do that snap.
   void examine(dynamics::ContactSystem const& contact, double t, double lost);
@@ -20,6 +23,8 @@ public:
   void weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded);
   /// How well an accepted step meets the balance of forces.
   void balance(dynamics::Outcome const& outcome);
+  /// Whether anything of a pair has touched or adhered by an accepted state, and how near it came.
+  void seek_met(dynamics::State const& state);
   /// Points of an accepted state that lie in the side of their counterpart.
   void seek_beneath(dynamics::State const& state);
   /// Bonds that a step takes from points that leave their counterpart past its border.
@@ -33,14 +38,15 @@ public:
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
     auto& [scene, friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-           weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free] = *this;
+           weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest] = *this;
     archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact, weighed,
-            surface, turned_over, spent, stabilised, made, lost, torn, torn_free);
+            surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest);
   }
 
 private:
   void note(dynamics::ContactSystem const& contact, double t, contact::Doubts const& found);
   void add_rounded(std::vector<std::string>& all) const;
+  void add_unmet(std::vector<std::string>& all) const;
   struct Remark {
     std::string text;
     long steps = 0;
@@ -59,6 +65,7 @@ private:
   double stabilised_ = 0;           ///< dissipated by the stabilisation of quasi-statics, J
   double made_ = 0, lost_ = 0;      ///< by the time scheme: the most so far, and in the end, J
   double torn_ = 0, torn_free_ = 0; ///< taken by bonds that open; of that made by the time scheme, J
+  std::vector<double> nearest_;     ///< smallest gap of each pair, m; infinite: none seen, -infinite: it met
 };
 
 /// Part of the energy that a step turned over which its scheme lost, 1.

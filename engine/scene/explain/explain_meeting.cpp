@@ -1,0 +1,87 @@
+// Pairs whose sides cannot meet or cannot give way, and bodies and obstacles that no pair lets meet.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "scene/description/human.hpp"
+#include "scene/explain/facts.hpp"
+
+namespace stiction::scene {
+
+bool all_held(dynamics::Model const& model, Indices const& nodes, int component, Index first) {
+  std::vector<bool> held(ix(model.node_count()), false);
+  for (auto const& motion : model.motions)
+    if (motion.component == component)
+      for (Index const node : motion.nodes)
+        held[ix(node)] = true;
+  return std::ranges::all_of(nodes, [&](Index node) { return held[ix(first + node)]; });
+}
+
+namespace {
+
+/// May a side turn its back on where it looks at the start?
+bool any_turns(Facts const& all) {
+  auto const& model = *all.scene->model;
+  return std::ranges::any_of(model.motions, [](auto const& motion) { return !!motion.turn; }) ||
+         std::ranges::any_of(model.rigids, [](auto const& rigid) { return rigid.free(); }) ||
+         std::ranges::any_of(all.bodies, [](auto const& body) { return body.start_speed > 0; });
+}
+
+/// Both sides look the same way, and nothing of bodies is near: a bottom that was to be a top.
+void looks_away(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
+  constexpr double same_way = 0.5;
+  bool const near = pair.primary && pair.gap >= 0;
+  if (pair.pair->self || near || pair.alike < same_way || any_turns(all))
+    return;
+  warnings.push_back(
+      {fmt::format("pair {}: {} and {} look the same way: they are not each other's counterpart",
+                   pair.pair->name, pair.part->secondary, pair.part->primary),
+       "sets that face each other; of a plane, its normal the other way round"});
+}
+
+/// Motions have hold of every point, and the counterpart is rigid: what they press has nothing to give way.
+void gives_no_way(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
+  auto const& model = *all.scene->model;
+  bool held = !pair.primary && pair.motion.depth > 0;
+  for (int c = 0; c < model.dim(); ++c)
+    held = held && all_held(model, pair.pair->nodes(), c);
+  if (!held)
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: all nodes of {} are held or driven in all directions, and the motions press them "
+           "by {} into {}, which is rigid: the run will end there",
+           pair.pair->name, pair.part->secondary, human(pair.motion.depth, "m"), pair.part->primary),
+       fmt::format("motions of another set of body {}, or that leave {} free across the surface",
+                   all.bodies[pair.secondary].body->name, pair.part->secondary)});
+}
+
+std::string body_of_set(std::string const& set) {
+  return set.substr(0, set.find('.'));
+}
+
+/// Names of bodies and obstacles that some pair is of.
+bool in_a_pair(Scene const& scene, std::string const& name) {
+  return std::ranges::any_of(scene.part.pairs, [&](auto const& entry) {
+    return body_of_set(entry.second.secondary) == name || body_of_set(entry.second.primary) == name;
+  });
+}
+
+void obstacles_alone(Facts const& all, std::vector<Warning>& warnings) {
+  for (auto const& [name, part] : all.scene->part.obstacles)
+    if (!in_a_pair(*all.scene, name))
+      warnings.push_back(
+          {fmt::format("obstacle {} is in no pair: nothing meets it", name),
+           fmt::format("stiction.pair {{ secondary = ..., primary = \"{}\" }}, or leave it out", name)});
+}
+
+} // namespace
+
+void warn_of_meeting(Facts const& all, std::vector<Warning>& warnings) {
+  obstacles_alone(all, warnings);
+  for (auto const& pair : all.pairs) {
+    looks_away(all, pair, warnings);
+    gives_no_way(all, pair, warnings);
+  }
+}
+
+} // namespace stiction::scene

@@ -1,0 +1,82 @@
+-- Sides that cannot meet or cannot give way are told before the run, and pairs of which nothing met after it.
+local test, equal, _, shared = ...
+local stiction = require "stiction"
+local u = stiction.units
+local mm, s = u.mm, u.s
+
+local run, scenes = shared("runs").below "meeting_runs", shared "scenes"
+
+local function block(y, columns, x)
+  return stiction.body { mesh = stiction.mesh.block { origin = { (x or 0)*mm, y*mm }, size = { 10*mm, 5*mm }, cells = { columns, 4 } },
+    density = 1000*u.kg/u.m^3, material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } }
+end
+
+local down = { times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -1*mm } }
+
+local function scene(more)
+  more.motions = more.motions or {}
+  table.insert(more.motions, stiction.motion.fix { set = "a.bottom" })
+  more.scheme = stiction.scheme.quasi_static {}
+  more.schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 4 } } }
+  more.probes = {}
+  return stiction.scene(more)
+end
+
+--- Two blocks, the upper one driven down, so many mm aside.
+local function stacked(secondary, primary, aside)
+  return scene { bodies = { a = block(0, 10), b = block(5.01, 8, aside) },
+    pairs = { j = stiction.pair { secondary = secondary, primary = primary } },
+    motions = { stiction.motion.drive { set = "b.top", times = down.times, x = down.x, y = down.y } } }
+end
+
+--- A block below an obstacle that moves down, or in no pair with it.
+local function beneath(shape, motions, paired)
+  return scene { bodies = { a = block(0, 10) },
+    obstacles = { p = stiction.obstacle { shape = shape, times = down.times, y = down.y } },
+    pairs = paired ~= false and { j = stiction.pair { secondary = "a.top", primary = "p" } } or {}, motions = motions }
+end
+
+local function plane(y, normal)
+  return stiction.rigid.plane { point = { 0*mm, y*mm }, normal = { 0, normal } }
+end
+
+local function unmet(what)
+  for _, text in ipairs(run(what).result.remarks) do
+    if text:find("nothing of it touched or adhered", 1, true) then
+      return text
+    end
+  end
+end
+
+test("sides that look the same way are told, those that face each other are not", function()
+  for _, pair in ipairs { { "a.bottom", "b.bottom" }, { "a.top", "b.top" } } do
+    assert(scenes.warning(stacked(pair[1], pair[2]), "look the same way"))
+    assert(unmet(stacked(pair[1], pair[2])))
+  end
+  equal(scenes.warning(stacked("a.top", "b.bottom"), "look the same way"), nil)
+  equal(unmet(stacked("a.top", "b.bottom")), nil)
+  local aside = stacked("a.top", "b.bottom", 30)
+  assert(unmet(aside):find("do the two look at each other?", 1, true), unmet(aside))
+  assert(scenes.warning(beneath(plane(-0.1, 1)), "look the same way"))
+  equal(scenes.warning(beneath(plane(5.1, -1)), "look the same way"), nil)
+end)
+
+test("points that nothing lets give way before a rigid counterpart are told", function()
+  local held = { stiction.motion.fix { set = "a.top" } }
+  assert(scenes.warning(beneath(plane(5.1, -1), held), "is rigid: the run will end there"))
+  local guided = { stiction.motion.fix { set = "a.top", y = false } }
+  equal(scenes.warning(beneath(plane(5.1, -1), guided), "is rigid: the run will end there"), nil)
+end)
+
+test("a ball smaller than a cell is told, and how near it came where it touched nothing", function()
+  local small = stiction.rigid.circle { centre = { 5.5*mm, 5.21*mm }, radius = 0.2*mm }
+  assert(scenes.warning(beneath(small), "radii down to 200 um"))
+  local near = tonumber(unmet(beneath(small)):match("no point came nearer than ([%d.]+) um"))
+  assert(near > 200 and near < 600, near) -- 0.5 mm beside its centre, less 0.2 mm
+  equal(scenes.warning(beneath(stiction.rigid.circle { centre = { 5.5*mm, 7.1*mm }, radius = 2*mm }), "radii down to"), nil)
+end)
+
+test("an obstacle that no pair is of is told", function()
+  assert(scenes.warning(beneath(plane(5.1, -1), nil, false), "is in no pair"))
+  equal(scenes.warning(beneath(plane(5.1, -1)), "is in no pair"), nil)
+end)
