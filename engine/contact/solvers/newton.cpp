@@ -6,7 +6,9 @@
 #include "contact/solvers/minimum.hpp"
 #include "contact/solvers/mixed_sweeps.hpp"
 #include "contact/solvers/newton.hpp"
+#include "contact/solvers/newton_run.hpp"
 #include "contact/solvers/pivoting.hpp"
+#include "contact/solvers/proximal.hpp"
 #include "contact/solvers/rounding.hpp"
 #include "contact/solvers/solver.hpp"
 #include "contact/solvers/uphill.hpp"
@@ -28,136 +30,17 @@ constexpr int last_steps = 10;                     // in which that succeeds or 
 constexpr int held_frictions = 4;                  // descents between which friction changes
 constexpr int pivotings = 12;                      // with the bonds linear about the last answer
 
-/// The unknown is the total force p, so that x = free + W p holds exactly and the matrix is dim n x dim n.
-template<int D> class NewtonRun {
-public:
-  NewtonRun(Problem const& problem, Vector const& guess)
-      : problem_(problem), p_(open_where_given(problem, guess)) {
-    Index const n = problem.size();
-    rho_.resize(n);
-    for (Index i = 0; i < n; ++i)
-      rho_[i] = natural_scale(problem, i);
-    states_.resize(ix(n));
-    merit_ = evaluate_all(p_, x_);
-  }
-
-  /// One Newton step with a line search on the residual; false if no decrease was found.
-  bool step() {
-    assemble();
-    Vector step;
-    if (!active_.empty())
-      step = matrix_.partialPivLu().solve(right_);
-    count_factorization();
-    if (!step.allFinite())
-      return false;
-    Vector direction = Vector::Zero(p_.size());
-    for (std::size_t k = 0; k < active_.size(); ++k)
-      direction.segment<D>(D * active_[k]) = step.segment<D>(D * static_cast<Index>(k));
-    for (Index const i : idle_)
-      direction.segment<D>(D * i) = -p_.segment<D>(D * i);
-    double const before = merit_;
-    Vector const start = p_;
-    double length = 1;
-    for (int halvings = 0; halvings < 5; ++halvings, length *= 0.5) { // down to 1/16
-      p_ = start + length * direction;
-      merit_ = evaluate_all(p_, x_);
-      if (merit_ <= (1 - 1e-4 * length) * before)
-        return true;
-    }
-    p_ = start;
-    merit_ = evaluate_all(p_, x_);
-    return false;
-  }
-
-  /// Less often where that is in vain.
-  void sweep(int times) {
-    int k = 0, vain = 0;
-    for (; k < times && vain < vain_sweeps; ++k) {
-      bool found = true;
-      for (Index i = 0; i < problem_.size(); ++i) {
-        Local<D> const old = p_.segment<D>(D * i);
-        Local<D> const free = x_.segment<D>(D * i) - problem_.W.block<D>(i) * old;
-        auto const answer = solve_point<D>(problem_, i, free, old, rho_[i]);
-        Local<D> const change = answer.force - old;
-        found = found && answer.found;
-        p_.segment<D>(D * i) += change;
-        problem_.W.add_column<D>(i, change, x_);
-      }
-      vain = found ? 0 : vain + 1;
-    }
-    in_vain_ = vain == vain_sweeps;
-    work_ += k;
-    merit_ = evaluate_all(p_, x_);
-  }
-  /// Did the last sweeps end as no more of them would help?
-  [[nodiscard]] bool in_vain() const { return in_vain_; }
-  [[nodiscard]] Vector const& force() const { return p_; }
-  [[nodiscard]] Verdict verdict() const { return judge(problem_, p_); }
-  [[nodiscard]] double work() const { return work_; }
-
-private:
-  double evaluate_all(Vector const& p, Vector& x) {
-    x = displacement(problem_, p);
-    work_ += 1;
-    double sum = 0;
-    for (Index i = 0; i < problem_.size(); ++i) {
-      auto& state = states_[ix(i)];
-      state = evaluate<D>(problem_, i, p.segment<D>(D * i), x.segment<D>(D * i), rho_[i]);
-      sum += state.residual.squaredNorm();
-    }
-    return std::sqrt(sum);
-  }
-
-  /// Rows of points that are open and unbonded read p = 0 and leave the system.
-  void assemble() {
-    active_.clear();
-    idle_.clear();
-    for (Index i = 0; i < problem_.size(); ++i) {
-      auto const& state = states_[ix(i)];
-      bool const idle = state.status == interface::Status::open && state.adhesion_by_x.isZero(0) &&
-                        state.residual.isApprox(p_.segment<D>(D * i), 0);
-      (idle ? idle_ : active_).push_back(i);
-    }
-    Dense const& W = problem_.W.dense();
-    auto const n = D * static_cast<Index>(active_.size());
-    matrix_.resize(n, n);
-    right_.resize(n);
-    for (std::size_t a = 0; a < active_.size(); ++a) {
-      Index const i = active_[a], row = D * static_cast<Index>(a);
-      auto const& state = states_[ix(i)];
-      LocalMatrix<D> const by_x = state.residual_by_x - state.residual_by_dry * state.adhesion_by_x;
-      for (std::size_t b = 0; b < active_.size(); ++b)
-        matrix_.template block<D, D>(row, D * static_cast<Index>(b)).noalias() =
-            by_x * W.block<D, D>(D * i, D * active_[b]);
-      matrix_.template block<D, D>(row, row) += state.residual_by_dry;
-      right_.template segment<D>(row) = -state.residual;
-      for (Index const j : idle_) // their step is known: -p_j
-        right_.template segment<D>(row) += by_x * (W.block<D, D>(D * i, D * j) * p_.segment<D>(D * j));
-    }
-  }
-
-  /// m^3 / 3 for the matrix of the m active rows, D m^2 to make it.
-  void count_factorization() {
-    auto const m = static_cast<double>(D) * static_cast<double>(active_.size());
-    auto const whole = static_cast<double>(p_.size());
-    work_ += whole > 0 ? (m / 3 + D) * m * m / (whole * whole) : 0;
-  }
-
-  Problem const& problem_;
-  Vector p_, x_, rho_;
-  std::vector<PointState<D>> states_;
-  std::vector<Index> active_, idle_;
-  Dense matrix_;
-  Vector right_;
-  double merit_ = 0, work_ = 0;
-  bool in_vain_ = false;
-};
-
 /// The same as this method's, if it converged.
 Solution by(Method method, Solution solution) {
   if (solution.converged)
     solution.method = method;
   return solution;
+}
+
+/// Does W take no energy from any forces?
+bool monotone(Problem const& problem) {
+  Dense const& W = problem.W.dense();
+  return linear::monotone(W, 1e-10 * W.diagonal().mean());
 }
 
 /// What Newton may do where it stagnates; hand_over: where slow, too.
@@ -170,6 +53,7 @@ public:
     if (problem.W.together())
       return coupled_newton(problem, guess, settings_.tolerance, settings_.iterations);
     spent_ = {};
+    none_ = false;
     there_ = forces_there(problem, guess);
     auto solution = swept(problem, guess);
     if (!solution.converged)
@@ -243,8 +127,7 @@ private:
   /// It goes there where W takes no energy from any forces. part: a, and what it has become.
   [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most, double& part) {
     Dense const& W = problem.W.dense();
-    double const mean = W.diagonal().mean();
-    if (solution.converged || !linear::monotone(W, 1e-10 * mean))
+    if (solution.converged || !monotone(problem))
       return solution;
     Problem nearby = problem;
     nearby.W = W;
@@ -339,17 +222,47 @@ private:
   }
 
   /// Pivoting where all that starts from the guess fails.
-  [[nodiscard]] Solution with_friction(Problem const& problem, Vector const& guess) {
+  [[nodiscard]] Solution pivoted(Problem const& problem, Vector const& guess) {
     Solution solution = polish(problem, guess, Stuck::sweep);
     Vector const stuck = solution.force;
     for (auto const from : {From::nothing, From::statuses, From::closed})
       if (!solution.converged)
         pivot_from(problem, from, from == From::statuses ? guess : stuck, solution);
+    return solution;
+  }
+
+  [[nodiscard]] Solution with_friction(Problem const& problem, Vector const& guess) {
+    Solution solution = pivoted(problem, guess);
     if (!solution.converged)
       if (auto beside = beside_bonds(problem, guess); beside.converged)
         return beside;
     solution = at_last(problem, std::move(solution));
+    if (!solution.converged)
+      solution = approached(problem, guess, std::move(solution));
     return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// A plain problem that takes no energy has an answer, which may be far from all that was tried.
+  [[nodiscard]] Solution approached(Problem const& problem, Vector const& guess, Solution solution) {
+    if (approaches_ || none_ || !plain(problem) || !monotone(problem))
+      return solution;
+    auto settings = settings_;
+    settings.tolerance *= 10; // of problems on the way
+    NewtonSolver whole(settings);
+    whole.approaches_ = true;
+    auto found = approach(
+        problem, guess,
+        [&](Problem const& nearby, Vector const& from) {
+          auto answer = newton_from(nearby, from, settings.tolerance);
+          spend(answer.iterations, answer.work);
+          if (answer.converged)
+            return answer;
+          answer = whole.solve(nearby, from);
+          spend(answer.iterations, answer.work);
+          return answer;
+        },
+        [&](Problem const& same, Vector const& from) { return polish(same, from, Stuck::give_up); });
+    return found.converged ? by(Method::proximal, std::move(found)) : solution;
   }
 
   /// From where bonds go downhill while friction stays as it is, and again with what that makes of it.
@@ -376,13 +289,14 @@ private:
   void pivot_from(Problem const& problem, From from, Vector about, Solution& solution) {
     for (int k = 0; k < pivotings && !solution.converged; ++k) {
       auto const found = pivot(problem, about, from);
+      none_ = none_ || (found && found->none);
       if (!found || found->force.size() == 0 || !found->force.allFinite())
         return;
       spend(1, static_cast<double>(found->pivots));
       auto next = by(Method::pivoting, polish(problem, found->force, Stuck::give_up));
       if (next.converged || next.verdict.residual < solution.verdict.residual)
         solution = std::move(next);
-      if (found->force == about)
+      if (found->force == about || (plain(problem) && from != From::statuses)) // again it would be the same
         return;
       about = found->force;
     }
@@ -479,6 +393,8 @@ private:
   Spent spent_;
   std::unique_ptr<MinimumMemory> memory_;
   double there_ = std::numeric_limits<double>::infinity(); ///< Pa
+  bool none_ = false;                                      ///< has pivoting shown that there is no answer?
+  bool approaches_ = false; ///< is this a step on the way to another problem's answer?
   BipotentialNewton settings_;
 };
 

@@ -1,6 +1,7 @@
 // The complementarity problem of Coulomb's friction with facets: pressures, friction along facets, slips.
 #include "contact/solvers/pivoting.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,7 +14,9 @@ namespace stiction::contact {
 namespace {
 
 constexpr int facets_in_space = 8;
-constexpr double tied = 1e-9; // of the largest force or way: less is none
+constexpr double shaken = 1e-8;   // of q, where pivots go in circles or astray, as rows are tied
+constexpr double patience = 4e10; // entries changed, of problems that have an answer
+constexpr double tied = 1e-9;     // of the largest force or way: less is none
 
 /// x = free + W (p - A rtilde) with the bonds linear about some x, and the coefficients there.
 struct Linear {
@@ -171,6 +174,24 @@ private:
   double size_ = 1;
 };
 
+/// The same a little off, each row by another part, so that no rows are tied.
+Vector shake(Vector const& q) {
+  constexpr double golden = 0.6180339887498949;
+  Vector off = q;
+  for (Index i = 0; i < q.size(); ++i)
+    off[i] += shaken * (0.5 + std::fmod(golden * (i + 1), 1.0));
+  return off;
+}
+
+/// Without bonds there is an answer, which may take many pivots.
+long most_shaken(Problem const& problem, Index rows) {
+  long const few = 10L * rows + 100;
+  bool const bonded =
+      std::ranges::any_of(problem.points, [](auto const& point) { return point.adhesion >= 0; });
+  auto const size = static_cast<double>(rows);
+  return bonded ? few : std::max(few, std::min(100L * rows, static_cast<long>(patience / (size * size))));
+}
+
 template<int D>
 std::optional<PivotedForces> pivot_in(Problem const& problem, Vector const& force, From from) {
   auto const linear = linear_about<D>(problem, displacement(problem, force), force);
@@ -180,13 +201,16 @@ std::optional<PivotedForces> pivot_in(Problem const& problem, Vector const& forc
   Dense M;
   Vector q;
   cone.fill(M, q);
-  auto const found = lemke_from(M, q, cone.held(problem, force, from), 10L * cone.rows() + 100);
+  auto found = lemke_from(M, q, cone.held(problem, force, from), 10L * cone.rows() + 100);
   PivotedForces result;
   result.pivots = found.pivots;
+  result.none = from == From::nothing && found.end == Pivoted::ray && proves_none(M, q, found.z);
+  if (from == From::nothing && found.end != Pivoted::answered && !result.none) {
+    found = lemke(M, shake(q), most_shaken(problem, cone.rows()));
+    result.pivots += found.pivots;
+  }
   if (found.end == Pivoted::answered)
     result.force = whole<D>(linear, cone.forces(found.z));
-  else
-    result.none = from == From::nothing && found.end == Pivoted::ray && proves_none(M, q, found.z);
   return result;
 }
 
