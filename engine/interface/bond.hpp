@@ -68,7 +68,7 @@ struct BondMove {
 };
 
 /// From this part of a bond on it holds its point beyond a border, and its loss there is told.
-inline constexpr double bonded = 0.01;
+inline constexpr double lasting_beta = 0.01;
 
 /// Below this a damaged bond counts as broken, so that its point may leave the contact problem.
 inline constexpr double least_beta = 1e-16;

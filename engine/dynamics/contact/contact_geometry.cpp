@@ -138,7 +138,7 @@ template<int D> contact::Start ContactGeometry<D>::start(PointId point) const {
   auto const& pair = model_->pairs[ix(point.pair)];
   auto const& old = old_->contacts[ix(point.pair)][ix(point.index)];
   contact::Start start = old.foot;
-  if (old.foot.found() && pair.law.lasts() && old.bond.beta >= interface::bonded)
+  if (old.foot.found() && pair.law.lasts() && old.bond.beta >= interface::lasting_beta)
     start.overhang = contact::Overhang::bonded;
   auto const* side = std::get_if<RigidSide>(&pair.primary);
   if (D == 2 || side == nullptr)

@@ -165,7 +165,7 @@ void Remarks::seek_let_go(dynamics::State const& old, dynamics::State const& nex
   for (std::size_t pair = 0; pair < next.contacts.size(); ++pair) {
     auto const &before = old.contacts[pair], &after = next.contacts[pair];
     for (std::size_t i = 0; i < after.size(); ++i) {
-      if (before[i].bond.beta < interface::bonded || !before[i].foot.found() || after[i].foot.found())
+      if (before[i].bond.beta < interface::lasting_beta || !before[i].foot.found() || after[i].foot.found())
         continue;
       if (++let_go_.steps == 1)
         let_go_.text = fmt::format(
