@@ -33,8 +33,10 @@ template<int D> struct Ground {
     double distance = 0;
     step(point, at, distance);
     Vec2 const guess = at;
+    double const rounding =
+        0.01 * rounding_step(point.cwiseAbs().maxCoeff(), (nodes.col(1) - nodes.col(0)).norm());
     for (int iteration = 0; iteration < 12; ++iteration)
-      if (step(point, at, distance) < 1e-12)
+      if (step(point, at, distance) < rounding)
         return (at - guess).norm() < 0.5 * (1 + guess.norm()) ? at : guess;
     return guess;
   }

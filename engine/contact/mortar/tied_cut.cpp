@@ -159,9 +159,11 @@ void TiedGround::add_points(Piece const& piece, Polygon const& polygon, CellFace
 /// Shape functions where a facet lies over a point of the plane, by Newton's method from the middle.
 PerNode TiedGround::shape_at(Piece const& piece, CellFacet const& facet, Vec2 const& point) const {
   Vec2 at = middle_coordinates(facet.kind);
+  FacetNodes<3> const nodes = facet.reference.colwise() - piece.middle; // far off it digits are lost else
   for (int iteration = 0; iteration < 30; ++iteration) {
     auto const shape = facet_shape(facet.kind, at);
-    Vec2 const off = point - piece.on(facet.reference * shape.N);
+    Vec3 const here = nodes * shape.N;
+    Vec2 const off = point - Vec2(piece.right.dot(here), piece.up.dot(here));
     Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
     for (int a = 0; a < dim_ - 1; ++a) {
       Vec3 const along = facet.reference * shape.by[ix(a)];

@@ -249,6 +249,7 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x, Se
 Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x, Overhang overhang) const {
   double const over = reaches(overhang); // an open end, in parts of a segment
   Foot foot = start;
+  double last = std::numeric_limits<double>::infinity();
   int turns = 0, heading = 0; // how often the walk across segments has turned back; its last direction
   for (int iteration = 0; iteration < 200; ++iteration) {
     auto const [c, a, aa, aaa] = evaluate(foot, x).by_xi;
@@ -263,8 +264,10 @@ Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x, Ove
     int const neighbour = target > high ? segment.next : segment.previous;
     if (!beyond) {
       foot.xi = target;
-      if (std::abs(step) < 1e-13)
+      double const size = std::abs(step), rounding = rounding_step(point.cwiseAbs().maxCoeff(), a.norm());
+      if (size < 1e-13 || (size < rounding && size > 0.5 * last))
         return foot;
+      last = size;
     } else if (neighbour < 0) {
       if (foot.xi == low || foot.xi == high)
         return {}; // beyond the end of the curve

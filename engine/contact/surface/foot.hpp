@@ -1,5 +1,7 @@
 // Where a contact point meets its counterpart: points of surfaces, and vectors and matrices by dimension.
 #pragma once
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/types.hpp"
@@ -10,6 +12,12 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 template<int D> using Vec = Eigen::Matrix<double, D, 1>;
 template<int D> using Mat = Eigen::Matrix<double, D, D>;
+
+/// Below this a step in local coordinates that no longer falls is rounding, of facets of this size as far
+/// from the origin as this, m.
+[[nodiscard]] inline double rounding_step(double distance, double size) {
+  return std::max(1e-10, 16 * std::numeric_limits<double>::epsilon() * distance / size);
+}
 
 /// A point of a primary surface: segment or facet with local coordinates; it moves with the surface. On an
 /// obstacle the coordinates are whatever the shape measures slip by.

@@ -57,6 +57,7 @@ Leave leave(CellSurface const& surface, int number, Vec2 const& at, Ray<D> const
 template<int D>
 bool meet_facet(FacetKind kind, FacetNodes<D> const& nodes, Ray<D> const& ray, Vec2& at, double& gap) {
   double last = 1e300;
+  double const rounding = rounding_step(ray.from.cwiseAbs().maxCoeff(), (nodes.col(1) - nodes.col(0)).norm());
   for (int iteration = 0; iteration < 30; ++iteration) {
     auto const shape = facet_shape(kind, at);
     Mat<D> J;
@@ -68,7 +69,7 @@ bool meet_facet(FacetKind kind, FacetNodes<D> const& nodes, Ray<D> const& ray, V
     gap = solution[D - 1];
     double const part = size > 2 ? 2 / size : 1;
     at.template head<D - 1>() += part * solution.template head<D - 1>();
-    if (size < 1e-13 || (size < 1e-10 && size > 0.5 * last) || at.norm() > left)
+    if (size < 1e-13 || (size < rounding && size > 0.5 * last) || at.norm() > left)
       return true;
     last = size;
   }

@@ -20,7 +20,8 @@ struct Exit {
 class FacetWalk {
 public:
   FacetWalk(Surface const& surface, Vec3 const& point, std::span<double const> x, Overhang overhang)
-      : surface_(&surface), point_(point), x_(x), overhang_(reaches(overhang)) {}
+      : surface_(&surface), point_(point), x_(x), overhang_(reaches(overhang)),
+        rounding_(rounding_step(point.cwiseAbs().maxCoeff(), surface.facet_size())) {}
 
   Foot from(Foot const& start) {
     enter(start.segment, {start.xi, start.eta});
@@ -31,7 +32,7 @@ public:
       auto const exit = first_exit(step, -1);
       if (exit.side < 0) {
         at_ += step;
-        if (size < 1e-13 || (size < 1e-10 && size > 0.5 * last))
+        if (size < 1e-13 || (size < rounding_ && size > 0.5 * last))
           return face();
       } else if (facet().neighbour[ix(exit.side)] < 0) {
         if (!follow_border(step, exit))
@@ -137,7 +138,8 @@ private:
       at_ += step;
     }
     for (int k = 0; k < count; ++k)
-      if (!(size < 1e-10) || inside(count, k, at_) < (facet().neighbour[ix(k)] < 0 ? -overhang_ : -on_side))
+      if (!(size < rounding_) ||
+          inside(count, k, at_) < (facet().neighbour[ix(k)] < 0 ? -overhang_ : -on_side))
         return {};
     return {face(), (point_ - surface_->position(face(), x_)).norm(), 1};
   }
@@ -208,7 +210,7 @@ private:
   Surface const* surface_;
   Vec3 point_;
   std::span<double const> x_;
-  double overhang_;
+  double overhang_, rounding_;
   int number_ = 0;
   Vec2 at_;
   FacetNow now_;

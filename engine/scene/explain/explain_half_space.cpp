@@ -248,7 +248,7 @@ void warn_of_slope(GridFacts const& facts, std::vector<Warning>& warnings) {
 
 /// A ball's contact on a handful of points: their number decides its force (13 % at 0.8 spacings).
 void warn_of_few_points(GridFacts const& facts, std::vector<Warning>& warnings) {
-  constexpr double least = 1.5, wanted = 2.5; // spacings: force of a dry ball off by up to 3 %, 1 %
+  constexpr double fewest = 1.5, wanted = 2.5; // spacings: force of a dry ball off by up to 3 %, 1 %
   auto const& surface = facts.scene.part.height_maps.begin()->second.surface;
   auto const choice = choose_formula(facts.model, surface);
   auto const* sphere = std::get_if<halfspace::Sphere>(&surface);
@@ -256,7 +256,7 @@ void warn_of_few_points(GridFacts const& facts, std::vector<Warning>& warnings) 
   if (sphere == nullptr || formula == nullptr)
     return;
   double const radius = slenderness(facts, *formula).value_or(0) * sphere->radius;
-  if (!(radius > 0) || radius >= least * facts.spacing())
+  if (!(radius > 0) || radius >= fewest * facts.spacing())
     return;
   warnings.push_back(
       {fmt::format("pair {}: the contact grows to a radius of {}, {:.2g} times the spacing of points: its "
