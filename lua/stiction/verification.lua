@@ -44,6 +44,19 @@ function verification.summary(outcome)
   return list
 end
 
+--- Cases that ended, as summary.csv says, whose own files do not say so any more: list of {case =, reason =}.
+function verification.lost(outcome)
+  local list = {}
+  for _, case in ipairs(outcome.cases) do
+    if case.ended == case.row then
+      list[#list + 1] = { case = case.name, reason = "its files are gone: summary.csv alone tells of it" }
+    elseif case.verdict == "unreadable" then
+      list[#list + 1] = { case = case.name, reason = case.reason }
+    end
+  end
+  return list
+end
+
 local function list_or_none(x)
   return type(x) == "table" and x or {}
 end

@@ -74,6 +74,13 @@ expect 1 "mu0.2: series.h5 is gone|mu0.4: series.h5 is not what the kept source 
 spoil older mu0/manifest.json '1s/"run":{[^}]*},//'
 expect 1 "mu0: not recomputed: it does not say how it was run|2 of 3 cases" "$stiction" verify older
 
+rm -rf lost
+cp -r before lost
+rm -r lost/mu0.2
+printf '{' >lost/mu0.4/manifest.json
+expect 1 "mu0.2: its files are gone|mu0.4: lost/mu0.4/manifest.json is damaged|1 of 1 case recomputed" "$stiction" verify lost
+expect 1 "lost.tgz: 3 cases|mu0.2: its files are gone|mu0.4: lost/mu0.4/manifest.json is damaged" "$stiction" pack lost --to lost.tgz
+
 spoil files mu0/manifest.json '1s/"path":"study.lua"/"path":["study.lua"]/'
 expect 1 "mu0: not recomputed: it does not say how it was run|2 of 3 cases" "$stiction" verify files
 expect 0 "files.tgz: 3 cases" "$stiction" pack files --to files.tgz

@@ -6,6 +6,7 @@ local fault = require "stiction.fault"
 local outcomes = require "stiction.outcomes"
 local provenance = require "stiction.provenance"
 local report = require "stiction.report"
+local verification = require "stiction.verification"
 
 --- Title and question of the study, as the first case's manifest tells them, and the licence that was given.
 local function about(outcome, license)
@@ -25,7 +26,11 @@ local function write(place, outcome, file, license)
   archive.pack(file, outcome.folder, files, name, crate.describe(outcome, files, about(outcome, license)), place)
   report.line("%s: %d case%s, %d files, %.3g MB; 'stiction verify %s' computes them again", file, #outcome.cases,
     #outcome.cases == 1 and "" or "s", #files, engine.file_size(file) / 1e6, file)
-  return 0
+  local lost = verification.lost(outcome)
+  for _, entry in ipairs(lost) do
+    report.line("%s: %s", entry.case, entry.reason)
+  end
+  return #lost == 0 and 0 or 1
 end
 
 return function(options)

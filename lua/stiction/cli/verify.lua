@@ -39,12 +39,14 @@ local function check_files(folder)
 end
 
 local function check_summary(outcome)
+  local lost = verification.lost(outcome)
+  show_first(lost, function(entry) return ("%s: %s"):format(entry.case, entry.reason) end)
   local list = verification.summary(outcome)
   show_first(list, function(entry)
     return ("summary.csv: %s: %s is %s, but %s in the case's own file"):format(entry.case, entry.name,
       number(entry.got), number(entry.kept))
   end)
-  return #list == 0
+  return #list == 0 and #lost == 0
 end
 
 local function how_compared(found, tolerance)
