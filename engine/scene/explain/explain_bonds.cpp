@@ -1,6 +1,7 @@
 // What bonds ask of cells and steps: where they fail, form and snap.
 #include <fmt/format.h>
 #include <numbers>
+#include <set>
 
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
@@ -9,7 +10,7 @@ namespace stiction::scene {
 
 std::string more_steps(Facts const& all, std::size_t stage, double factor) {
   auto const& part = all.scene->part.schedule.stages[stage];
-  return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor),
+  return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor - 1e-6),
                      part.steps, human(part.until, "s"));
 }
 
@@ -24,6 +25,7 @@ constexpr double cohesive_cells = 3, good_cells = 6;      // over the cohesive l
 constexpr double radius_cells = 3, good_radius = 4;       // over what holds a ball as it lets go
 constexpr double bonded_cells = 10, good_bonded = 30;     // over what touched, where bonds are as many as did
 constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
+constexpr double part_of_gone = 0.4, good_gone = 0.2;     // of 2 w / sigma0 in a step, the same
 constexpr double part_of_bond = 0.25;                     // beta in a step
 
 using Warnings = std::vector<Warning>;
@@ -74,12 +76,37 @@ void let_go_radius(Facts const& all, PairFacts const& pair, Warnings& warnings) 
                               : "about one per cent")});
 }
 
+/// Does a motion move points of a pair themselves, and not only what is beside them?
+bool takes_points(Facts const& all, PairFacts const& pair) {
+  auto const& points = pair.pair->nodes();
+  std::set<Index> const own(points.begin(), points.end());
+  return std::ranges::any_of(all.scene->model->motions, [&](dynamics::Motion const& motion) {
+    return motion.farthest() > 0 &&
+           std::ranges::any_of(motion.nodes, [&](Index node) { return own.contains(node); });
+  });
+}
+
+/// Where the motions take hold at an end of the bonds, which then open from there: as long as no bond is gone
+/// there is more and more to lift, up to a first peak.
+void first_peak(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const scales = interface::scales(*pair.pair->law.adhesion);
+  double const gone = 2 * scales.work / scales.strength, part = pair.motion.opening_step / gone;
+  if (!std::isfinite(part) || part <= part_of_gone || !(pair.bond > 0) || !takes_points(all, pair))
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: the motions open the bonds at an end of it by up to {:.2g} times 2 w / sigma0 in "
+           "a step, where they are gone: the first peak of the force is passed over",
+           pair.pair->name, part),
+       more_steps(all, pair.motion.opening_stage, part / good_gone)});
+}
+
 /// Steps that jump over the opening at which the traction peaks.
 void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   auto const scales = interface::scales(*pair.pair->law.adhesion);
   auto const& motion = pair.motion;
   if (motion.beside)
-    return;
+    return first_peak(all, pair, warnings);
   auto const check = [&](char const* what, double step, double opening, std::size_t stage) {
     double const part = step / opening;
     if (std::isfinite(part) && part > part_of_opening)

@@ -353,6 +353,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
   critical_steps(all, warnings);
   ringing(all, warnings);
   leaps_at_start(all, warnings);
+  warn_of_paths(all, warnings);
   swinging_pressure(all, warnings);
 }
 

@@ -150,6 +150,8 @@ void warn_of_shared_nodes(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
 /// The same: motions that move nodes of the axis of a section off it.
 void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
+/// explain_paths.cpp: paths whose turns no step sees.
+void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_meeting.cpp: pairs whose sides cannot meet, bodies and obstacles that no pair lets meet.
 void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
 /// The same: do motions move or hold all these nodes, numbered from `first` on, in this direction?
