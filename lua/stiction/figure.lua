@@ -42,6 +42,8 @@ local function scaled(value, unit)
     fault.script("%s: %s cannot be written in '%s'", unit.what, word_of(value), unit.word)
   elseif value ~= nil and type(units.si(value)) ~= "number" then
     fault.script("%s: a number or a quantity is wanted, not %s", unit.what, word_of(value))
+  elseif value ~= nil and not numeric.is_finite(units.si(value)) then
+    fault.script("%s: %s cannot be drawn; leave such points out", unit.what, word_of(value))
   end
   return value and units.si(value) / unit.factor
 end
@@ -125,8 +127,12 @@ end
 local function curve(t, x_unit, y_unit)
   local result = copy(t, known.curve, "curve")
   result.case, result.file = nil, file_of(t, "series.h5")
-  result.x = coordinate(t.x or (result.file and "/time"), x_unit)
-  result.y = coordinate(t.y, y_unit)
+  local function along(key, unit)
+    return { word = unit.word, what = ("curve '%s': %s"):format(tostring(t.label), key), factor = unit.factor, metre = unit.metre,
+      kilogram = unit.kilogram, second = unit.second }
+  end
+  result.x = coordinate(t.x or (result.file and "/time"), along("x", x_unit))
+  result.y = coordinate(t.y, along("y", y_unit))
   if not result.x or not result.y then
     fault.script("curve '%s' needs y, and a case or x", tostring(t.label))
   end

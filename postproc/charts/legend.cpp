@@ -46,6 +46,8 @@ Legend::Legend(std::vector<Curve> const& curves) {
 }
 
 Legend::Legend(std::vector<Curve> const& curves, double width) : Legend(curves) {
+  cell_.width =
+      std::min(cell_.width, 0.97 * (width - 2 * padding)); // smaller letters where labels are longer
   double const fitting = (width - 2 * padding + 3 * spacing) / (cell_.width + 3 * spacing);
   auto const most = static_cast<std::size_t>(std::max(1.0, std::floor(fitting)));
   std::size_t const rows = (entries_.size() + most - 1) / most;
@@ -71,6 +73,9 @@ void Legend::draw(Canvas& canvas, Point lower_left, bool boxed) const {
   }
   Lettering lettering;
   lettering.size = legend_size;
+  for (auto const* entry : entries_)
+    lettering.size =
+        std::min(lettering.size, fitting_size(entry->label, legend_size, cell_.width - sample - spacing));
   lettering.along = Along::centre;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     std::size_t const column = i % columns_, row = i / columns_;

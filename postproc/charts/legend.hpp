@@ -13,7 +13,7 @@ class Legend {
 public:
   /// One column, for the inside of a plot.
   explicit Legend(std::vector<Curve> const& curves);
-  /// As many columns as `width` pixels allow, for below a plot.
+  /// As many columns as `width` pixels allow, for below a plot; in smaller letters where one label is longer.
   Legend(std::vector<Curve> const& curves, double width);
 
   [[nodiscard]] Size size() const; ///< zero when no curve has a label

@@ -124,6 +124,15 @@ TEST_CASE("error bars have the length of their errors, and the axis has room for
   CHECK(wrong.messages.find("has 1 numbers but the curve has 2 given points") != std::string::npos);
 }
 
+TEST_CASE("labels longer than the picture are written smaller, with their lines and their ends") {
+  auto const image = drawn(
+      "long_label", fmt::format(R"("kind":"lines","x":{{"label":"x"}},"y":{{"label":"y"}},
+    "curves":[{{"x":[1,2],"y":[1,2],"label":"{0} a"}},{{"x":[1,2],"y":[2,1],"label":"{0} b"}}])",
+                                "E with a very long label that hardly fits into any legend at all = 1 MPa"));
+  CHECK(image.count(blue, {0, 0.3, 0, 0.2}) > 30); // the line in the legend, below
+  CHECK(image.white_rim());
+}
+
 TEST_CASE("a line of one point is a point") {
   auto const image = lines("alone", R"("label":"y","unit":"1","range":[0,10])", R"({"x":[2],"y":[5]})");
   CHECK(image.count(blue, {0.15, 0.98, 0.2, 0.9}) > 30);
