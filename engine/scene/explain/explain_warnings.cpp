@@ -73,6 +73,24 @@ void strain(Facts const& all, PairFacts const& pair, Warnings& warnings) {
     check(all.bodies[*pair.primary], pair.strain[1]);
 }
 
+/// The largest ratio of bulk to shear that a law and its networks have at any time: those that have relaxed
+/// by then are left out.
+material::Moduli least_compressible(material::Moduli const& rest,
+                                    std::vector<material::PronyTerm> const& relaxing) {
+  auto worst = rest;
+  for (auto const& when : relaxing) {
+    double shear = rest.shear(), bulk = rest.bulk();
+    for (auto const& term : relaxing)
+      if (term.time >= when.time) {
+        shear += term.stiffness(rest.shear());
+        bulk += term.bulk_stiffness(rest.bulk());
+      }
+    if (auto const then = material::Moduli::from(shear, bulk); then.poisson > worst.poisson)
+      worst = then;
+  }
+  return worst;
+}
+
 void locking_cells(BodyFacts const& facts, Warnings& warnings) {
   auto const& body = *facts.body;
   if (body.interpolation != solid::Interpolation::plain || body.plane_stress)
@@ -85,7 +103,7 @@ void locking_cells(BodyFacts const& facts, Warnings& warnings) {
   for (std::size_t i = 0; i < body.mesh.blocks.size(); ++i)
     if (auto const remedy = remedies.find(body.mesh.blocks[i].kind);
         remedy != remedies.end() && !body.mesh.blocks[i].nodes.empty()) {
-      auto const moduli = material::moduli(body.law_of(i));
+      auto const moduli = least_compressible(material::moduli(body.law_of(i)), body.relaxing);
       if (moduli.poisson < locking)
         continue;
       warnings.push_back({fmt::format("body {}: plain {} cells lock at nu = {:.3g} (K/G = {:.3g}): too stiff",
