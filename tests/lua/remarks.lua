@@ -49,6 +49,22 @@ test("a slender strip that its stabilisation holds back is told, whatever its su
   assert(remark(strip(0.03), "take less of it"), remark(strip(0.03), "stabilisation") or "nothing")
 end)
 
+test("a body that spins and touches nothing loses by the surfaces of its pair, as is told", function()
+  local function brick(inertia)
+    return stiction.scene { kinematics = "three_dimensional",
+      bodies = { b = stiction.body { mesh = stiction.mesh.box { origin = { -150*mm, -100*mm, -50*mm }, size = { 300*mm, 200*mm, 100*mm },
+          cells = { 6, 4, 2 } }, density = 1000*u.kg/u.m^3, spin = { 0/s, 0/s, 10/s },
+        material = stiction.material.st_venant_kirchhoff { young = 1*u.MPa, poisson = 0.3 } } },
+      obstacles = { o = stiction.obstacle { shape = stiction.rigid.plane { point = { 0*mm, 0*mm, -5000*mm } } } },
+      pairs = { c = stiction.pair { secondary = "b.bottom", primary = "o" } },
+      scheme = stiction.scheme.theta_xi { contact_inertia = inertia },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1.25*s, steps = 125 } } }, probes = {} }
+  end
+  local text = remark(brick "implicit", "lost energy")
+  assert(text and text:find("nothing touched", 1, true), text or "nothing")
+  equal(remark(brick "none", "lost energy"), nil)
+end)
+
 test("of a body that turns in steps too long a scheme that damps is named, and that makes none", function()
   local function spinning(scheme)
     local mesh = stiction.mesh.block { size = { 10*mm, 4*mm }, cells = { 10, 4 } }

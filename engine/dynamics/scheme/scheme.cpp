@@ -13,7 +13,8 @@ template<class T> core::Describe<T>& add_inertia(core::Describe<T>& description)
   std::string meaning =
       "contact nodes: as all others (an impact rings, and with Newmark's trapezium it makes "
       "energy), by backward Euler (steps that are long beside the contact make energy when it "
-      "ends), massless (mass redistribution; such steps make more)";
+      "ends; in bodies that turn it takes angular momentum, 22 % in eight turns of 250 steps), massless "
+      "(mass redistribution; such steps make more)";
   std::vector<std::string> names{"full", "implicit", "none"};
   if constexpr (std::is_same_v<T, ThetaXi>) {
     names.emplace_back("cells");

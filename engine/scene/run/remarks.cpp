@@ -130,6 +130,16 @@ void Remarks::seek_met(dynamics::State const& state) {
       }
 }
 
+/// Surfaces apart from the bodies go by backward Euler, which takes momentum from those that turn.
+char const* Remarks::losing_less() const {
+  bool const unmet = std::ranges::all_of(nearest_, [](double gap) { return gap >= 0; });
+  bool const apart = !nearest_.empty() && dynamics::weights(scene_->model->scheme).surface_apart();
+  return unmet && apart ? "nothing touched, and contact surfaces that go by backward Euler take energy and "
+                          "angular momentum from bodies that turn; smaller steps take less, contact_inertia "
+                          "= \"full\" or \"none\" hardly any"
+                        : "smaller steps and a finer mesh where bodies land lose less";
+}
+
 void Remarks::add_unmet(std::vector<std::string>& all) const {
   for (std::size_t pair = 0; pair < nearest_.size() && steps_ > 0; ++pair)
     if (std::isfinite(nearest_[pair]))
@@ -257,10 +267,8 @@ std::vector<std::string> Remarks::texts() const {
         fmt::format("the time steps made energy, {} of the largest of the run: take smaller steps, or {}",
                     percent(made_ / turned_over_), tamer_scheme(*scene_)));
   else if (lost_ > worth_telling_lost * turned_over_)
-    all.push_back(
-        fmt::format("the time steps lost energy, {} of the largest of the run: smaller steps and a finer "
-                    "mesh where bodies land lose less",
-                    percent(lost_ / turned_over_)));
+    all.push_back(fmt::format("the time steps lost energy, {} of the largest of the run: {}",
+                              percent(lost_ / turned_over_), losing_less()));
   if (torn_free_ > worth_telling_lost * torn_)
     all.push_back(fmt::format(
         "bonds were torn off in steps too long to see them pull: {} of the energy that they took, the time "
