@@ -205,6 +205,58 @@ void Builder::add_pairs() {
       for (auto const& complaint : error.complaints())
         complain({"pairs", name}, complaint.message());
     }
+  auto& pairs = scene_.model->pairs;
+  for (std::size_t later = 0; later < pairs.size(); ++later)
+    for (std::size_t first = 0; first < later; ++first)
+      share_border(first, later);
+}
+
+/// Where two pairs of one counterpart border on each other, the nodes between them would be a point of both,
+/// and W singular: they are of the pair that bonds, else of the first, with the areas of both where one is
+/// as good as the other.
+void Builder::share_border(std::size_t first, std::size_t later) {
+  auto& pairs = scene_.model->pairs;
+  auto const part_of = [&](std::size_t pair) -> PairPart const& {
+    return scene_.part.pairs.at(scene_.pairs[pair]);
+  };
+  auto const points = [&](std::size_t pair) { return !pairs[pair].shared() && !pairs[pair].self; };
+  if (!points(first) || !points(later) || part_of(first).primary != part_of(later).primary)
+    return;
+  bool const bonds = pairs[later].law.adhesion && !pairs[first].law.adhesion;
+  auto &keeps = pairs[bonds ? later : first], &gives = pairs[bonds ? first : later];
+  bool const alike = keeps.law.adhesion.has_value() == gives.law.adhesion.has_value();
+  std::map<Index, std::size_t> own;
+  for (std::size_t i = 0; i < keeps.secondary.size(); ++i)
+    own.emplace(keeps.secondary[i], i);
+  auto const common = [&](Index node) { return own.contains(node); };
+  auto const count = std::ranges::count_if(gives.secondary, common);
+  if (count == 0 || count == static_cast<std::ptrdiff_t>(gives.secondary.size()) ||
+      common_facets(part_of(first).secondary, part_of(later).secondary))
+    return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < gives.secondary.size(); ++i)
+    if (auto const taken = own.find(gives.secondary[i]); taken == own.end()) {
+      gives.secondary[kept] = gives.secondary[i];
+      gives.areas[kept++] = gives.areas[i];
+    } else if (alike) {
+      keeps.areas[taken->second] += gives.areas[i];
+    }
+  gives.secondary.resize(kept);
+  gives.areas.resize(kept);
+}
+
+/// Have two sets of boundaries facets in common?
+bool Builder::common_facets(std::string const& one, std::string const& other) {
+  std::set<Indices> facets;
+  auto const sorted = [](Indices nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  auto const a = surface({"pairs"}, one), b = surface({"pairs"}, other);
+  for (auto const& facet : a ? a->facets : std::vector<mesh::Facet>{})
+    facets.insert(sorted(facet.nodes));
+  return b && std::ranges::any_of(b->facets,
+                                  [&](auto const& facet) { return facets.contains(sorted(facet.nodes)); });
 }
 
 /// Two pairs of the same surfaces would both act: what bonds once would bond twice.

@@ -236,7 +236,8 @@ core::Schema const& PairPart::schema() {
   static auto const made =
       Describe<PairPart>{"pair", "two surfaces that may touch, and the law between them", "physics.md 1"}
           .text("secondary", &PairPart::secondary, Need::required,
-                "surface that carries the contact points, \"body.set\"")
+                "surface that carries the contact points, \"body.set\"; a node on the border to another pair "
+                "with this primary is a point of the one that bonds, else of the first by name")
           .text("primary", &PairPart::primary, Need::required,
                 "surface they meet, \"body.set\", or an obstacle's name")
           .nested("friction", "friction", Need::optional, "friction law; none: frictionless")

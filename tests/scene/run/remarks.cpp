@@ -145,7 +145,7 @@ TEST_CASE("solvers that answer a saved problem differently are told, and only th
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
     double const mu = seed <= 6 ? 0.8 : 0;
-    auto const any = [&] { return 2.0 * random() / 4294967296.0 - 1; };
+    auto const any = [&] { return 2.0 * static_cast<double>(random()) / 4294967296.0 - 1; };
     Dense H(150, 6);
     contact::Problem problem;
     problem.dim = 3;

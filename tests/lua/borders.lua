@@ -1,0 +1,73 @@
+-- Pairs of one counterpart that border on each other: the node between them is a point of one of them.
+local test, equal, _, shared = ...
+local stiction = require "stiction"
+local u = stiction.units
+local mm, s = u.mm, u.s
+
+local run = shared("runs").quasi_static "borders_runs"
+
+--- Two arms bonded beyond 20 mm, opened at their free ends; the crack's faces are a pair as well where that is asked for.
+local function arms(crack, friction)
+  local e = stiction.edge
+  local material = stiction.material.linear_elastic { young = 70*u.GPa, poisson = 0 }
+  local lower = stiction.mesh.gmsh { size = 1*mm, kind = "quad8", start = { 0*mm, 0*mm }, edges = {
+    e { to = { 60*mm, 0*mm }, name = "bottom" }, e { to = { 60*mm, 1.5*mm }, name = "right" }, e { to = { 20*mm, 1.5*mm }, name = "bond" },
+    e { to = { 0*mm, 1.5*mm }, name = "crack" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
+  local upper = stiction.mesh.block { origin = { 0*mm, 1.5*mm }, size = { 60*mm, 1.5*mm }, cells = { 60, 2 }, kind = "quad8" }
+  local pairs = { bond = stiction.pair { secondary = "lower.bond", primary = "upper.bottom", adhesion = stiction.adhesion.bilinear {
+    K = 1e14*u.N/u.m^3, sigma_n = 30*u.MPa, sigma_t = 40*u.MPa, G_I = 250*u.J/u.m^2, G_II = 700*u.J/u.m^2 } } }
+  pairs.crack = crack and stiction.pair { secondary = "lower.crack", primary = "upper.bottom", friction = friction } or nil
+  return stiction.scene {
+    bodies = { lower = stiction.body { mesh = lower, material = material, density = 2700*u.kg/u.m^3 },
+      upper = stiction.body { mesh = upper, material = material, density = 2700*u.kg/u.m^3 } },
+    pairs = pairs,
+    motions = { stiction.motion.fix { set = "lower.right" },
+      stiction.motion.fix { set = "lower.bottom", near = { 0*mm, 0*mm }, x = false },
+      stiction.motion.drive { set = "upper.top", near = { 0*mm, 3*mm }, times = { 0*s, 1*s }, y = { 0*mm, 1.5*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 8 } } },
+    probes = { f = stiction.probe.force { set = "upper.top", near = { 0*mm, 3*mm } } } }
+end
+
+test("a crack whose faces are a pair opens as without it, and its problems are answered as plainly", function()
+  local function peak(...)
+    local case = run(arms(...))
+    return case:max("f", "force_y"), case.result.contact
+  end
+  local plain, by = peak(false)
+  for _, friction in ipairs { false, stiction.friction.coulomb { mu = 0.3 } } do
+    local held, how = peak(true, friction or nil)
+    assert(math.abs(held / plain - 1) < 1e-8, held / plain)
+    equal(how:find("minimisation", 1, true), by:find("minimisation", 1, true))
+  end
+end)
+
+test("two soles that border on each other press like one", function()
+  local e = stiction.edge
+  local function pressed(parts)
+    local mesh = stiction.mesh.gmsh { size = 1*mm, start = { 0*mm, 0*mm }, edges = { e { to = { 4*mm, 0*mm }, name = parts and "a" or "sole" },
+      e { to = { 10*mm, 0*mm }, name = parts and "b" or "sole" }, e { to = { 10*mm, 5*mm }, name = "right" },
+      e { to = { 0*mm, 5*mm }, name = "top" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
+    local pairs, probes = {}, {}
+    for _, name in ipairs(parts or { "sole" }) do
+      pairs[name] = stiction.pair { secondary = "pad." .. name, primary = "floor", friction = stiction.friction.coulomb { mu = 0.4 } }
+      probes[name] = stiction.probe.contact { pair = name }
+    end
+    local case = run(stiction.scene {
+      bodies = { pad = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3,
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } }, pairs = pairs, probes = probes,
+      motions = { stiction.motion.drive { set = "pad.top", times = { 0*s, 1*s }, x = { 0*mm, 0.3*mm }, y = { 0*mm, -0.2*mm } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 5 } } } })
+    local sums = { 0, 0, 0 }
+    for name in next, probes do
+      for k, column in ipairs { "force_x", "force_y", "closed_area" } do
+        sums[k] = sums[k] + case:last(name, column)
+      end
+    end
+    return sums
+  end
+  local whole, halves = pressed(), pressed { "a", "b" }
+  for k = 1, 3 do
+    assert(math.abs(halves[k] / whole[k] - 1) < 1e-7, ("%d: %.10g for %.10g"):format(k, halves[k], whole[k]))
+  end
+end)
