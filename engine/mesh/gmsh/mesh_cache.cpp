@@ -58,10 +58,10 @@ struct Scratch {
 
 void refuse_unless_made(MesherOutcome const& outcome, std::string const& what) {
   if (outcome.signal != 0)
-    throw core::InputError(fmt::format("{}: the mesher crashed ({}); of a file, its cells may name nodes that "
-                                       "are not there{}{}",
-                                       what, strsignal(outcome.signal),
-                                       outcome.message.empty() ? "" : "; gmsh says: ", outcome.message));
+    throw core::InputError(fmt::format(
+        "{}: the mesher crashed ({}); of a file, its cells may name nodes that "
+        "are not there{}{}",
+        what, strsignal(outcome.signal), outcome.message.empty() ? "" : "; gmsh says: ", outcome.message));
   if (outcome.exit_code != 0)
     throw core::InputError(fmt::format("{}: {}", what, outcome.message));
 }
