@@ -45,8 +45,8 @@ test("two soles that border on each other press like one", function()
   local e = stiction.edge
   local function pressed(parts)
     local mesh = stiction.mesh.gmsh { size = 1*mm, start = { 0*mm, 0*mm }, edges = {
-      e { to = { 4*mm, 0*mm }, name = parts and "a" or "sole" }, e { to = { 10*mm, 0*mm }, name = parts and "b" or "sole" }, e { to = { 10*mm, 5*mm }, name = "right" },
-      e { to = { 0*mm, 5*mm }, name = "top" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
+      e { to = { 4*mm, 0*mm }, name = parts and "a" or "sole" }, e { to = { 10*mm, 0*mm }, name = parts and "b" or "sole" },
+      e { to = { 10*mm, 5*mm }, name = "right" }, e { to = { 0*mm, 5*mm }, name = "top" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
     local pairs, probes = {}, {}
     for _, name in ipairs(parts or { "sole" }) do
       pairs[name] = stiction.pair { secondary = "pad." .. name, primary = "floor", friction = stiction.friction.coulomb { mu = 0.4 } }

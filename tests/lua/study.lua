@@ -57,8 +57,11 @@ test("what --set cannot do is told", function()
 end)
 
 test("a quick form that asks for what there is not is told without --quick as well", function()
-  fails("study.quick.set: the study has no parameter 'nope'", function() return sweep.cases(make { quick = { set = { nope = 3 } } }, {}) end)
-  fails("study.quick: unknown key 'setting'", function() return sweep.cases(make { quick = { setting = {} } }, {}) end)
+  local function cases(quick)
+    return function() return sweep.cases(make { quick = quick }, {}) end
+  end
+  fails("study.quick.set: the study has no parameter 'nope'", cases { set = { nope = 3 } })
+  fails("study.quick: unknown key 'setting'", cases { setting = {} })
 end)
 
 test("a misspelt parameter is told where it is used", function()
