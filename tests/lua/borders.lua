@@ -16,7 +16,7 @@ local function arms(crack, friction)
   local upper = stiction.mesh.block { origin = { 0*mm, 1.5*mm }, size = { 60*mm, 1.5*mm }, cells = { 60, 2 }, kind = "quad8" }
   local pairs = { bond = stiction.pair { secondary = "lower.bond", primary = "upper.bottom", adhesion = stiction.adhesion.bilinear {
     K = 1e14*u.N/u.m^3, sigma_n = 30*u.MPa, sigma_t = 40*u.MPa, G_I = 250*u.J/u.m^2, G_II = 700*u.J/u.m^2 } } }
-  pairs.crack = crack and stiction.pair { secondary = "lower.crack", primary = "upper.bottom", friction = friction } or nil
+  pairs.a_crack = crack and stiction.pair { secondary = "lower.crack", primary = "upper.bottom", friction = friction } or nil
   return stiction.scene {
     bodies = { lower = stiction.body { mesh = lower, material = material, density = 2700*u.kg/u.m^3 },
       upper = stiction.body { mesh = upper, material = material, density = 2700*u.kg/u.m^3 } },

@@ -96,3 +96,28 @@ test("bonds of one traction snap point by point on points as coarse as this, and
   equal(told(0.05 * times), nil)
   assert(told(0.05 * times / 3) ~= nil)
 end)
+
+test("bonds that grow as long as they are closed are told where the step in which they open is long beside that", function()
+  local s = units.s
+  local function dwell(steps, hold)
+    return stiction.scene {
+      bodies = { b = stiction.body { mesh = stiction.mesh.block { size = { 2*mm, 1*mm }, cells = { 8, 4 } }, density = 1000*kg/m^3,
+        material = stiction.material.neo_hookean { young = 5*MPa, poisson = 0.3 } } },
+      obstacles = { f = stiction.obstacle { shape = stiction.rigid.plane {} } },
+      pairs = { j = stiction.pair { secondary = "b.bottom", primary = "f",
+        adhesion = stiction.adhesion.rcc { w = 0.5*J/m^2, C_n = 1e9*N/m^3, C_t = 1e9*N/m^3, b = 1*N*s/m } } },
+      motions = { stiction.motion.drive { set = "b.top", times = { 0*s, 0.1*s, 0.1*s + hold, 1.1*s + hold }, x = { 0*mm, 0*mm, 0*mm, 0*mm },
+        y = { 0*mm, -0.01*mm, -0.01*mm, 0.09*mm } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 0.1*s, steps = 10 }, stiction.stage { to = 0.1*s + hold, steps = 2 },
+        stiction.stage { to = 1.1*s + hold, steps = steps } } },
+      probes = { j = stiction.probe.contact { pair = "j" } } }
+  end
+  local function told(...) return scenes.warning(dwell(...), "its bonds grow as long as") end
+  local function pull(...) return -run(dwell(...)):min("j", "force_y") end
+  local advised = tonumber(told(20, 0.1*s).change:match("^(%d+) steps instead of 20"))
+  equal(told(advised, 0.1*s), nil)
+  equal(told(20, 20*s), nil) -- full by then
+  local fine = pull(4 * advised, 0.1*s)
+  assert(math.abs(pull(advised, 0.1*s) / fine - 1) < 0.03, pull(advised, 0.1*s) / fine)
+  assert(pull(20, 0.1*s) < 0.9 * fine, pull(20, 0.1*s) / fine)
+end)

@@ -249,7 +249,6 @@ Foot Curve::project(Vec2 const& point, Foot guess, std::span<double const> x, Se
 Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x, Overhang overhang) const {
   double const over = reaches(overhang); // an open end, in parts of a segment
   Foot foot = start;
-  double last = std::numeric_limits<double>::infinity();
   int turns = 0, heading = 0; // how often the walk across segments has turned back; its last direction
   for (int iteration = 0; iteration < 200; ++iteration) {
     auto const [c, a, aa, aaa] = evaluate(foot, x).by_xi;
@@ -264,10 +263,10 @@ Foot Curve::follow(Vec2 const& point, Foot start, std::span<double const> x, Ove
     int const neighbour = target > high ? segment.next : segment.previous;
     if (!beyond) {
       foot.xi = target;
-      double const size = std::abs(step), rounding = rounding_step(point.cwiseAbs().maxCoeff(), a.norm());
-      if (size < 1e-13 || (size < rounding && size > 0.5 * last))
+      double const size = std::abs(step);
+      bool const rounded = iteration > 20 && size < rounding_step(point.cwiseAbs().maxCoeff(), a.norm());
+      if (size < 1e-13 || rounded) // far from the origin it falls no further
         return foot;
-      last = size;
     } else if (neighbour < 0) {
       if (foot.xi == low || foot.xi == high)
         return {}; // beyond the end of the curve

@@ -26,7 +26,8 @@ constexpr double radius_cells = 3, good_radius = 4;       // over what holds a b
 constexpr double bonded_cells = 10, good_bonded = 30;     // over what touched, where bonds are as many as did
 constexpr double part_of_opening = 0.25, good_part = 0.1; // of u0 in a step: the limit, and what to aim at
 constexpr double part_of_gone = 0.4, good_gone = 0.2;     // of 2 w / sigma0 in a step, the same
-constexpr double part_of_bond = 0.25;                     // beta in a step
+constexpr double part_of_growth = 0.05, good_growth = 0.02; // of the time that it is closed, in a step
+constexpr double part_of_bond = 0.25;                       // beta in a step
 
 using Warnings = std::vector<Warning>;
 
@@ -121,17 +122,34 @@ void opening_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
   check("slide", motion.sliding_step, scales.along, motion.sliding_stage);
 }
 
+/// Bonds that are not full as long as they grow count the step in which contact ends, or do not.
+void growing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
+  auto const& stages = all.scene->part.schedule.stages;
+  std::size_t const last = pair.motion.opening_stage;
+  double const before = last > 0 ? stages[last - 1].until : 0, closed = pair.motion.closed_time,
+               part = (stages[last].until - before) / stages[last].steps / closed;
+  if (part > part_of_growth)
+    warnings.push_back(
+        {fmt::format(
+             "pair {}: its bonds grow as long as it is closed, {}, and the step in which it opens is {} "
+             "of that: they come out wrong by about as much",
+             pair.pair->name, human(closed, "s"), percent(part)),
+         more_steps(all, last, part / good_growth) + ", which leave two per cent"});
+}
+
 void bonding_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) {
   auto const& law = *pair.pair->law.adhesion;
   if (!interface::grows(law))
     return;
   double const bonding = interface::bond_time(law), part = all.longest_step / bonding;
-  if (bonding == 0 || part <= part_of_bond || bonding < 0.05 * pair.motion.closed_time ||
-      pair.motion.closed_time == 0)
+  if (bonding == 0 || bonding < 0.05 * pair.motion.closed_time || pair.motion.closed_time == 0)
     return; // quick bonds are full whatever the step
-  warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
-                                  pair.pair->name, human(bonding, "s"), 1 / part),
-                      fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
+  if (pair.motion.closed_time < bonding)
+    return growing_steps(all, pair, warnings);
+  if (part > part_of_bond)
+    warnings.push_back({fmt::format("pair {}: a bond forms in {}, {:.2g} steps: its growth is not resolved",
+                                    pair.pair->name, human(bonding, "s"), 1 / part),
+                        fmt::format("steps of {} or less", human(good_part * bonding, "s"))});
 }
 
 /// A bond that softens faster than the bodies give way, and no viscosity that would slow it.
