@@ -126,17 +126,13 @@ private:
   /// The proximal point method (Rockafellar 1976): W + a 1 and free - a p have the same answer once p stays.
   /// It goes there where W takes no energy from any forces. part: a, and what it has become.
   [[nodiscard]] Solution proximal(Problem const& problem, Solution solution, int most, double& part) {
-    Dense const& W = problem.W.dense();
     if (solution.converged || !monotone(problem))
       return solution;
-    Problem nearby = problem;
-    nearby.W = W;
+    Nearby nearby(problem, Vector::Ones(problem.free.size()));
     double halved = solution.verdict.residual, finished = near_answer;
     for (int idle = 0; idle < most && !solution.converged; ++idle) {
-      nearby.W.entries().diagonal() = (W.diagonal().array() + part).matrix();
-      nearby.free = problem.free - part * solution.force;
       double const close = std::max(settings_.tolerance, 1e-2 * solution.verdict.relative());
-      auto const inner = sweep_and_polish(nearby, solution.force, close);
+      auto const inner = sweep_and_polish(nearby.at(part, solution.force), solution.force, close);
       part *= inner.converged ? 0.4 : 2;
       auto const verdict = judge(problem, inner.force);
       if (!inner.converged && !(verdict.residual < solution.verdict.residual))
@@ -244,7 +240,7 @@ private:
 
   /// A plain problem that takes no energy has an answer, which may be far from all that was tried.
   [[nodiscard]] Solution approached(Problem const& problem, Vector const& guess, Solution solution) {
-    if (approaches_ || none_ || !plain(problem) || !monotone(problem))
+    if (approaches_ || none_ || problem.free.size() > pivoting_rows || !plain(problem) || !monotone(problem))
       return solution;
     auto settings = settings_;
     settings.tolerance *= 10; // of problems on the way

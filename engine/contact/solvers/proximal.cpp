@@ -1,13 +1,12 @@
 // Each problem starts from the answer of the last one, and is solved whole.
 #include "contact/solvers/proximal.hpp"
 
-#include "linear/decompositions.hpp"
-
 namespace stiction::contact {
 
 namespace {
 
-constexpr int most = 100, most_failures = 25;
+constexpr int most = 100, most_failures = 25, few_failures = 5;
+constexpr long few_rows = 400;         // rows, up to which more failures cost little
 constexpr double less = 0.5, more = 4; // times the compliance after an answer, after none
 constexpr double least = 1e-12;        // of a point's own compliance
 
@@ -26,19 +25,25 @@ Vector own_compliances(Problem const& problem) {
 
 } // namespace
 
+Nearby::Nearby(Problem const& problem, Vector D) : problem_(problem), nearby_(problem), D_(std::move(D)) {
+  nearby_.W = problem.W.dense();
+}
+
+Problem const& Nearby::at(double a, Vector const& force) {
+  nearby_.W.entries().diagonal() = problem_.W.dense().diagonal() + a * D_;
+  nearby_.free = problem_.free - a * D_.cwiseProduct(force);
+  return nearby_;
+}
+
 Solution approach(Problem const& problem, Vector const& guess, Answering const& answer,
                   Answering const& polish) {
-  Dense const& W = problem.W.dense();
-  Vector const own = own_compliances(problem);
-  Problem nearby = problem;
-  nearby.W = W;
+  Nearby nearby(problem, own_compliances(problem));
+  int const patience = problem.free.size() <= few_rows ? most_failures : few_failures;
   Solution reached;
   reached.force = guess;
   double part = 1;
-  for (int k = 0, failures = 0; k < most && failures < most_failures; ++k) {
-    nearby.W.entries().diagonal() = W.diagonal() + part * own;
-    nearby.free = problem.free - part * own.cwiseProduct(reached.force);
-    auto const next = answer(nearby, reached.force);
+  for (int k = 0, failures = 0; k < most && failures < patience; ++k) {
+    auto const next = answer(nearby.at(part, reached.force), reached.force);
     failures += next.converged ? 0 : 1;
     part = next.converged ? std::max(less * part, least) : more * part;
     if (!next.converged)
