@@ -40,15 +40,15 @@ function csv.read(text)
     if mark == "\n" then
       rows[#rows + 1], row = row, {}
       if #rows[#rows] ~= #rows[1] then
-        return nil, ("row %d has %d entries, its head %d"):format(#rows, #rows[#rows], #rows[1])
+        return nil, ("line %d has %d entries, its head %d"):format(#rows, #rows[#rows], #rows[1])
       end
     elseif mark ~= "," then
-      return nil, ("row %d is cut off"):format(#rows + 1)
+      return nil, ("line %d is cut off"):format(#rows + 1)
     end
     at = stop + 1
   end
   if #row > 0 or #rows == 0 then
-    return nil, ("row %d is cut off"):format(#rows + 1)
+    return nil, ("line %d is cut off"):format(#rows + 1)
   end
   return rows
 end

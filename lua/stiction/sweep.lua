@@ -359,7 +359,9 @@ function sweep.cases(study, options)
     case.problems = options.problems and math.floor(options.problems)
     if not seen[case.id] then
       cases[#cases + 1], seen[case.id] = case, case
-    elseif not plan.cases or differ(case.p, seen[case.id].p) then
+    elseif not plan.cases and not differ(case.p, seen[case.id].p) then
+      fault.input("the sweep makes case '%s' twice: a value stands in it twice; leave one out", case.id)
+    elseif differ(case.p, seen[case.id].p) then
       fault.input("two cases of the sweep are called '%s'; %s", case.id,
         study.case_id and "let case_id(p) tell them apart" or "give the study a case_id(p)")
     end

@@ -62,7 +62,7 @@ mkdir empty
 expect 2 "empty holds no results" ask show '{ study = "empty" }'
 cp -r a broken
 sed -i '3s/finished.*//' broken/summary.csv
-expect 2 "broken/summary.csv is damaged: row 3 has 5 entries, its head 11" ask show '{ study = "broken" }'
+expect 2 "broken/summary.csv is damaged: line 3 has 5 entries, its head 11" ask show '{ study = "broken" }'
 cp -r a newer
 sed -i 's/"layout": 2/"layout": 3/' newer/study.json
 expect 2 "newer was written by a newer version of Stiction (layout 3;" ask show '{ study = "newer" }'

@@ -98,7 +98,6 @@ test("bonds of one traction snap point by point on points as coarse as this, and
 end)
 
 test("bonds that grow as long as they are closed are told where the step in which they open is long beside that", function()
-  local s = units.s
   local function dwell(steps, hold)
     return stiction.scene {
       bodies = { b = stiction.body { mesh = stiction.mesh.block { size = { 2*mm, 1*mm }, cells = { 8, 4 } }, density = 1000*kg/m^3,

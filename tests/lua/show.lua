@@ -93,10 +93,10 @@ test("csv reads back what it wrote, and nothing that is cut off or ragged", func
   local text = "1,2,3,4,5\r\n" .. table.concat(line, ",") .. "\n"
   equal(table.concat(csv.read(text)[2], ";"), table.concat(words, ";"))
   equal(tonumber(csv.word(0.1 + 0.2)), 0.1 + 0.2)
-  equal(select(2, csv.read("a,b\n1,2\n3\n")), "row 3 has 1 entries, its head 2")
-  equal(select(2, csv.read("a,b\n1,2\n3,4")), "row 3 is cut off")
-  equal(select(2, csv.read("a,b\n1,\"2\n")), "row 2 is cut off")
-  equal(select(2, csv.read("")), "row 1 is cut off")
+  equal(select(2, csv.read("a,b\n1,2\n3\n")), "line 3 has 1 entries, its head 2")
+  equal(select(2, csv.read("a,b\n1,2\n3,4")), "line 3 is cut off")
+  equal(select(2, csv.read("a,b\n1,\"2\n")), "line 2 is cut off")
+  equal(select(2, csv.read("")), "line 1 is cut off")
 end)
 
 test("cases are matched by parameters before names", function()

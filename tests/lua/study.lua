@@ -109,6 +109,7 @@ test("mistakes in the study table are told", function()
       return ids(make { sweep = { { mu = 0 }, { mu = 1, b = b } } })
     end)
   end
+  fails("the sweep makes case 'mu0.1' twice", function() return ids(make { sweep = { mu = { 0.1, 0.2, 0.1 } } }) end)
   fails("two cases of the sweep are called 'x'", function()
     return ids(make { sweep = { mu = { 1, 2 } }, case_id = function() return "x" end })
   end)
