@@ -74,6 +74,8 @@ test("points as near as advised know the force of a ball's small contact", funct
     return math.abs(-run(scene(points)):min("touch", "force_z") / force - 1)
   end
   local near = tonumber(told(64)) -- 0.8 spacings
+  assert(scenes.warning(scene(48), "it may lie between them"))
+  equal(scenes.warning(scene(64), "it may lie between them"), nil)
   local enough = 2 * math.ceil(500 / near)
   equal(told(enough), nil)
   assert(off(64) > 0.1 and off(enough) < 0.02, off(enough))

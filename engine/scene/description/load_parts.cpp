@@ -43,8 +43,8 @@ core::Schema const& GasPart::schema() {
           .text("set", &GasPart::set, Need::required,
                 "the cavity's whole wall, \"body.set\", closed or ending at planes of symmetry through "
                 "`centre` that motions keep it in, at the axis, or where motions hold it: the rest is then a "
-                "cone up to `centre`, which goes with those motions; they move all of the end as one rigid "
-                "body")
+                "cone up to `centre`, which goes with those motions, about an axis discs across it, whatever "
+                "`centre` is; they move all of the end as one rigid body")
           .numbers("times", &GasPart::times, "s", Need::required, "times of the path, ascending")
           .numbers("pressure", &GasPart::pressure, "Pa", Need::optional,
                    "the amount: pressure over `outside` that it would have in the cavity of the start")

@@ -249,6 +249,7 @@ void warn_of_slope(GridFacts const& facts, std::vector<Warning>& warnings) {
 /// A ball's contact on a handful of points: their number decides its force (13 % at 0.8 spacings).
 void warn_of_few_points(GridFacts const& facts, std::vector<Warning>& warnings) {
   constexpr double fewest = 1.5, wanted = 2.5; // spacings: force of a dry ball off by up to 3 %, 1 %
+  constexpr double between = 0.71;             // spacings: half the diagonal between four points
   auto const& surface = facts.scene.part.height_maps.begin()->second.surface;
   auto const choice = choose_formula(facts.model, surface);
   auto const* sphere = std::get_if<halfspace::Sphere>(&surface);
@@ -259,9 +260,10 @@ void warn_of_few_points(GridFacts const& facts, std::vector<Warning>& warnings) 
   if (!(radius > 0) || radius >= fewest * facts.spacing())
     return;
   warnings.push_back(
-      {fmt::format("pair {}: the contact grows to a radius of {}, {:.2g} times the spacing of points: its "
-                   "force is off by a tenth or so",
-                   facts.scene.pairs.front(), human(radius, "m"), radius / facts.spacing()),
+      {fmt::format("pair {}: the contact grows to a radius of {}, {:.2g} times the spacing of points: {}",
+                   facts.scene.pairs.front(), human(radius, "m"), radius / facts.spacing(),
+                   radius < between * facts.spacing() ? "it may lie between them, and give no force at all"
+                                                      : "its force is off by a tenth or so"),
        fmt::format("points at most {} apart, or model = \"formula\"", human(radius / wanted, "m"))});
 }
 

@@ -305,13 +305,15 @@ void leaps_at_start(Facts const& all, Warnings& warnings) {
 
 /// Below the critical step of single cells (dynamics/bulk/critical_step.hpp).
 void critical_steps(Facts const& all, Warnings& warnings) {
+  constexpr double written_below = 0.995; // three digits may be rounded up
   auto const& model = *all.scene->model;
   if (!dynamics::weights(model.scheme).explicit_forces)
     return;
   double const limit = dynamics::critical_step(model, Vector::Zero(model.dofs()));
   if (all.longest_step > limit * (1 + dynamics::critical_margin))
-    warnings.push_back({dynamics::above_critical(all.longest_step, limit) + ": the run will refuse to start",
-                        fmt::format("steps of {} or less, or an implicit scheme", human(limit, "s"))});
+    warnings.push_back(
+        {dynamics::above_critical(all.longest_step, limit) + ": the run will refuse to start",
+         fmt::format("steps of {} or less, or an implicit scheme", human(written_below * limit, "s"))});
 }
 
 /// In lasting contact the plain scheme turns the normal velocity about by -(1 - theta) / theta each step
