@@ -128,7 +128,7 @@ void growing_steps(Facts const& all, PairFacts const& pair, Warnings& warnings) 
   std::size_t const last = pair.motion.opening_stage;
   double const before = last > 0 ? stages[last - 1].until : 0, closed = pair.motion.closed_time,
                part = (stages[last].until - before) / stages[last].steps / closed;
-  if (part > part_of_growth)
+  if (pair.motion.opening_step > 0 && part > part_of_growth)
     warnings.push_back(
         {fmt::format(
              "pair {}: its bonds grow as long as it is closed, {}, and the step in which it opens is {} "
