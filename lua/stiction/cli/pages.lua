@@ -65,7 +65,8 @@ of a pulled bond's force (bonds snap; RCC without viscosity: 3 C beta^2 A). Each
 with the number of steps, and with the answers to that step that were found from other starts; of up to five dry points
 in the plane all statuses are tried, so that it is sure that there are no others. W: the displacements of a contact
 point for unit forces on it. In dynamics a remark also tells when the time steps made more than 1 % of the largest
-energy of the run, or lost more than 10 %.]]
+energy of the run, or lost more than 10 %. Of a pair of which nothing touched or adhered in the whole run it tells that,
+and how near its points came.]]
 
 pages.workers = [[
 stiction run STUDY --worker                  # a worker: cases that no other run has, one at a time (--jobs N), until none is left
