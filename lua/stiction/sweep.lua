@@ -239,15 +239,13 @@ local function copy_plan(plan)
   return twin
 end
 
---- The study's own plan and values in the form that is asked for; bad input of a quick form that asks for what there is not,
---- whether it is wanted or not.
+--- The study's own plan and values in the form that is asked for.
 local function form(study, options)
   local plan, values = copy_plan(study.sweep), base_values(study)
-  apply_quick(plan, values, study.quick)
   if options.quick then
-    return plan, values
+    apply_quick(plan, values, study.quick)
   end
-  return copy_plan(study.sweep), base_values(study)
+  return plan, values
 end
 
 --- The swept values that study.trade.set must have brought down to one each, now standing with the others.
@@ -332,10 +330,14 @@ local function differ(p, q)
   return numeric.first_where(ordered.keys(p), function(name) return p[name] ~= q[name] end) ~= nil
 end
 
---- Says once of a study without a quick form that --quick asks for none.
+--- Says once of a study without a quick form that --quick asks for none, and without --quick what is wrong with the one it has.
 function sweep.tell_quick(study, options)
   if options.quick and not next(study.quick) then
     engine.complain("stiction: the study has no quick form, which is quick = { sweep = ..., set = ... }: it stands in full\n")
+  end
+  local held, value = engine.call(apply_quick, copy_plan(study.sweep), base_values(study), study.quick)
+  if not held and not options.quick then
+    engine.complain(("stiction: %s; --quick is refused for that\n"):format(type(value) == "table" and value.message or value))
   end
 end
 

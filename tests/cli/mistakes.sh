@@ -56,6 +56,9 @@ expect 0 "mu0  to run" "$stiction" run mark --list
 
 changed slow '/^ *quick = {/d'
 expect 0 "the study has no quick form|it stands in full" "$stiction" run slow --quick --list
+changed stale 's/set = { steps = 5 }/set = { stride = 5 }/'
+expect 0 "study.quick.set: the study has no parameter 'stride'|--quick is refused for that" "$stiction" run stale --list
+expect 2 "study.quick.set: the study has no parameter 'stride'" "$stiction" run stale --quick --list
 
 mkdir scripts
 cat >scripts/deep.lua <<'L'

@@ -56,14 +56,6 @@ test("what --set cannot do is told", function()
   fails("write NAME=VALUE", set "radius")
 end)
 
-test("a quick form that asks for what there is not is told without --quick as well", function()
-  local function cases(quick)
-    return function() return sweep.cases(make { quick = quick }, {}) end
-  end
-  fails("study.quick.set: the study has no parameter 'nope'", cases { set = { nope = 3 } })
-  fails("study.quick: unknown key 'setting'", cases { setting = {} })
-end)
-
 test("a misspelt parameter is told where it is used", function()
   local p = sweep.cases(make(two), {})[1].p
   fails("there is no parameter 'raduis'; did you mean 'radius'?", function() return p.raduis end)
