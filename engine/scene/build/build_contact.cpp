@@ -197,6 +197,24 @@ std::optional<mesh::Set> Builder::surface(Where const& where, std::string const&
   return {};
 }
 
+namespace {
+
+Indices sorted(Indices nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// How many facets of one set are of the other too, whatever their nodes' order.
+std::ptrdiff_t common_facets(mesh::Set const& one, mesh::Set const& other) {
+  std::set<Indices> facets;
+  for (auto const& facet : other.facets)
+    facets.insert(sorted(facet.nodes));
+  return std::ranges::count_if(one.facets,
+                               [&](auto const& facet) { return facets.contains(sorted(facet.nodes)); });
+}
+
+} // namespace
+
 void Builder::add_pairs() {
   for (auto const& [name, part] : scene_.part.pairs)
     try {
@@ -230,8 +248,11 @@ void Builder::share_border(std::size_t first, std::size_t later) {
     own.emplace(keeps.secondary[i], i);
   auto const common = [&](Index node) { return own.contains(node); };
   auto const count = std::ranges::count_if(gives.secondary, common);
-  if (count == 0 || count == static_cast<std::ptrdiff_t>(gives.secondary.size()) ||
-      common_facets(part_of(first).secondary, part_of(later).secondary))
+  if (count == 0 || count == static_cast<std::ptrdiff_t>(gives.secondary.size()))
+    return;
+  auto const one = surface({"pairs"}, part_of(first).secondary),
+             other = surface({"pairs"}, part_of(later).secondary);
+  if (!one || !other || common_facets(*one, *other) > 0)
     return;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < gives.secondary.size(); ++i)
@@ -243,20 +264,6 @@ void Builder::share_border(std::size_t first, std::size_t later) {
     }
   gives.secondary.resize(kept);
   gives.areas.resize(kept);
-}
-
-/// Have two sets of boundaries facets in common?
-bool Builder::common_facets(std::string const& one, std::string const& other) {
-  std::set<Indices> facets;
-  auto const sorted = [](Indices nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
-  };
-  auto const a = surface({"pairs"}, one), b = surface({"pairs"}, other);
-  for (auto const& facet : a ? a->facets : std::vector<mesh::Facet>{})
-    facets.insert(sorted(facet.nodes));
-  return b && std::ranges::any_of(b->facets,
-                                  [&](auto const& facet) { return facets.contains(sorted(facet.nodes)); });
 }
 
 /// Two pairs of the same surfaces would both act: what bonds once would bond twice.
@@ -329,19 +336,11 @@ dynamics::Pair Builder::secondary_side(std::string const& name, PairPart const& 
 /// points. False where the two sides are the same facets, or where a node cannot be left out.
 bool Builder::leave_out_shared(std::string const& name, mesh::Set const& secondary, mesh::Set const& primary,
                                dynamics::Pair& pair) {
-  auto const sorted = [](Indices nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
-  };
   Indices const theirs = sorted(primary.nodes);
   auto const shared = [&](Index node) { return std::binary_search(theirs.begin(), theirs.end(), node); };
   if (std::ranges::none_of(secondary.nodes, shared))
     return true;
-  std::set<Indices> facets;
-  for (auto const& facet : primary.facets)
-    facets.insert(sorted(facet.nodes));
-  auto const same = std::count_if(secondary.facets.begin(), secondary.facets.end(),
-                                  [&](auto const& facet) { return facets.contains(sorted(facet.nodes)); });
+  auto const same = common_facets(secondary, primary);
   if (same > 0) {
     complain(
         {"pairs", name, "secondary"},

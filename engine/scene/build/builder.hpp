@@ -151,7 +151,6 @@ private:
   void add_pairs();
   void add_pair(std::string const& name, PairPart const& part);
   void share_border(std::size_t first, std::size_t later);
-  [[nodiscard]] bool common_facets(std::string const& one, std::string const& other);
   void refuse_again(std::string const& name, PairPart const& part);
   [[nodiscard]] std::optional<mesh::Set> surface(Where const& where, std::string const& name);
   [[nodiscard]] dynamics::Pair secondary_side(std::string const& name, PairPart const& part,

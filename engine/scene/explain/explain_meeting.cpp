@@ -1,4 +1,4 @@
-// Pairs whose sides cannot meet or cannot give way, and bodies and obstacles that no pair lets meet.
+// Pairs whose sides cannot meet or cannot give way, and obstacles of no pair.
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -55,20 +55,10 @@ void gives_no_way(Facts const& all, PairFacts const& pair, std::vector<Warning>&
                    all.bodies[pair.secondary].body->name, pair.part->secondary)});
 }
 
-std::string body_of_set(std::string const& set) {
-  return set.substr(0, set.find('.'));
-}
-
-/// Names of bodies and obstacles that some pair is of.
-bool in_a_pair(Scene const& scene, std::string const& name) {
-  return std::ranges::any_of(scene.part.pairs, [&](auto const& entry) {
-    return body_of_set(entry.second.secondary) == name || body_of_set(entry.second.primary) == name;
-  });
-}
-
 void obstacles_alone(Facts const& all, std::vector<Warning>& warnings) {
   for (auto const& [name, part] : all.scene->part.obstacles)
-    if (!in_a_pair(*all.scene, name))
+    if (std::ranges::none_of(all.scene->part.pairs,
+                             [&](auto const& entry) { return entry.second.primary == name; }))
       warnings.push_back(
           {fmt::format("obstacle {} is in no pair: nothing meets it", name),
            fmt::format("stiction.pair {{ secondary = ..., primary = \"{}\" }}, or leave it out", name)});

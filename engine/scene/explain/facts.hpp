@@ -152,7 +152,7 @@ void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_paths.cpp: paths whose turns no step sees.
 void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
-/// explain_meeting.cpp: pairs whose sides cannot meet, bodies and obstacles that no pair lets meet.
+/// explain_meeting.cpp: pairs whose sides cannot meet or cannot give way, obstacles of no pair.
 void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
 /// The same: do motions move or hold all these nodes, numbered from `first` on, in this direction?
 [[nodiscard]] bool all_held(dynamics::Model const& model, Indices const& nodes, int component,
