@@ -58,7 +58,7 @@ void gives_no_way(Facts const& all, PairFacts const& pair, std::vector<Warning>&
 void obstacles_alone(Facts const& all, std::vector<Warning>& warnings) {
   for (auto const& [name, part] : all.scene->part.obstacles)
     if (std::ranges::none_of(all.scene->part.pairs,
-                             [&](auto const& entry) { return entry.second.primary == name; }))
+                             [&name = name](auto const& entry) { return entry.second.primary == name; }))
       warnings.push_back(
           {fmt::format("obstacle {} is in no pair: nothing meets it", name),
            fmt::format("stiction.pair {{ secondary = ..., primary = \"{}\" }}, or leave it out", name)});
