@@ -317,7 +317,14 @@ local function summary_head(study, names, claimed)
   each_derivative(study, function(result, parameter)
     head[#head + 1] = ("d_%s_d_%s"):format(result, parameter)
   end)
-  return table.move({ "set", "warnings" }, 1, 2, #head + 1, head)
+  local seen = {}
+  for _, name in ipairs(head) do
+    seen[name] = true
+  end
+  for _, name in ipairs { "set", "warnings" } do
+    head[#head + 1] = seen[name] and "run_" .. name or name -- a parameter or result has the plain name
+  end
+  return head
 end
 
 --- What results of a row may be off by, by name: by these claims (or nil) if the row is of their plan, else as was found out earlier

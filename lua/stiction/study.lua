@@ -106,7 +106,7 @@ end
 --- What summary.csv has another column of the same name for: list of {what =, name =, why =}; `swept`: the study's sweeps.
 local function doubled(results, swept)
   local list, seen, parameters = {}, {}, {}
-  local taken = { case = "names the case", set = "tells what --set changed", warnings = "tells what explain warned of" }
+  local taken = { case = "names the case" }
   for _, name in ipairs(study.measures) do
     taken[name] = "is told of every case"
   end

@@ -404,6 +404,16 @@ test("each column of errors is that of its result, and empty where nothing is cl
     .. "warnings\ns5_mu0.2,0.2,1,2,4,finished,,,,,0.1,0.2,0.3,7,nan,9,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,nan,nan,nan,,\n")
 end)
 
+test("a parameter called set leaves its column the name, and that of what --set changed steps aside", function()
+  local case = { id = "A", p = { set = 3 } }
+  local study = { results = { { name = "warnings" } }, derivatives = {} }
+  local write, text = engine.write_file, nil
+  engine.write_file = function(_, written) text = written end
+  output.write_summary("", study, { "set" }, { { case = case, result = { verdict = "finished", results = { warnings = 4 } } } }, nil)
+  engine.write_file = write
+  equal(text, "case,set,warnings,verdict,steps,iterations,contact,seconds,run_set,run_warnings\nA,3,4,finished,,,,,,\n")
+end)
+
 --- Names of the checks that fail.
 local function failing(own, cases)
   local recorder, list = check.recorder()
