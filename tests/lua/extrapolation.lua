@@ -39,6 +39,21 @@ test("an order above 2 from three levels alone is uncertain by the last differen
   end
 end)
 
+test("the order of levels that begin far from the answer is uncertain by the last difference, unless one more has it", function()
+  -- the normal force of a sheared layer, nu = 0.49, at n = 2, 4, 8; 1647 at n = 128
+  local three = { { h = 1 / 2, value = 471.88 }, { h = 1 / 4, value = 1237.82 }, { h = 1 / 8, value = 1444.60 } }
+  local found = extrapolation.limit(three)
+  assert(found.order > 1.8 and found.order < 2, found.order)
+  near(found.uncertainty, 206.78)
+  assert(math.abs(1444.60 + found.correction - 1647) < found.uncertainty)
+  for _, far in ipairs { 0.8, 2.4 } do -- first differences of a fifth and three fifths of the value
+    local list, alone = levels(1, far, 1, { 0.5, 0.25, 0.125 }), 0.5 * far / 8
+    near(extrapolation.limit(list).uncertainty, far == 0.8 and alone or far / 8)
+    near(extrapolation.limit(levels(1, far, 1, { 1, 0.5, 0.25, 0.125 })).uncertainty, alone, 1e-6)
+    near(extrapolation.limit(list, 100).uncertainty, alone)
+  end
+end)
+
 test("what values lack between steps is carried on with them", function()
   local list = levels(3, -0.7, 1, { 0.4, 0.2, 0.1 })
   local plain = extrapolation.limit(list).uncertainty

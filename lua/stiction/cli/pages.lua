@@ -274,12 +274,13 @@ trade = {                                             -- a key of a study
 that promise most and those next to the front with one number coarser, and writes trade.csv, trade.json and figures
 below out/<study>/trade (a count whose name a knob or result has is NAME_counted there). The reference of a quantity is
 the finest run, corrected knob by knob by Richardson extrapolation (orders 0.7 to 4; half of the correction is its
-uncertainty, above 2.2 the last difference unless a level more confirms the order; where no such order shows, there is
-no correction, and the uncertainty is the larger of the last two differences, one and a half times what an order below
-0.7 leaves, and what the order 0.4 does where differences do not fall; where three in a row do not, or where a finer
-number leaves a quantity exactly as it is while it moves others, as a time of the grid, its uncertainty is not known,
-and --accuracy promises nothing of it; what the finest run may lack between its steps at an extreme of run:max or
-run:min, or as an instant, is added). That of a curve is the finest run's, uncorrected; its error is the L2 norm of the
+uncertainty; above the order 2.2, and where the first of the last three levels is off by a quarter, the last difference
+if that is more, unless a level more confirms the order; where no such order shows, there is no correction, and the
+uncertainty is the larger of the last two differences, one and a half times what an order below 0.7 leaves, and what the
+order 0.4 does where differences do not fall; where three in a row do not, or where a finer number leaves a quantity
+exactly as it is while it moves others, as a time of the grid, its uncertainty is not known, and --accuracy promises
+nothing of it; what the finest run may lack between its steps at an extreme of run:max or run:min, or as an instant, is
+added). That of a curve is the finest run's, uncorrected; its error is the L2 norm of the
 difference over the norm of the reference (or over scale * sqrt(length)), all curves brought to the abscissas of the one
 with most points and linear between them. Where a reference is given, it has no uncertainty.
 Error: the largest over the quantities. Bound: error and uncertainty of the reference. Work: counted floating-point

@@ -7,6 +7,7 @@ local spare = 1.5 -- over what is left by an order below those believed
 local refined = 1.2 -- times as much is lacking before the last step of a resolution that refines the runs' own steps
 local floor = 1e-6 -- of a value: what solvers leave
 local single, agreement = 2.2, 0.5 -- up to this one from three levels; above it, the three before must have the same within so much
+local near = 0.25 -- of the last value: what a first difference of three levels that show an order by themselves may come to
 
 --- (h1^p - h2^p) / (h2^p - h3^p), rising with p.
 local function ratio(h1, h2, h3, p)
@@ -37,10 +38,15 @@ function extrapolation.order(levels)
 end
 
 --- Whether an order is one that three levels may show by themselves, or the three before the last have it as well: that differences
---- fall fast between three levels alone may be a crossing of errors.
-local function is_confirmed(levels, order)
-  local before = order > single and extrapolation.order(table.move(levels, 1, #levels - 1, 1, {}))
-  return order <= single or before and math.abs(before - order) <= agreement
+--- fall fast between three levels alone may be a crossing of errors, and levels that begin far from the answer show the order of what
+--- is gone on fine ones.
+local function is_confirmed(levels, order, size)
+  local n = #levels
+  if order <= single and math.abs(levels[n - 1].value - levels[n - 2].value) <= near * size then
+    return true
+  end
+  local before = extrapolation.order(table.move(levels, 1, n - 1, 1, {}))
+  return before and math.abs(before - order) <= agreement
 end
 
 --- What is left after the last of differences that fall with this order.
@@ -87,12 +93,12 @@ local function carried(levels, order)
 end
 
 --- {correction =, uncertainty =, order =, diverges =} of levels {{h =, value =, lacking = (of sampled.lacking, or nil)}, ...}, h falling:
---- limit = last value + correction.
---- Three levels with an order in 0.7 .. 4: Richardson's correction, uncertain by half of it; above 2.2 by the last difference, unless
---- a level more confirms the order. Else none, uncertain by the larger of the last two differences, and by what is left of an order
+--- limit = last value + correction; `size`: of the quantity, by default of the last value.
+--- Three levels with an order in 0.7 .. 4: Richardson's correction, uncertain by half of it; by the last difference, if more, where
+--- the order is above 2.2 or the first of them is off by a quarter, unless a level more confirms the order. Else none, uncertain by the larger of the last two differences, and by what is left of an order
 --- below 0.7 (half as much again) or, where differences do not fall, of the order 0.4; three of these in a row show no limit:
 --- diverges. Uncertain by twice the difference where there are but two levels, and not known (infinite) from one.
-function extrapolation.limit(levels)
+function extrapolation.limit(levels, size)
   local n = #levels
   if n < 2 then
     return { correction = 0, uncertainty = math.huge }
@@ -104,7 +110,9 @@ function extrapolation.limit(levels)
   local order = extrapolation.order(levels)
   if order and order >= orders.low and order <= orders.high then
     local correction = last / ((levels[n - 1].h / levels[n].h) ^ order - 1)
-    local unsure = is_confirmed(levels, order) and 0.5 * math.abs(correction) or math.abs(last)
+    local half = 0.5 * math.abs(correction)
+    local confirmed = is_confirmed(levels, order, size or math.abs(levels[n].value))
+    local unsure = confirmed and half or math.max(half, math.abs(last))
     return { correction = correction, uncertainty = unsure + carried(levels, order), order = order }
   end
   return { correction = 0, uncertainty = doubt(levels, order), order = order, diverges = grows(levels, 3) or nil }

@@ -53,7 +53,7 @@ local function extrapolated(knobs, runs, quantity, default, corner, lacking)
   for _, knob in ipairs(knobs) do
     if knob.numeric then
       local line = reference.line(knobs, runs, knob, quantity)
-      local limit = extrapolation.limit(line)
+      local limit = extrapolation.limit(line, quantity.scale)
       sum = sum + line[#line].value - default
       correction, squares = correction + limit.correction, squares + limit.uncertainty ^ 2
       whole = whole and (limit.correction ~= 0 or limit.uncertainty == 0)
@@ -73,7 +73,7 @@ local function finest_curve(knobs, runs, quantity, corner)
   local squares, diverges = 0, nil
   for _, knob in ipairs(knobs) do
     if knob.numeric then
-      local limit = extrapolation.limit(reference.line(knobs, runs, knob, quantity))
+      local limit = extrapolation.limit(reference.line(knobs, runs, knob, quantity), quantity_module.size(quantity, corner))
       squares = squares + (math.abs(limit.correction) + limit.uncertainty) ^ 2
       diverges = diverges or limit.diverges and knob.name
     end
