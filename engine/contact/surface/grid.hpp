@@ -25,6 +25,9 @@ public:
   /// Takes O(boxes) and, from the second time on, memory only where there is more than before.
   void build(std::vector<Box<D>> const& boxes) {
     boxes_ = boxes;
+    all_ = boxes.empty() ? Box<D>{} : boxes.front();
+    for (auto const& box : boxes_)
+      all_ = {all_.low.cwiseMin(box.low), all_.high.cwiseMax(box.high)};
     choose_cell();
     std::size_t table = 16;
     while (table < entry_count_)
@@ -44,7 +47,7 @@ public:
 
   /// Calls visit(box number) once for every box within `radius` of `point`.
   template<class Visit> void near(Vec<D> const& point, double radius, Visit const& visit) const {
-    if (boxes_.empty())
+    if (boxes_.empty() || !all_.within(point, radius))
       return;
     Vec<D> const reach = Vec<D>::Constant(radius);
     if (cells_between(point - reach, point + reach) > static_cast<double>(entry_count_)) {
@@ -61,6 +64,12 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, D>;
+  [[nodiscard]] static bool same(Cell const& a, Cell const& b) { // == calls memcmp
+    bool all = true;
+    for (std::size_t d = 0; d < D; ++d)
+      all = all && a[d] == b[d];
+    return all;
+  }
   struct Entry {
     Cell cell;
     int item;
@@ -123,17 +132,18 @@ private:
     std::size_t const b = bucket(at);
     for (std::size_t e = starts_[b]; e < starts_[b + 1]; ++e) {
       auto const& entry = entries_[e];
-      if (entry.cell != at || !boxes_[ix(entry.item)].within(point, radius))
+      if (!same(entry.cell, at) || !boxes_[ix(entry.item)].within(point, radius))
         continue;
       Cell first = cell(boxes_[ix(entry.item)].low);
       for (std::size_t d = 0; d < D; ++d)
         first[d] = std::max(first[d], low[d]);
-      if (first == at)
+      if (same(first, at))
         visit(entry.item);
     }
   }
 
   std::vector<Box<D>> boxes_;
+  Box<D> all_; ///< around them
   std::vector<Entry> entries_;
   std::vector<std::size_t> starts_, next_;
   std::size_t entry_count_ = 0;
