@@ -52,6 +52,37 @@ test("bonds made by touching are counted in whole cells: five per cent at most w
   assert(pull(0.08*mm) > 1.2 * fine)
 end)
 
+test("a ball lets go without a snap where none is told, and with one where it is", function()
+  local um = units.um
+  local function scene(delta, steps)
+    return stiction.scene { kinematics = "axisymmetric",
+      bodies = { layer = stiction.body { density = 1000*kg/m^3, material = stiction.material.neo_hookean { young = 2*MPa, poisson = 0.4 },
+        mesh = stiction.mesh.graded_block { size = { 2*mm, 2*mm }, fine = { 0.2*mm, 0.05*mm }, fine_size = 8*um,
+          coarse_size = 0.2*mm } } },
+      obstacles = { ball = stiction.obstacle { shape = stiction.rigid.circle { centre = { 0*mm, 4*mm }, radius = 2*mm },
+        times = { 0*s, 1*s, 3*s }, y = { 0*um, -3*um, 9*um } } },
+      pairs = { touch = stiction.pair { secondary = "layer.top", primary = "ball",
+        adhesion = stiction.adhesion.potential { w = 0.1*J/m^2, delta = delta } } },
+      motions = { stiction.motion.fix { set = "layer.bottom" }, stiction.motion.fix { set = "layer.left", y = false } },
+      scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 20 }, stiction.stage { to = 3*s, steps = steps } } },
+      probes = { touch = stiction.probe.contact { pair = "touch" } },
+    }
+  end
+  local function fall(delta, steps) -- the largest of the force in a step as it is drawn off
+    local result, largest = run(scene(delta, steps)), 0
+    local force = result:series("touch", "force_y")
+    for i = 2, #force do
+      largest = result.time[i] > 1 and math.max(largest, math.abs(force[i] - force[i - 1])) or largest
+    end
+    return largest
+  end
+  equal(scenes.warning(scene(1.1*um, 50), "snaps"), nil)
+  assert(scenes.warning(scene(0.45*um, 50), "snaps"))
+  assert(fall(1.1*um, 200) < 0.4 * fall(1.1*um, 50))
+  assert(fall(0.45*um, 200) > 0.7 * fall(0.45*um, 50))
+end)
+
 test("points as near as advised know the force of a ball's small contact", function()
   local um, depth, R = units.um, 0.0156, 10 -- um, mm: a = sqrt(R d) = 12.5 um
   local function scene(points)

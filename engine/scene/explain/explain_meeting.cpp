@@ -16,6 +16,14 @@ bool all_held(dynamics::Model const& model, Indices const& nodes, int component,
   return std::ranges::all_of(nodes, [&](Index node) { return held[ix(first + node)]; });
 }
 
+bool nothing_gives_way(Facts const& all, PairFacts const& pair) {
+  auto const& model = *all.scene->model;
+  bool held = !pair.primary;
+  for (int c = 0; c < model.dim(); ++c)
+    held = held && all_held(model, pair.pair->nodes(), c);
+  return held;
+}
+
 namespace {
 
 /// May a side turn its back on where it looks at the start?
@@ -40,11 +48,7 @@ void looks_away(Facts const& all, PairFacts const& pair, std::vector<Warning>& w
 
 /// Motions have hold of every point, and the counterpart is rigid: what they press has nothing to give way.
 void gives_no_way(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
-  auto const& model = *all.scene->model;
-  bool held = !pair.primary && pair.motion.depth > 0;
-  for (int c = 0; c < model.dim(); ++c)
-    held = held && all_held(model, pair.pair->nodes(), c);
-  if (!held)
+  if (pair.motion.depth <= 0 || !nothing_gives_way(all, pair))
     return;
   warnings.push_back(
       {fmt::format(

@@ -77,11 +77,11 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   add(section,
       fmt::format("stiffness / {1}{0}{2}", wording.softening, product ? "(" : "", product ? ")" : ""),
       facts.column / scales.softening,
-      "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity snaps");
+      "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity snaps, "
+      "of "
+      "a ball where its Tabor-like number is above 0.7");
   if (facts.radius > 0)
-    add(section, "Tabor-like",
-        std::cbrt(facts.radius * scales.work * scales.work / (facts.modulus * facts.modulus)) *
-            scales.strength / scales.work,
+    add(section, "Tabor-like", facts.tabor(),
         fmt::format("(R w^2 / E*^2)^(1/3) {}: above 5 JKR, below 0.1 DMT", wording.tabor));
   add_viscosity(all, facts, section);
   add(section, "opening per step / u0", motion.opening_step / scales.opening,

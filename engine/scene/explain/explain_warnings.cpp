@@ -227,7 +227,7 @@ bool plain_inertia(Facts const& all) {
   for (auto const& body : all.bodies)
     plain = plain && !body.body->damping && body.start_speed == 0;
   for (auto const& pair : all.pairs)
-    plain = plain && !pair.motion.unknown && !(pair.adheres() && snaps(pair));
+    plain = plain && !pair.motion.unknown && !(pair.adheres() && snaps(all, pair));
   return plain;
 }
 

@@ -81,6 +81,12 @@ struct PairFacts {
     auto const scales = interface::scales(*pair->law.adhesion);
     return std::max(elastic_length(), std::sqrt(tension * scales.opening / scales.strength));
   }
+  /// (R w^2 / E*^2)^(1/3) sigma0 / w, of balls.
+  [[nodiscard]] double tabor() const {
+    auto const scales = interface::scales(*pair->law.adhesion);
+    return std::cbrt(radius * scales.work * scales.work / (modulus * modulus)) * scales.strength /
+           scales.work;
+  }
   /// Will there be no bond at all, as none is left at the start and the law makes none?
   [[nodiscard]] bool bondless() const {
     return pair->law.lasts() && !interface::grows(*pair->law.adhesion) && bond < interface::least_beta;
@@ -131,7 +137,7 @@ void add_half_space(Facts const& facts, PairFacts const& pair, Section& section)
 /// explain_bonds.cpp: what bonds ask of cells and steps of a pair that has a law of adhesion.
 void warn_of_bonds(Facts const& facts, PairFacts const& pair, std::vector<Warning>& warnings);
 /// The same: softens a bond faster than the bodies give way, with no viscosity to slow it?
-[[nodiscard]] bool snaps(PairFacts const& pair);
+[[nodiscard]] bool snaps(Facts const& facts, PairFacts const& pair);
 /// The same: "300 steps instead of 100 in the stage to 1 s", so many times what a stage has.
 [[nodiscard]] std::string more_steps(Facts const& facts, std::size_t stage, double factor);
 /// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any
@@ -154,6 +160,8 @@ void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_meeting.cpp: pairs whose sides cannot meet or cannot give way, obstacles of no pair.
 void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
+/// The same: do motions have hold of every point, before a rigid counterpart?
+[[nodiscard]] bool nothing_gives_way(Facts const& facts, PairFacts const& pair);
 /// The same: do motions move or hold all these nodes, numbered from `first` on, in this direction?
 [[nodiscard]] bool all_held(dynamics::Model const& model, Indices const& nodes, int component,
                             Index first = 0);
