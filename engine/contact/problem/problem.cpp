@@ -53,7 +53,7 @@ double natural_scale(Problem const& problem, Index point) {
   auto const [lowest, largest] = range_of_block(problem, point);
   if (largest > no_motion * std::abs(lowest))
     return 1 / largest;
-  if (-lowest > no_motion * largest_diagonal(problem)) // of an unstable body: it moves against a force
+  if (lowest < 0 && -lowest > no_motion * largest_diagonal(problem)) // an unstable body moves against a force
     return -1 / lowest;
   return scale_of_law(problem, point);
 }

@@ -332,7 +332,13 @@ bool may_snap(Problem const& problem) {
     if (point.adhesion >= 0)
       steepest =
           std::max(steepest, point.area * interface::scales(problem.adhesions[ix(point.adhesion)]).softening);
-  return steepest > 0 && steepest * problem.W.dense().cwiseAbs().rowwise().sum().maxCoeff() > 1;
+  if (steepest == 0)
+    return false;
+  auto const& W = problem.W.dense();
+  Vector sums = Vector::Zero(W.rows()); // column by column, as they lie in memory
+  for (Eigen::Index j = 0; j < W.cols(); ++j)
+    sums += W.col(j).cwiseAbs();
+  return steepest * sums.maxCoeff() > 1;
 }
 
 std::optional<Descended> descend(Problem const& problem, Vector const& guess, long iterations) {
