@@ -66,6 +66,9 @@ end
 
 --- Value of a history at a time (number in s, or a quantity), interpolated; before the start or past the end, what it is there.
 function Case:at(time, group, name, component)
+  if units.is_quantity(time) and not units.same_dimension(time, units.units.s) then
+    fault.script("run:at takes a time, not %s", tostring(time))
+  end
   return numeric.interpolate(self.time, self:series(group, name, component), units.si(time))
 end
 

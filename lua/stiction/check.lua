@@ -16,6 +16,25 @@ local function number(x)
   return type(x) == "number" and x or nil
 end
 
+--- Refuses quantities of different dimensions; a plain number goes with any, as SI.
+local function check_alike(name, values)
+  local first
+  for _, value in ipairs(values) do
+    first = first or units.is_quantity(value) and value or nil
+    if first and units.is_quantity(value) and not units.same_dimension(first, value) then
+      fault.script("check '%s' compares %s and %s: their dimensions differ", tostring(name), tostring(first), tostring(value))
+    end
+  end
+end
+
+local function check_bounds(name, what, expected, tolerance)
+  local finite = expected and tolerance and numeric.is_finite(expected) and numeric.is_finite(tolerance)
+  if not finite or tolerance < 0 then
+    fault.script("check '%s' needs an expected number and %s%s", tostring(name), what,
+      finite and ", not below 0" or expected and tolerance and ", both finite" or "")
+  end
+end
+
 --- The recorder that `check(cases, check)` receives, and the list it fills.
 function check.recorder()
   local list, recorder, seen = {}, {}, {}
@@ -37,33 +56,34 @@ function check.recorder()
   --- |value - expected| <= tolerance; numbers in SI or quantities.
   function recorder.equal(name, value, expected, tolerance)
     local v, e, t = number(value), number(expected), number(tolerance)
-    if not e or not t or t < 0 then
-      fault.script("check '%s' needs an expected number and a tolerance%s", tostring(name), t and t < 0 and ", not below 0" or "")
-    end
+    check_bounds(name, "a tolerance", e, t)
+    check_alike(name, { v and value or 0, expected, tolerance })
     return record(name, v, e, t, v ~= nil and math.abs(v - e) <= t)
   end
 
   --- |value - expected| <= relative |expected|
   function recorder.close(name, value, expected, relative)
     local e, r = number(expected), number(relative)
-    if not e or not r or r < 0 then
-      fault.script("check '%s' needs an expected number and a relative tolerance%s", tostring(name),
-        r and r < 0 and ", not below 0" or "")
-    end
-    return recorder.equal(name, value, e, r * math.abs(e))
+    check_bounds(name, "a relative tolerance", e, r)
+    return recorder.equal(name, value, expected, r * math.abs(e))
   end
 
   --- low <= value <= high, written down as the middle and half the width.
   function recorder.within(name, value, low, high)
     local v, l, h = number(value), number(low), number(high)
-    if not l or not h or l > h then
+    if not l or not h or l ~= l or h ~= h or l > h then
       fault.script("check '%s' needs two bounds, low <= high", tostring(name))
     end
+    check_alike(name, { v and value or 0, low, high })
     return record(name, v, (l + h) / 2, (h - l) / 2, v ~= nil and l <= v and v <= h)
   end
 
-  --- A statement.
+  --- A statement: true, or false or nil; also what text:find() gives.
   function recorder.holds(name, held)
+    if type(held) == "string" or type(held) == "function" or held == 0 then
+      fault.script("check '%s' needs true or false, not %s", tostring(name),
+        type(held) == "function" and "a function" or ("%q"):format(held))
+    end
     return record(name, held and true or false, true, 0, held and true or false)
   end
 
@@ -73,10 +93,11 @@ function check.recorder()
       report.line("check '%s' left out: of one value nothing rises or falls", tostring(name))
       return nil
     end
+    check_alike(name, values)
     local drop = -math.huge
     for i = 2, #values do
       local step = sign * (units.si(values[i - 1]) - units.si(values[i]))
-      drop = math.max(drop, step)
+      drop = step == step and math.max(drop, step) or step -- one that is no number stays
     end
     if #values < 2 then
       fault.script("check '%s' needs at least two values", tostring(name))
@@ -87,13 +108,13 @@ function check.recorder()
   --- No value is below the one before it by more than the tolerance; the value is the largest such drop.
   function recorder.non_decreasing(name, values, tolerance)
     local drop, t = largest_drop(name, values, 1), number(tolerance or 0)
-    return drop and record(name, math.max(0, drop), 0, t, drop <= t)
+    return drop and record(name, drop > 0 and drop or 0 * drop, 0, t, drop <= t)
   end
 
   --- The same, downwards.
   function recorder.non_increasing(name, values, tolerance)
     local rise, t = largest_drop(name, values, -1), number(tolerance or 0)
-    return rise and record(name, math.max(0, rise), 0, t, rise <= t)
+    return rise and record(name, rise > 0 and rise or 0 * rise, 0, t, rise <= t)
   end
 
   --- Every value exceeds the one before it; the value is the smallest rise.

@@ -52,10 +52,17 @@ local function levels_of(t, reference, scale)
     if type(h) ~= "number" or type(value) ~= "number" then
       fault.script("check.proof '%s: %s': values is a list of {resolution, value}", t.case, t.quantity)
     end
+    if units.is_quantity(t.reference) and units.is_quantity(pair[2]) and not units.same_dimension(pair[2], t.reference) then
+      fault.script("check.proof '%s: %s': the dimensions of %s and %s differ", t.case, t.quantity, tostring(pair[2]),
+        tostring(t.reference))
+    end
     levels[i] = { h = h, value = value, error = math.abs(value - reference) / scale }
   end
   if #levels == 0 then
     fault.script("check.proof '%s: %s' has no value", t.case, t.quantity)
+  end
+  if t.order and #levels > 1 and levels[#levels].h == levels[#levels - 1].h then
+    fault.script("check.proof '%s: %s': two resolutions are equal, which show no order", t.case, t.quantity)
   end
   return levels
 end

@@ -170,3 +170,39 @@ test("a shift is towards 0 and keeps its unit; from 0 there is none", function()
   equal(derivatives.shifted(p, "zero"), nil)
   fails("study.derivatives: 'word' is x; only of a number", function() derivatives.shifted(p, "word") end)
 end)
+
+test("checks fail on what is no number, and refuse other dimensions and statements that are none", function()
+  local check = require "stiction.check"
+  local s, nan, MPa = units.s, 0 / 0, units.MPa
+  local recorder, list = check.recorder()
+  recorder.increasing("a", { 5, nan, 2 })
+  recorder.increasing("b", { nan, 1 })
+  recorder.non_decreasing("c", { 1, nan, 7 })
+  recorder.non_increasing("d", { 5, nan, 2 })
+  recorder.equal("e", nan, 1, 10)
+  recorder.holds("f", nil)
+  for _, entry in ipairs(list) do
+    assert(entry.pass == false, entry.name)
+  end
+  recorder.close("g", 3*mm, 0.003*m, 1e-9)
+  recorder.within("h", 0.003, 2*mm, 4*mm)
+  recorder.non_decreasing("i", { 1*mm, 0.002*m })
+  recorder.holds("j", ("text"):find("z"))
+  equal(recorder.holds("k", ("text"):find("t")), true)
+  equal(list[7].pass and list[8].pass and list[9].pass and not list[10].pass, true)
+  local function refused(words, name, ...) fails(words, recorder[name], "x", ...) end
+  refused("dimensions differ", "close", 3*mm, 0.003*s, 0.01)
+  refused("dimensions differ", "within", 3*mm, 2*s, 4*s)
+  refused("dimensions differ", "increasing", { 1*mm, 1*s, 2*MPa })
+  refused("both finite", "close", 3, 1 / 0, 0.01)
+  refused("both finite", "equal", 3, 5, math.huge)
+  refused("two bounds", "within", 3, nan, 4)
+  refused('needs true or false, not "false"', "holds", "false")
+  refused("needs true or false, not 0", "holds", 0)
+  refused("needs true or false, not a function", "holds", print)
+  fails("run:at takes a time, not 0.5 mm", function() return list_of({ 1 })[1]:at(0.5*mm, "sole", "force_y") end)
+  fails("dimensions of 3 mm and 2 MPa differ", recorder.proof, { case = "c", quantity = "q", kind = "exact", reference = 2*MPa,
+    tolerance = 1, values = { { 1, 3*mm } } })
+  fails("two resolutions are equal", recorder.proof, { case = "c", quantity = "q", kind = "exact", reference = 2, order = 1,
+    tolerance = 1, values = { { 1, 3 }, { 1, 2 } } })
+end)
