@@ -76,6 +76,37 @@ test("a ball smaller than a cell is told, and how near it came where it touched 
   equal(scenes.warning(beneath(stiction.rigid.circle { centre = { 5.5*mm, 7.1*mm }, radius = 2*mm }), "radii down to"), nil)
 end)
 
+test("a dry ball that touches over few cells is told, and with cells as small as advised its force is known", function()
+  local function indented(cell, depth)
+    return stiction.scene { kinematics = "axisymmetric",
+      bodies = { base = stiction.body { density = 1000*u.kg/u.m^3,
+        material = stiction.material.linear_elastic { young = 5*u.MPa, poisson = 0.3 },
+        mesh = stiction.mesh.graded_block { size = { 6*mm, 5*mm }, fine = { 1.2*mm, 0.6*mm }, fine_size = cell*mm,
+          coarse_size = 0.6*mm } } },
+      obstacles = { ball = stiction.obstacle { shape = stiction.rigid.circle { centre = { 0*mm, 8*mm }, radius = 3*mm },
+        times = { 0*s, 1*s }, y = { 0*mm, -depth*mm } } },
+      pairs = { j = stiction.pair { secondary = "base.top", primary = "ball" } },
+      motions = { stiction.motion.fix { set = "base.bottom" }, stiction.motion.fix { set = "base.left", y = false } },
+      scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 4 } } },
+      probes = { j = stiction.probe.contact { pair = "j" } },
+    }
+  end
+  local function force(cell, depth) return math.abs(run(indented(cell, depth)):last("j", "force_y")) end
+  for _, depth in ipairs { 0.012, 0.02, 0.03 } do
+    local touched = math.sqrt(3 * depth) -- sqrt(R d), mm
+    local told = scenes.warning(indented(touched / 1.2, depth), "it touches over a radius")
+    local number = tonumber(told.change:match("cells of ([%d.]+) um or less"))
+    assert(math.abs(number / (touched / 4 * 1000) - 1) < 0.01, number)
+    equal(scenes.warning(indented(number / 1000, depth), "it touches over a radius"), nil)
+    local fine = force(touched / 20, depth)
+    for _, share in ipairs { 1, 0.9 } do
+      local off = force(share * number / 1000, depth) / fine - 1
+      assert(math.abs(off) < 0.03, off)
+    end
+    assert(math.abs(force(1.4 * touched, depth) / fine - 1) > 0.06)
+  end
+end)
+
 test("an obstacle that no pair is of is told", function()
   assert(scenes.warning(beneath(plane(5.1, -1), nil, false), "is in no pair"))
   equal(scenes.warning(beneath(plane(5.1, -1)), "is in no pair"), nil)

@@ -158,7 +158,8 @@ void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
 /// explain_paths.cpp: paths whose turns no step sees.
 void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
-/// explain_meeting.cpp: pairs whose sides cannot meet or cannot give way, obstacles of no pair.
+/// explain_meeting.cpp: pairs whose sides cannot meet, cannot give way or touch over few cells; obstacles of
+/// no pair.
 void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
 /// The same: do motions have hold of every point, before a rigid counterpart?
 [[nodiscard]] bool nothing_gives_way(Facts const& facts, PairFacts const& pair);

@@ -95,9 +95,10 @@ end
 --- {correction =, uncertainty =, order =, diverges =} of levels {{h =, value =, lacking = (of sampled.lacking, or nil)}, ...}, h falling:
 --- limit = last value + correction; `size`: of the quantity, by default of the last value.
 --- Three levels with an order in 0.7 .. 4: Richardson's correction, uncertain by half of it; by the last difference, if more, where
---- the order is above 2.2 or the first of them is off by a quarter, unless a level more confirms the order. Else none, uncertain by the larger of the last two differences, and by what is left of an order
---- below 0.7 (half as much again) or, where differences do not fall, of the order 0.4; three of these in a row show no limit:
---- diverges. Uncertain by twice the difference where there are but two levels, and not known (infinite) from one.
+--- the order is above 2.2 or the first of them is off by a quarter, unless a level more confirms the order. Else none, uncertain by
+--- the larger of the last two differences, and by what is left of an order below 0.7 (half as much again) or, where differences do
+--- not fall, of the order 0.4; three of these in a row show no limit: diverges. Uncertain by twice the difference where there are
+--- but two levels, and not known (infinite) from one.
 function extrapolation.limit(levels, size)
   local n = #levels
   if n < 2 then
