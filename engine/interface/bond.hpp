@@ -89,6 +89,14 @@ template<int D> [[nodiscard]] Local<D> opening_by_x(Local<D> const& x, Bond cons
   return d_by_x;
 }
 
+/// The same bond with its stretch turned by an angle from t1 to t2, rad.
+[[nodiscard]] inline Bond turned(Bond bond, double angle) {
+  if (angle != 0)
+    bond.stretch = {std::cos(angle) * bond.stretch[0] - std::sin(angle) * bond.stretch[1],
+                    std::sin(angle) * bond.stretch[0] + std::cos(angle) * bond.stretch[1]};
+  return bond;
+}
+
 /// The opening (x_n, stretch) of a bond after a step.
 [[nodiscard]] inline Local<3> opening_of(Bond const& bond, double x_n) {
   return {std::max(x_n, 0.0), bond.stretch[0], bond.stretch[1]};

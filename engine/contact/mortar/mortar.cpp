@@ -62,6 +62,8 @@ void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle, std::vector
     auto& start = samples_[s].start = pairings_[s].foot;
     if (D == 3 && obstacle_ && start.foot.found())
       start.normal = normal_at(*obstacle_->shape, start.foot);
+    else if (start.foot.found())
+      samples_[s].bearing = bearing(faced(x), start.foot, pairings_[s].frame);
   });
   for (auto& point : points_)
     point.share = 0;
@@ -248,6 +250,7 @@ template<int D> void Mortar<D>::add_mean(std::size_t s) {
     double const c = hat_area(s, k) / point.share;
     mean.gap += c * pairing.gap;
     mean.slip += c * pairing.slip;
+    mean.spin += c * pairing.spin;
     if (c > point.heaviest) {
       point.heaviest = c;
       mean.foot = pairing.foot;

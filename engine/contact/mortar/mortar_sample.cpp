@@ -1,4 +1,7 @@
 // The pairing of a sample and how its forces turn and slide, by hand: inputs are few.
+#include <cmath>
+#include <numbers>
+
 #include "contact/mortar/mortar_inputs.hpp"
 
 namespace stiction::contact {
@@ -75,6 +78,17 @@ template<int D> Ray<D> ray_of(Faced<D> const& faced, Sample const& sample) {
           -normal_sum_of(faced, sample).normalized()};
 }
 
+template<int D> double bearing(Faced<D> const& faced, Foot foot, Mat<D> const& frame) {
+  if constexpr (D == 2)
+    return 0;
+  else {
+    auto const shape = facet_shape(faced.primary.facet(foot.segment).kind, {foot.xi, foot.eta});
+    Vec3 const along =
+        tangents_of<3>(faced.primary.template positions<3>(foot.segment, faced.x), shape).col(0);
+    return std::atan2(frame.col(2).dot(along), frame.col(1).dot(along));
+  }
+}
+
 template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sample, Foot guess) {
   auto const ray = ray_of(faced, sample);
   SamplePairing<D> result;
@@ -89,6 +103,8 @@ template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sa
   auto const way = WayEnd<D>(faced, sample.start.foot).way_to(end);
   for (int a = 0; a < D - 1; ++a)
     result.slip[a] = way.along(result.frame.col(a + 1));
+  result.spin =
+      std::remainder(bearing(faced, sample.start.foot, result.frame) - sample.bearing, 2 * std::numbers::pi);
   return result;
 }
 
@@ -164,6 +180,8 @@ SampleStiffness<D> sample_stiffness(Faced<D> const& faced, Sample const& sample,
 
 template Ray<2> ray_of(Faced<2> const&, Sample const&);
 template Ray<3> ray_of(Faced<3> const&, Sample const&);
+template double bearing(Faced<2> const&, Foot, Mat<2> const&);
+template double bearing(Faced<3> const&, Foot, Mat<3> const&);
 template SamplePairing<2> pairing(Faced<2> const&, Sample const&, Foot);
 template SamplePairing<3> pairing(Faced<3> const&, Sample const&, Foot);
 template SampleRows<2> sample_rows(Faced<2> const&, Sample const&, SamplePairing<2> const&);

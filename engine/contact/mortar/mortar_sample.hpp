@@ -14,6 +14,7 @@ struct Sample {
   PerNode hats = PerNode::Zero();     ///< of the facet's corners, there
   PerNode material = PerNode::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
   Start start;                        ///< counterpart at the step's start
+  double bearing = 0;                 ///< of the counterpart's material in the frame then, rad (3D)
   Vec3 tangent = Vec3::Zero();        ///< of an obstacle, in place of its direction; zero: that
 };
 
@@ -36,6 +37,7 @@ template<int D> struct SamplePairing {
   double gap = 0;                           ///< m
   Local<D - 1> slip = Local<D - 1>::Zero(); ///< since the step's start, m
   Mat<D> frame = Mat<D>::Zero();            ///< columns n, t1 [, t2], as in PointKinematics
+  double spin = 0;                          ///< of x2(start)'s material against it since then, rad
   [[nodiscard]] bool found() const { return foot.found(); }
 };
 
@@ -46,6 +48,9 @@ template<int D> [[nodiscard]] Ray<D> ray_of(Faced<D> const& faced, Sample const&
 /// within half a facet beyond the primary's border.
 template<int D>
 [[nodiscard]] SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sample, Foot guess);
+
+/// Direction of the primary's material at a foot about n, from t1 to t2, rad; 0 in the plane.
+template<int D> [[nodiscard]] double bearing(Faced<D> const& faced, Foot foot, Mat<D> const& frame);
 
 /// Rows over the nodes of the secondary facet, then over those of the primary: (n, t1 [, t2]). Forces and
 /// moments of every row balance; a tangential force at a distance makes a moment, which the primary facet

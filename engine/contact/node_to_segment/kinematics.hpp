@@ -28,7 +28,8 @@ template<int D> struct PointKinematics {
   Local<D - 1> slip = Local<D - 1>::Zero(); ///< s over the step, m: path of P2 along the surface, (t1 [, t2])
   Mat<D> frame = Mat<D>::Zero(); ///< columns n, t1 [, t2]: unit normal of the primary at P2, tangents; (t1,
                                  ///< n) or (t1, t2, n) right-handed
-  Indices nodes;                 ///< model nodes behind the columns of H, [count]
+  double spin = 0; ///< of P2's material about n, against a mortar point's frame since the step's start, rad
+  Indices nodes;   ///< model nodes behind the columns of H, [count]
   int count = 0;
   Rows<D> H;
   [[nodiscard]] int unknowns() const { return D * count; }

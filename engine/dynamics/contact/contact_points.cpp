@@ -93,6 +93,8 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
   each_point([&](Point& point) {
     point.kinematics =
         point.apart ? contact::PointKinematics<D>{} : geometry_.kinematics(point.id, point.kinematics.foot);
+    if (C == 3 && point.data.adhesion >= 0) // between material points of both sides
+      point.data.bond.old = interface::turned(before(point).bond, point.kinematics.spin);
   });
   pair_twins();
   each_point([&](Point& point) { choose_active(point); });
@@ -250,6 +252,7 @@ void ContactPoints<D, C>::finish(Point const& point, ContactState& after, State&
     add_load<D>(point.kinematics, full<D>(point.force), geometry_.positions(), model_->first_node.back(),
                 next.on_rigid[side->body]);
   auto const x = point.x();
+  after.spin = point.kinematics.spin;
   after.dry.template head<C>() = point.force / point.data.area;
   if (point.data.adhesion >= 0)
     settle_bond<C>(problem_->adhesions[ix(point.data.adhesion)], point.data, {before(point).gap, x}, after,

@@ -24,6 +24,7 @@ struct ContactState {
   /// there; zero: that of the pair's direction.
   contact::Vec3 tangent = contact::Vec3::Zero();
   interface::Bond bond;
+  double spin = 0; ///< of the counterpart in the last step, by which the bond's stretch turned with it, rad
   interface::Status status = interface::Status::open;
   bool in_reach = false; ///< took part in the last step's contact problem
   bool beneath = false;  ///< came in past a border of the surface, and is not out yet

@@ -39,11 +39,12 @@ Vec3 pull_of(interface::AdhesionLaw const& law, ContactState const& point) {
 }
 
 /// A point that leaves the search has no gap any more: what its bond held is let go.
-PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, ContactState const& before,
+PointAudit audit_point(std::optional<interface::AdhesionLaw> const& adhesion, ContactState before,
                        ContactState const& after, PointStep step) {
   if (before.foot.found() && !after.foot.found())
     return {0, adhesion ? before.area * interface::bond_energy(*adhesion, before.bond, before.gap) : 0};
   double const chi = step.chi;
+  before.bond = interface::turned(before.bond, after.spin);
   Vec3 const moved(after.gap - before.gap, after.slip[0], after.slip[1]);
   Vec3 const dry = chi * after.area * after.dry + (1 - chi) * before.area * before.dry;
   Vec3 const pull_0 = before.area * before.adhesion, pull_1 = after.area * after.adhesion;

@@ -34,9 +34,10 @@ template<class Archive> void visit(Archive& archive, Carried& carried) {
 namespace stiction::dynamics {
 
 template<class Archive> void visit(Archive& archive, ContactState& point) {
-  auto& [foot, gap, area, slip, path, dry, adhesion, tangent, bond, status, in_reach, beneath, rate, second] =
-      point;
-  archive(foot, gap, area, slip, path, dry, adhesion, tangent, bond, status, in_reach, beneath, rate, second);
+  auto& [foot, gap, area, slip, path, dry, adhesion, tangent, bond, spin, status, in_reach, beneath, rate,
+         second] = point;
+  archive(foot, gap, area, slip, path, dry, adhesion, tangent, bond, spin, status, in_reach, beneath, rate,
+          second);
 }
 
 template<class Archive> void visit(Archive& archive, RigidLoad& load) {
