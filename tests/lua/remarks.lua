@@ -78,3 +78,51 @@ test("of a body that turns in steps too long a scheme that damps is named, and t
   assert(text and text:find("theta = xi = 0.6", 1, true), text or "nothing")
   equal(remark(spinning { theta = 0.6, xi = 0.6 }, "made energy"), nil)
 end)
+
+--- A bar of 10 mm that lands on a plane at 0.5 m/s.
+local function landing(steps, inertia, more)
+  local bar = { mesh = stiction.mesh.block { size = { 1*mm, 10*mm }, cells = { 1, 16 } }, density = 1000*u.kg/u.m^3,
+    material = stiction.material.linear_elastic { young = 1*u.MPa, poisson = 0 }, velocity = { 0*u.m/s, -0.5*u.m/s } }
+  for key, value in pairs(more or {}) do
+    bar[key] = value
+  end
+  return stiction.scene { bodies = { b = stiction.body(bar) },
+    obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } },
+    pairs = { t = stiction.pair { secondary = "b.bottom", primary = "floor" } },
+    scheme = stiction.scheme.theta_xi { contact_inertia = inertia },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 5*u.ms, steps = steps } } },
+    probes = { e = stiction.probe.energy { audit = true } } }
+end
+
+test("viscosity takes no more than there is, however contact nodes are balanced, and no steps are said to make energy for it", function()
+  local viscous = { damping = stiction.damping.kelvin_voigt { shear_viscosity = 100*u.Pa*s, bulk_viscosity = 100*u.Pa*s } }
+  local start = 0.5 * 1000 * 1e-3 * 10e-3 * 0.5 ^ 2 -- J/m
+  local full = run(landing(400, "full", viscous)):last("e", "damping_loss")
+  for _, inertia in ipairs { "implicit", "cells" } do
+    local case = run(landing(100, inertia, viscous))
+    local taken = case:last("e", "damping_loss")
+    assert(taken < start and math.abs(taken / full - 1) < 0.2, taken / start)
+    assert(math.abs(case:last("e", "unaccounted")) < 1e-9 * start)
+    for _, text in ipairs(case.result.remarks or {}) do
+      assert(not text:find("made energy", 1, true), text)
+    end
+  end
+end)
+
+test("what long steps lose of a blow is a share of what there was before it", function()
+  local function dropped(steps)
+    return stiction.scene { kinematics = "axisymmetric",
+      bodies = { b = stiction.body { mesh = stiction.mesh.block { size = { 5*mm, 4*mm }, cells = { 10, 8 } }, density = 1000*u.kg/u.m^3,
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } } },
+      obstacles = { ball = stiction.obstacle { shape = stiction.rigid.sphere { centre = { 0*mm, 6.05*mm }, radius = 2*mm },
+        mass = 1e-4*u.kg, velocity = { 0*u.m/s, -1*u.m/s } } },
+      pairs = { c = stiction.pair { secondary = "b.top", primary = "ball" } },
+      motions = { stiction.motion.fix { set = "b.bottom" }, stiction.motion.fix { set = "b.left", y = false } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 10*u.ms, steps = steps } } }, probes = {} }
+  end
+  for _, steps in ipairs { 3, 8 } do
+    local text = remark(dropped(steps), "lost energy")
+    local share = tonumber(text:match("lost energy, ([%d.]+) %%"))
+    assert(share > 50 and share <= 100, text)
+  end
+end)

@@ -152,9 +152,9 @@ double Springs::damping_loss(Instant const& from, Instant const& to, double late
     if (spring.damping == 0)
       continue;
     Eigen::Vector3d const first = apart(member, from.u, from.t), last = apart(member, to.u, to.t);
-    Eigen::Vector3d const moved = last - first;
-    loss += member.share * moved.dot(drag_of(spring, (1 - later) * first + later * last) * moved) /
-            (to.t - from.t);
+    loss += member.share * ((1 - later) * drag_of(spring, first) * rate(member, from.v, from.t) +
+                            later * drag_of(spring, last) * rate(member, to.v, to.t))
+                               .dot(last - first);
   }
   return loss;
 }

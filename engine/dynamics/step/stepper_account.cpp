@@ -43,12 +43,13 @@ double Stepper::obstacle_work(std::size_t index, State const& old, State const& 
   return work;
 }
 
-/// What the bodies' viscosity takes at the mean rate of the step, J: never less than nothing. What its forces
-/// do beside that, where d is not dt times the mean rate, is the scheme's.
+/// What the bodies' viscosity takes, J: the work of the scheme's mean of its forces. At contact nodes, whose
+/// d is not dt times the mean rate, d . A d / dt would be more than there is.
 double Stepper::viscous_loss(State const& old, State const& next) const {
-  Vector force;
-  bulk_.damping_force((1 - weights_.work) * old.u + weights_.work * u_, d_, force);
-  return force.dot(d_) / (next.t - old.t);
+  Vector first, last;
+  bulk_.damping_force(old.u, old.v, first);
+  bulk_.damping_force(u_, next.v, last);
+  return ((1 - weights_.work) * first + weights_.work * last).dot(d_);
 }
 
 /// What friction takes of a point in a step, J (J/m): by the scheme's mean of its forces. Without inertia it

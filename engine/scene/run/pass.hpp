@@ -327,6 +327,8 @@ private:
     remarks_.seek_beneath(state_);
     remarks_.weigh(before, state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);
+    if (result_.steps % 16 == 0) // beside the ends of stages: a blow is over by then
+      remarks_.seek_large_strain(state_);
     Timed const timed(*this);
     recorder_->step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;

@@ -204,8 +204,10 @@ void Remarks::seek_large_strain(dynamics::State const& state) {
 
 /// What a snap of quasi-static steps loses is no fault of a scheme.
 void Remarks::weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded) {
-  if (!std::exchange(weighed_, true))
+  if (!std::exchange(weighed_, true)) {
     surface_ = old.surface; // gamma A of all of it is no energy that anything turns over
+    turned_over_ = old.kinetic + old.strain;
+  }
   stabilised_ = ledger.stabilisation_loss;
   turned_over_ = std::max({turned_over_, ledger.kinetic + ledger.strain, std::abs(ledger.motion_work),
                            std::abs(ledger.load_work), std::abs(ledger.potential), std::abs(ledger.bond),
