@@ -17,6 +17,7 @@ constexpr double large_linear = 15'000, large = 20'000;
 /// and one beside multigrid: it is left where it is quicker by far.
 constexpr double large_bonded = 150'000;
 constexpr double least_compressible = 0.49; ///< Poisson's ratio, where multigrid takes five times as long
+constexpr double least_unasked = 0.48; ///< up to which it comes to an end on meshes of any grading as well
 
 double poisson(solid::Body const& body) {
   return material::moduli(body.material).poisson;
@@ -34,6 +35,16 @@ double crossing(Model const& model) {
     return pair.law.adhesion.has_value() || pair.law.mu_follows();
   });
   return (bonded ? large_bonded : linear ? large_linear : large) * std::cbrt((1 - 2 * 0.3) / compressible);
+}
+
+/// Names a body whose Poisson's ratio is above the limit; "" where there is none.
+std::string nearly_incompressible(Model const& model, double limit) {
+  for (auto const& body : model.bodies)
+    if (double const ratio = poisson(*body); ratio > limit)
+      return fmt::format("body {} is nearly incompressible: with a Poisson's ratio of {:.4g}, above {:g}, it "
+                         "takes too many iterations",
+                         body->name, ratio, limit);
+  return "";
 }
 
 } // namespace
@@ -60,12 +71,7 @@ std::string unfit_for_multigrid(Model const& model) {
     return "contact is between deformable bodies, or its points are means";
   if (!std::holds_alternative<contact::BipotentialNewton>(model.solver))
     return "the contact solver is not newton";
-  for (auto const& body : model.bodies)
-    if (double const ratio = poisson(*body); ratio > least_compressible)
-      return fmt::format("body {} is nearly incompressible: with a Poisson's ratio of {:.4g}, above {:g}, it "
-                         "takes too many iterations",
-                         body->name, ratio, least_compressible);
-  return "";
+  return nearly_incompressible(model, least_compressible);
 }
 
 std::string unfit_for_ranks(Model const& model) {
@@ -90,6 +96,11 @@ bool large_enough(Model const& model) {
     unknowns -= static_cast<Index>(motion.nodes.size());
   return unknowns >= crossing(model);
 }
+
+std::string not_unasked(Model const& model) {
+  auto why = unfit_for_multigrid(model);
+  return why.empty() ? nearly_incompressible(model, least_unasked) : why;
+}
 } // namespace
 
 bool by_multigrid(Model const& model) {
@@ -97,13 +108,13 @@ bool by_multigrid(Model const& model) {
     return true;
   if (model.control.bulk != BulkSolver::automatic)
     return model.control.bulk == BulkSolver::multigrid;
-  return unfit_for_multigrid(model).empty() && large_enough(model);
+  return not_unasked(model).empty() && large_enough(model);
 }
 
 std::string kept_from_multigrid(Model const& model) {
   if (model.control.bulk != BulkSolver::automatic || model.dim() != 3 || !large_enough(model))
     return "";
-  return unfit_for_multigrid(model);
+  return not_unasked(model);
 }
 
 } // namespace stiction::dynamics
