@@ -1,4 +1,5 @@
-// Bodies that are turned by more than their law knows, and those torn from the axis of a section.
+// Bodies that are turned by more than their law knows or whose moments it does not, and those torn from the
+// axis of a section.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +10,28 @@
 
 namespace stiction::scene {
 
+namespace {
+
+/// A law of small strains leaves its forces where they were: about turned points what is held across the axis
+/// makes a moment that is none, by the angle times it.
+void moments(Facts const& all, TurnPart const& turn, std::string_view law, std::vector<Warning>& warnings) {
+  auto const& facts = body_of(all, turn.set);
+  bool const pressed = std::ranges::any_of(all.pairs, [&](auto const& pair) {
+    return &all.bodies[pair.secondary] == &facts || (pair.primary && &all.bodies[*pair.primary] == &facts);
+  });
+  for (auto const& [name, probe] : all.scene->part.probes)
+    if (auto const* force = std::get_if<ForceProbe>(&probe);
+        force != nullptr && force->set == turn.set && pressed)
+      warnings.push_back(
+          {fmt::format(
+               "probe {}: the forces of {} do not turn with {}: where it is pressed as well, moments have "
+               "the angle times what is held across the axis too much or too little",
+               name, law, turn.set),
+           law_of_large_strains(facts) + ", or the moment of what it meets: probe.rigid"});
+}
+
+} // namespace
+
 void warn_of_turns(Facts const& all, std::vector<Warning>& warnings) {
   constexpr double much = 0.2; // rad: a strain of 2 %
   for (auto const& motion : all.scene->part.motions) {
@@ -18,9 +41,12 @@ void warn_of_turns(Facts const& all, std::vector<Warning>& warnings) {
     auto const& facts = body_of(all, turn->set);
     auto const [low, high] = std::ranges::minmax(turn->angle);
     double const angle = std::max(std::abs(low), std::abs(high));
-    if (!solid::small_strain(facts.body->material) || angle <= much)
+    if (!solid::small_strain(facts.body->material) || angle == 0)
       continue;
     auto const law = std::visit([](auto const& own) { return own.schema().name; }, facts.body->material);
+    moments(all, *turn, law, warnings);
+    if (angle <= much)
+      continue;
     warnings.push_back(
         {fmt::format(
              "{}: it is turned by {:.2g} rad, and {} knows small strains and rotations only: of that it "

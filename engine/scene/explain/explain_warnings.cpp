@@ -362,6 +362,7 @@ void add_warnings(Facts const& all, Explanation& explanation) {
     if (pair.pair->law.adhesion)
       warn_of_bonds(all, pair, warnings);
   }
+  warn_of_bending(all, warnings);
   warn_of_relief(all, warnings);
   warn_of_shared_nodes(all, warnings);
   warn_of_springs(all, warnings);

@@ -156,6 +156,8 @@ void warn_of_shared_nodes(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_turns(Facts const& all, std::vector<Warning>& warnings);
 /// The same: motions that move nodes of the axis of a section off it.
 void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
+/// explain_bending.cpp: slender bodies that are bent, and whose cells are too stiff for that.
+void warn_of_bending(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_paths.cpp: paths whose turns no step sees.
 void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_meeting.cpp: pairs whose sides cannot meet, cannot give way or touch over few cells; obstacles of
