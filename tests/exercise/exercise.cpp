@@ -67,4 +67,17 @@ TEST_SUITE("exercise") {
     auto const all = adhesions();
     CHECK(std::ranges::count(all, "delayed", &NamedAdhesion::name) == 1);
   }
+
+  TEST_CASE("in a step of no length a bond stays as it is, whatever its time") {
+    for (double const tau : {0.0, 0.2}) {
+      Delayed const law{3, 0.02, tau};
+      BondStep step;
+      step.old.beta = 0.7;
+      step.dt = 0;
+      auto const pull = adhere<2>(law, step, {0.03, 0});
+      CHECK(pull.beta == 0.7);
+      CHECK(pull.traction.allFinite());
+      CHECK(law.steepest_fall(step) == 0);
+    }
+  }
 }
