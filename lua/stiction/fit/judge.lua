@@ -223,22 +223,22 @@ local function is_lost(own)
   return lost.low and lost.high
 end
 
---- Relative standard errors as profiles have them, where these are wider: infinite where they are open; of one that could not be followed
+--- Relative standard errors as the wider side of profiles has them, where that is wider: infinite where they are open; of one that could not be followed
 --- as its other side or the covariance has it, and that is noted in judged.lost.
 function judge.by_profiles(parameters, judged, intervals)
   local relative = {}
   judged.lost = {}
   for _, k in ipairs(judged.free) do
-    local own, value, whole = intervals[k], judged.values[k], math.huge
+    local own, value, wider = intervals[k], judged.values[k], math.huge
     if own and is_lost(own) then
       local function half(far)
         return far and math.abs(parameters[k].log and math.log(far / value) or (far - value) / judged.sizes[k])
       end
       local low, high = half(own.low), half(own.high)
       judged.lost[k] = not (low and high) or nil
-      whole = (low or high or 0) + (high or low or 0)
+      wider = math.max(low or high or 0, high or low or 0)
     end
-    relative[k] = math.max(judged.relative[k], whole / (2 * judged.t))
+    relative[k] = math.max(judged.relative[k], wider / judged.t)
   end
   return relative
 end
