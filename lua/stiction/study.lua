@@ -273,6 +273,10 @@ local function watched(p, read)
       read[name] = true
       return p[name]
     end,
+    __newindex = function(_, name)
+      fault.script("the parameter '%s' cannot be changed in a scene: results and the summary have the study's value; "
+        .. "use a local variable", tostring(name))
+    end,
     __pairs = function()
       for name in ordered.pairs(p) do
         read[name] = true
