@@ -152,9 +152,9 @@ double Springs::damping_loss(Instant const& from, Instant const& to, double late
     if (spring.damping == 0)
       continue;
     Eigen::Vector3d const first = apart(member, from.u, from.t), last = apart(member, to.u, to.t);
-    loss += member.share * ((1 - later) * drag_of(spring, first) * rate(member, from.v, from.t) +
-                            later * drag_of(spring, last) * rate(member, to.v, to.t))
-                               .dot(last - first);
+    Eigen::Vector3d const drag = (1 - later) * drag_of(spring, first) * rate(member, from.v, from.t) +
+                                 later * drag_of(spring, last) * rate(member, to.v, to.t);
+    loss += member.share * std::max(0.0, drag.dot(last - first));
   }
   return loss;
 }

@@ -34,7 +34,7 @@ public:
   /// Work of the ends that follow paths, from one moment to another, by the mean of the forces: `later` is
   /// the part of those at the end.
   [[nodiscard]] SpringWork path_work(Instant const& from, Instant const& to, double later) const;
-  /// What dashpots take, J: the work of the mean of their forces.
+  /// What dashpots take, J: the work of the mean of their forces, of each never less than nothing.
   [[nodiscard]] double damping_loss(Instant const& from, Instant const& to, double later) const;
 
   /// The unknowns that springs couple, group by group.

@@ -1,6 +1,8 @@
 // The energy account of a step.
 #include "dynamics/step/stepper.hpp"
 
+#include <algorithm>
+
 namespace stiction::dynamics {
 
 namespace {
@@ -43,13 +45,14 @@ double Stepper::obstacle_work(std::size_t index, State const& old, State const& 
   return work;
 }
 
-/// What the bodies' viscosity takes, J: the work of the scheme's mean of its forces. At contact nodes, whose
-/// d is not dt times the mean rate, d . A d / dt would be more than there is.
+/// What the bodies' viscosity takes, J: the work of the scheme's mean of its forces, never less than nothing;
+/// what these make is the scheme's. At contact nodes, whose d is not dt times the mean rate, d . A d / dt
+/// would be more than there is.
 double Stepper::viscous_loss(State const& old, State const& next) const {
   Vector first, last;
   bulk_.damping_force(old.u, old.v, first);
   bulk_.damping_force(u_, next.v, last);
-  return ((1 - weights_.work) * first + weights_.work * last).dot(d_);
+  return std::max(0.0, ((1 - weights_.work) * first + weights_.work * last).dot(d_));
 }
 
 /// What friction takes of a point in a step, J (J/m): by the scheme's mean of its forces. Without inertia it

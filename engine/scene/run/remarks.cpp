@@ -130,14 +130,15 @@ void Remarks::seek_met(dynamics::State const& state) {
       }
 }
 
-/// Surfaces apart from the bodies go by backward Euler, which takes momentum from those that turn.
+/// Surfaces apart from the bodies go by backward Euler, which takes from what turns or swings.
 char const* Remarks::losing_less() const {
   bool const unmet = std::ranges::all_of(nearest_, [](double gap) { return gap >= 0; });
   bool const apart = !nearest_.empty() && dynamics::weights(scene_->model->scheme).surface_apart();
-  return unmet && apart ? "nothing touched, and contact surfaces that go by backward Euler take energy and "
-                          "angular momentum from bodies that turn; smaller steps take less, contact_inertia "
-                          "= \"full\" or \"none\" hardly any"
-                        : "smaller steps and a finer mesh where bodies land lose less";
+  return unmet && apart
+             ? "nothing touched, and contact surfaces and free rigid bodies go by backward Euler, which "
+               "takes energy and angular momentum from what turns or swings; smaller steps take "
+               "less, contact_inertia = \"full\" or \"none\" hardly any"
+             : "smaller steps and a finer mesh where bodies land lose less";
 }
 
 void Remarks::add_unmet(std::vector<std::string>& all) const {
