@@ -1,9 +1,12 @@
 // The program: command line to Lua, error values to exit codes.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <iostream>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "bind/case_server.hpp"
 #include "bind/command_line.hpp"
@@ -104,10 +107,22 @@ int run(int count, char** words) {
   }
 }
 
+/// Did a file or device not take all that was printed, as a full disk? Readers of pipes may leave early.
+bool lost_output() {
+  std::cout.flush();
+  bool const failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+  struct stat out {};
+  return failed && fstat(STDOUT_FILENO, &out) == 0 && !S_ISFIFO(out.st_mode) && !S_ISSOCK(out.st_mode);
+}
+
 } // namespace
 
 int main(int count, char** words) {
-  int const code = run(count, words);
+  int code = run(count, words);
+  if (lost_output()) {
+    std::cerr << "stiction: standard output took not all that was printed; is there room where it goes?\n";
+    code = std::max(code, 1);
+  }
   rlimit memory{};
   if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) {
     std::cout.flush();

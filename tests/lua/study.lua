@@ -61,6 +61,11 @@ test("a misspelt parameter is told where it is used", function()
   fails("there is no parameter 'raduis'; did you mean 'radius'?", function() return p.raduis end)
 end)
 
+test("a scene cannot change its parameters", function()
+  local study = make { sweep = { mu = { 0.1 } }, scene = function(p) p.mu = 2 * p.mu end }
+  fails("the parameter 'mu' cannot be changed in a scene", function() study:scene_of(sweep.cases(study, {})[1]) end)
+end)
+
 test("results that share the name of another column are listed", function()
   local function doubled(t, name)
     t.results = { { name = name, unit = "N", function() return 1 end } }

@@ -405,6 +405,21 @@ test("each column of errors is that of its result, and empty where nothing is cl
     .. "warnings\ns5_mu0.2,0.2,1,2,4,finished,,,,,0.1,0.2,0.3,7,nan,9,,\ns5_mu0.3,0.3,1,2,4,finished,,,,,,,,nan,nan,nan,,\n")
 end)
 
+test("claims of cases whose cells explain warns of are doubted, once for each warning", function()
+  local report = require "stiction.report"
+  local rows, lines, line = {}, {}, report.line
+  local locks = "body b: plain quad4 cells lock at nu = 0.49"
+  for i, text in ipairs { locks, "pair p: something else", locks } do
+    rows[i] = { case = { id = "c" .. i }, done = true, result = { warnings = { { text = text } }, results = {} } }
+  end
+  rows[4] = { case = { id = "c4" }, done = true, result = { warnings = rows[1].result.warnings, results = {} } }
+  report.line = function(...) lines[#lines + 1] = string.format(...) end
+  accuracy.keep({ claims = { of = { c1 = {}, c2 = {}, c3 = {} } } }, rows)
+  report.line = line
+  equal(#lines, 1)
+  assert(lines[1]:find("claimed of c1, c3 may be too little", 1, true) and lines[1]:find("cells lock at nu", 1, true), lines[1])
+end)
+
 test("a parameter called set leaves its column the name, and that of what --set changed steps aside", function()
   local case = { id = "A", p = { set = 3 } }
   local study = { results = { { name = "warnings" } }, derivatives = {} }

@@ -17,6 +17,7 @@ local accuracy = {}
 
 local rounding = 1e-9
 local told = 3 -- cases without a claim that are named
+local of_cells = { "cells lock", "are too stiff", "depend on the mesh" } -- what warnings say of them
 
 --- 0.02 of "2%" or "0.02"; bad input else.
 function accuracy.share(text)
@@ -261,8 +262,28 @@ function accuracy.recheck(plan, rows)
   return stopped
 end
 
+--- Says which claims stand on cells that explain warns of: they are of what settings a level finer change, or those of the trade.
+local function tell_doubts(plan, rows)
+  local of, texts = {}, {}
+  for _, row in ipairs(rows) do
+    for _, warning in ipairs(row.done and plan.claims.of[row.case.id] and row.result.warnings or {}) do
+      local text = tostring(warning.text)
+      if numeric.first_where(of_cells, function(words) return text:find(words, 1, true) end) then
+        texts[#texts + 1] = not of[text] and text or nil
+        of[text] = of[text] or {}
+        table.insert(of[text], row.case.id)
+      end
+    end
+  end
+  for _, text in ipairs(texts) do
+    report.line("What is claimed of %s may be too little, as finer cells than were tried may change more: %s",
+      #of[text] > told and ("%d cases"):format(#of[text]) or table.concat(of[text], ", "), text)
+  end
+end
+
 --- Keeps with the cases what their results may be off by.
 function accuracy.keep(plan, rows)
+  tell_doubts(plan, rows)
   for _, row in ipairs(rows) do
     local errors, any = {}, false
     for name, error in pairs(row.done and plan.claims.of[row.case.id] or {}) do
