@@ -63,8 +63,12 @@ function drawing.draw(study, cases, folder)
   if not study.figures then
     return true
   end
-  local spec = folder .. "/figures.json"
-  engine.write_file(spec, engine.encode_json(figure.spec(study, cases), 2) .. "\n")
+  local spec, pictures = folder .. "/figures.json", figure.spec(study, cases)
+  if #pictures.figures == 0 then
+    report.line("figures: study.figures gives none")
+    return true
+  end
+  engine.write_file(spec, engine.encode_json(pictures, 2) .. "\n")
   return drawing.run(spec, folder .. "/figures") ~= false
 end
 

@@ -291,15 +291,15 @@ function figure.spec(study, cases)
   local list = study.figures(cases)
   if getmetatable(list) == figure_mark then
     list = { list }
-  elseif list ~= nil and type(list) ~= "table" then
-    fault.input("study.figures must return a list of figures, not %s", word_of(list))
+  elseif type(list) ~= "table" then
+    fault.input("study.figures must return a list of figures, not %s", list == nil and "nothing" or word_of(list))
   end
-  for i, entry in ipairs(list or {}) do
+  for i, entry in ipairs(list) do
     if getmetatable(entry) ~= figure_mark then
       fault.input("study.figures: entry %d is not made by stiction.figure", i)
     end
   end
-  return { figures = list or {} }
+  return { figures = list }
 end
 
 return setmetatable(figure, {

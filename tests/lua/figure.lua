@@ -95,6 +95,7 @@ test("title and height of a panel reach the figure program, and a single figure 
   fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { svg = true } } })
   fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { pdf = true } } })
   fails("must return a list of figures, not 3", figure.spec, { figures = function() return 3 end }, {})
+  fails("must return a list of figures, not nothing", figure.spec, { figures = function() end }, {})
 end)
 
 test("every key that a table takes is explained", function()
