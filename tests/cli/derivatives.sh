@@ -68,5 +68,33 @@ less=$(filled 1.99 p) more=$(filled 2.01 p) slope=$(filled 2 d_p_d_v) own=$(fill
 awk -v a="$less" -v b="$more" -v d="$slope" -v p="$own" -v e="$young" 'function off(x, y) { return x > y ? x / y - 1 : 1 - x / y }
   BEGIN { exit !(off(d, (b - a) / 0.02) < 1e-3 && off(e * 1e6, p) < 1e-4) }' ||
   complain "derivatives of a given volume: p $less $own $more, dp/dv $slope, dp/dE $young"
+# a viscous disc that strikes a floor and rubs on it: what a step leaves undone of a difference in speed would add up
+mkdir -p struck
+cat >struck/study.lua <<'E'
+local stiction = require "stiction"
+local u = stiction.units
+local mm, m, s, ms, Pa = u.mm, u.m, u.s, u.ms, u.Pa
+return stiction.study { title = "A viscous disc", question = "How much does it keep?", given = { visc = 100*Pa*s },
+  derivatives = { "visc" },
+  scene = function(p)
+    return stiction.scene { bodies = { disc = stiction.body { density = 1000*u.kg/m^3, velocity = { 0.3*m/s, 0.5*m/s },
+        mesh = stiction.mesh.half_disc { centre = { 0*mm, -5.2*mm }, radius = 5*mm, size = 1*mm },
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 },
+        damping = stiction.damping.kelvin_voigt { shear_viscosity = p.visc, bulk_viscosity = p.visc } } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane { normal = { 0, -1 } } } },
+      pairs = { touch = stiction.pair { secondary = "disc.arc", primary = "floor", friction = stiction.friction.coulomb { mu = 0.3 } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 6*ms, steps = 300 } } }, output = stiction.output { frames = 0 },
+      probes = { energy = stiction.probe.energy {} } }
+  end,
+  results = { { name = "kept", unit = "J/m", meaning = "kinetic energy", function(run) return run:last("energy", "kinetic") end } } }
+E
+struck() { # VISC NAME: a number of the summary with this viscosity, Pa s
+  rm -rf out/struck
+  "$stiction" run struck --no-figures --set "visc=$1 Pa s" >ran 2>&1 || cat ran
+  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR == 2 { print $at[name] }' out/struck/summary.csv
+}
+less=$(struck 99.9 kept) more=$(struck 100.1 kept) slope=$(struck 100 d_kept_d_visc)
+awk -v a="$less" -v b="$more" -v d="$slope" 'BEGIN { x = d / ((b - a) / 0.2); exit !(x > 0.997 && x < 1.003) }' ||
+  complain "derivative of a struck disc: kept $less $more, d/dvisc $slope"
 holds "a case ran where none could" [ -z "$(find out/unknown out/mesh out/flag -name series.h5 2>/dev/null)" ]
 finish

@@ -109,8 +109,9 @@ bool Stepper::start_after(Stepper& lead, State const& old, double dt, Outcome& o
 /// What to do about what is wrong now.
 Stepper::Next Stepper::weigh(State const& old, Wrong& wrong, Outcome& outcome) {
   constexpr int most = 12, settled = 3; // iterations; after the latter what no longer falls is rounding
-  // of what is wrong at first that a step may leave; given volumes make far more of that than of the answer
-  double const share = bulk_.surface_loads().stiff() ? 1e-8 : 1e-4;
+  // of what is wrong at first that a step may leave; given volumes make far more of that than of the answer,
+  // and with inertia all of a difference in speed is wrong at first, of which each step would keep its part
+  double const share = bulk_.surface_loads().stiff() ? 1e-8 : weights_.inertia ? 1e-7 : 1e-4;
   force_scale_ = std::max({largest_force(internal_), largest_force(old.internal), largest_force(inertia_),
                            contact_->force_scale(), largest_force(external_)});
   double const forces = imbalance();
