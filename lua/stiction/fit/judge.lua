@@ -223,8 +223,8 @@ local function is_lost(own)
   return lost.low and lost.high
 end
 
---- Relative standard errors as the wider side of profiles has them, where that is wider: infinite where they are open; of one that could not be followed
---- as its other side or the covariance has it, and that is noted in judged.lost.
+--- Relative standard errors as the wider side of profiles has them, where that is wider: infinite where they are open; of one that
+--- could not be followed as its other side or the covariance has it, and that is noted in judged.lost.
 function judge.by_profiles(parameters, judged, intervals)
   local relative = {}
   judged.lost = {}
