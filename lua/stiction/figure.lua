@@ -156,6 +156,20 @@ local function make(t, kind)
   return setmetatable(result, figure_mark)
 end
 
+--- Says which points a logarithmic axis leaves out.
+local function tell_unseen(result, key)
+  for _, its in ipairs(result[key].log and result.curves or {}) do
+    local count = 0
+    for _, value in ipairs(type(its[key]) == "table" and its[key] or {}) do
+      count = count + (type(value) == "number" and value <= 0 and 1 or 0)
+    end
+    if count > 0 then
+      engine.complain(("stiction: figure '%s': %d of the points of curve '%s' have no place on the logarithmic %s axis: they are not "
+        .. "above 0\n"):format(tostring(result.name), count, tostring(its.label), key))
+    end
+  end
+end
+
 --- Curves over one pair of axes: lines{ name =, x = {label =, unit =}, y =, curves = {{label =, case =, y =}} }.
 function figure.lines(t)
   local result = make(t, "lines")
@@ -168,6 +182,8 @@ function figure.lines(t)
     twin.x = scaled(mark.x, x_unit)
     return twin
   end)
+  tell_unseen(result, "x")
+  tell_unseen(result, "y")
   return result
 end
 

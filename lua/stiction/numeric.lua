@@ -57,6 +57,8 @@ function numeric.interpolate(xs, ys, x)
   need_lists("interpolate", xs, ys)
   if #xs == 0 or #xs ~= #ys then
     fault.script("interpolate needs two lists of one length, not %d and %d", #xs, #ys)
+  elseif xs[1] > xs[#xs] then
+    fault.script("interpolate needs xs that rise, not from %s to %s", tostring(xs[1]), tostring(xs[#xs]))
   end
   if x <= xs[1] then
     return ys[1]

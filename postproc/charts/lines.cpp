@@ -46,6 +46,11 @@ void draw_bar(Canvas& canvas, Chart const& chart, std::vector<Point> const& ends
       canvas.stroke({{end.x - cap.x, end.y - cap.y}, {end.x + cap.x, end.y + cap.y}}, pen);
 }
 
+/// The lower end of a bar: on an axis of logarithms, where it may be below zero, out of the plot.
+double lower_end(Scale const& scale, double value, double error) {
+  return scale.log ? std::max(value - error, 1e-3 * scale.low) : value - error;
+}
+
 /// Bars with caps, thinner than the curve, as far as the plot reaches.
 void draw_errors(Canvas& canvas, Chart const& chart, Curve const& curve) {
   double const cap = 1.5 * curve.pen.width;
@@ -54,9 +59,11 @@ void draw_errors(Canvas& canvas, Chart const& chart, Curve const& curve) {
     auto const [x, y] = curve.points[i];
     auto const error = curve.errors[i];
     if (error.x > 0)
-      draw_bar(canvas, chart, chart.pixels({{x - error.x, y}, {x + error.x, y}}), {0, cap}, pen);
+      draw_bar(canvas, chart, chart.pixels({{lower_end(chart.x, x, error.x), y}, {x + error.x, y}}), {0, cap},
+               pen);
     if (error.y > 0)
-      draw_bar(canvas, chart, chart.pixels({{x, y - error.y}, {x, y + error.y}}), {cap, 0}, pen);
+      draw_bar(canvas, chart, chart.pixels({{x, lower_end(chart.y, y, error.y)}, {x, y + error.y}}), {cap, 0},
+               pen);
   }
 }
 

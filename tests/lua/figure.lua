@@ -95,6 +95,12 @@ test("title and height of a panel reach the figure program, and a single figure 
   fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { svg = true } } })
   fails("dpi, svg and pdf are the panel's", figure.panel, { name = "p", figures = { lines { pdf = true } } })
   fails("must return a list of figures, not 3", figure.spec, { figures = function() return 3 end }, {})
+  local complain, told = engine.complain, ""
+  engine.complain = function(text) told = told .. text end
+  stiction.figure.lines { name = "it", x = { label = "x", unit = "1" }, y = { label = "y", unit = "1", log = true },
+    curves = { { label = "c", x = { 1, 2, 3 }, y = { 1, 0, -2 } }, { label = "d", x = { -1, 2 }, y = { 1, 2 } } } }
+  engine.complain = complain
+  equal(told, "stiction: figure 'it': 2 of the points of curve 'c' have no place on the logarithmic y axis: they are not above 0\n")
   fails("must return a list of figures, not nothing", figure.spec, { figures = function() end }, {})
 end)
 

@@ -47,3 +47,8 @@ test("what is no list is told with the line of the script", function()
   fails("numeric.lua:47: numeric.mean needs a list of numbers, not nil", function() numeric.mean(nil) end)
   fails("integral needs two lists of one length, not 2 and 1", numeric.integral, { 1, 2 }, { 1 })
 end)
+
+test("interpolation between abscissas that fall is refused", function()
+  equal(numeric.interpolate({ 1, 2, 3 }, { 10, 20, 30 }, 1.5), 15)
+  fails("interpolate needs xs that rise, not from 3 to 1", numeric.interpolate, { 3, 2, 1 }, { 30, 20, 10 }, 1.5)
+end)

@@ -118,6 +118,9 @@ TEST_CASE("error bars have the length of their errors, and the axis has room for
   auto const high = lines("high_bar", R"("label":"y","unit":"1")",
                           R"({"x":[1,2,3],"y":[0,1,0],"x_error":[0,0,1],"error":[0,9,0],"style":"points"})");
   CHECK(high.count(blue, {0.3, 0.7, 0.85, 0.98}) > 100);
+  auto const below = lines("bar_below", R"("label":"y","unit":"1","log":true,"range":[0.01,100])",
+                           R"({"x":[1,2,3],"y":[1,1,1],"error":[0,2,0],"style":"points"})");
+  CHECK(below.count(blue, {0.5, 0.6, 0.25, 0.45}) > 50); // past 0 it goes on down
   auto const wrong = draw("few_bars", R"({"name":"it","kind":"lines","x":{"label":"x"},"y":{"label":"y"},
     "curves":[{"x":[1,2],"y":[1,2],"error":[1]}]})");
   CHECK(wrong.code == 2);
