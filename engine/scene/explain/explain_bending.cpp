@@ -80,7 +80,7 @@ bool is_bent(Strip const& strip) {
   };
   bool bent =
       std::ranges::any_of(model.motions, moved) || std::ranges::any_of(model.loads, pushed) ||
-      model.gravity[strip.across] != 0 ||
+      (model.gravity[strip.across] != 0 && strip.body.held[ix(strip.across)]) ||
       std::ranges::any_of(model.pressures, [&](auto const& one) { return any_within(strip, one.facets); });
   for (auto const& pair : strip.all.pairs) {
     bool const own = &strip.all.bodies[pair.secondary] == &strip.body ||
