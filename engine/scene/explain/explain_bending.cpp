@@ -14,9 +14,10 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr double slender = 5;             // length over thickness
-constexpr double told = 0.1, good = 0.03; // of its stiffness: what is too much, and what may be left
-constexpr int places = 50;                // along the length, where it is asked who holds it
+constexpr double long_for_thick = 5; // length over thickness
+constexpr double stiff_told = 0.1,
+                 stiff_left = 0.03; // of its stiffness: what is too much, and what may be left
+constexpr int places_along = 50;    // along the length, where it is asked who holds it
 
 /// Quadratic kinds in place of those whose edges stay straight; null: is one.
 char const* curved_kind(mesh::CellKind kind) {
@@ -50,15 +51,15 @@ bool backed(Strip const& strip) {
   auto const& model = *strip.all.scene->model;
   double const start =
       model.reference.middleRows(strip.first, strip.last - strip.first).col(strip.along).minCoeff();
-  std::array<bool, places> held{};
+  std::array<bool, places_along> held{};
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       if (motion.component == strip.across && strip.has(node))
-        for (int place = 0; place < places; ++place)
-          if (double const at = start + (place + 0.5) / places * strip.length();
+        for (int place = 0; place < places_along; ++place)
+          if (double const at = start + (place + 0.5) / places_along * strip.length();
               std::abs(model.reference(node, strip.along) - at) <= strip.thickness())
             held[ix(place)] = true;
-  return 2 * std::ranges::count(held, true) >= places;
+  return 2 * std::ranges::count(held, true) >= places_along;
 }
 
 bool any_within(Strip const& strip, std::vector<mesh::Facet> const& facets) {
@@ -143,7 +144,7 @@ void warn_of_bending(Facts const& all, std::vector<Warning>& warnings) {
     Strip strip{all, body, 0, 0, model.first_node[b], model.first_node[b + 1]};
     body.sides.head(model.dim()).minCoeff(&strip.across);
     body.sides.head(model.dim()).maxCoeff(&strip.along);
-    if (strip.length() < slender * strip.thickness())
+    if (strip.length() < long_for_thick * strip.thickness())
       continue;
     tensioned(strip, warnings);
     auto const& mesh = body.body->mesh;
@@ -154,7 +155,7 @@ void warn_of_bending(Facts const& all, std::vector<Warning>& warnings) {
     double const ratio =
         body.moduli.shear() / (body.body->plane_stress ? body.moduli.young : body.plane_modulus());
     double const length = mean_extent(mesh, *block, strip.along), part = length / strip.thickness();
-    if (ratio * part * part < told || backed(strip) || !is_bent(strip))
+    if (ratio * part * part < stiff_told || backed(strip) || !is_bent(strip))
       continue;
     warnings.push_back(
         {fmt::format("body {}: as it bends, {} cells of {} along its length in a thickness of {} are too "
@@ -162,8 +163,8 @@ void warn_of_bending(Facts const& all, std::vector<Warning>& warnings) {
                      body.body->name, mesh::info(block->kind).name, human(length, "m"),
                      human(strip.thickness(), "m"), percent(ratio * part * part)),
          fmt::format("{} cells, or cells of {} or less along {}, which leave {}", curved_kind(block->kind),
-                     human(std::sqrt(good / ratio) * strip.thickness(), "m"), "xyz"[strip.along],
-                     percent(good))});
+                     human(std::sqrt(stiff_left / ratio) * strip.thickness(), "m"), "xyz"[strip.along],
+                     percent(stiff_left))});
   }
 }
 
