@@ -111,3 +111,32 @@ test("an obstacle that no pair is of is told", function()
   assert(scenes.warning(beneath(plane(5.1, -1), nil, false), "is in no pair"))
   equal(scenes.warning(beneath(plane(5.1, -1)), "is in no pair"), nil)
 end)
+
+test("steps that see a blow a few times only are told, and with steps as short as advised what is kept is known", function()
+  local function thrown(shape, steps)
+    local ball = shape == "ball"
+    local mesh = ball and stiction.mesh.quarter_disc { centre = { 0*mm, 4*mm }, radius = 4*mm, fine = { 1*mm, 0.6*mm }, fine_size = 0.2*mm,
+        coarse_size = 0.6*mm } or stiction.mesh.block { size = { 2*mm, 8*mm }, cells = { 2, 16 } }
+    return stiction.scene { kinematics = ball and "axisymmetric" or nil,
+      bodies = { b = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3, velocity = { 0*u.m/s, -0.3*u.m/s },
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = ball and 0.3 or 0 } } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane { point = { 0*mm, -0.05*mm } } } },
+      pairs = { j = stiction.pair { secondary = ball and "b.arc" or "b.bottom", primary = "floor" } },
+      motions = ball and { stiction.motion.fix { set = "b.axis", x = true } } or {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 4*u.ms, steps = steps } } },
+      probes = { m = stiction.probe.momentum {} } }
+  end
+  for _, shape in ipairs { "ball", "bar" } do
+    local told = scenes.warning(thrown(shape, 10), "what it keeps of its speed")
+    local number, unit = told.change:match("steps of ([%d.]+) (%a+) or less")
+    local advised = math.ceil(4*u.ms / (tonumber(number) * u(unit)))
+    equal(scenes.warning(thrown(shape, advised), "what it keeps of its speed"), nil)
+    local function kept(steps)
+      local p = run(thrown(shape, steps)):series("m", "p_y")
+      return -p[#p] / p[1]
+    end
+    local fine = kept(4 * advised)
+    assert(math.abs(kept(advised) - fine) < 0.02, kept(advised) - fine)
+    assert(math.abs(kept(10) - fine) > 0.05, kept(10) - fine)
+  end
+end)

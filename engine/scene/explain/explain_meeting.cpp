@@ -82,6 +82,52 @@ void few_cells(Facts const& all, PairFacts const& pair, std::vector<Warning>& wa
                    human(touched / good, "m"), pair.part->secondary)});
 }
 
+/// A side that flies or falls freely: its mass, kg (kg/m in plane strain), and its speed where the two meet,
+/// m/s.
+struct Flight {
+  double mass = 0, speed = 0;
+  std::string name;
+};
+
+Flight flight_of(Facts const& all, PairFacts const& pair) {
+  auto const& model = *all.scene->model;
+  double const fallen = std::sqrt(2 * model.gravity.norm() * std::max(pair.gap, 0.0));
+  double const speed = std::max(pair.motion.closing, fallen);
+  if (!pair.primary && model.rigids[pair.rigid].free())
+    return {model.rigids[pair.rigid].mass, speed, pair.part->primary};
+  auto const& body = all.bodies[pair.secondary];
+  int down = model.dim() - 1;
+  pair.normal.cwiseAbs().maxCoeff(&down);
+  return body.held[ix(pair.normal.isZero(0) ? model.dim() - 1 : down)]
+             ? Flight{}
+             : Flight{body.mass, speed, body.body->name};
+}
+
+/// A blow lasts as long as a wave goes there and back, and of a ball as Hertz has it, 2.87 (m^2 / (R E*^2
+/// v))^(1/5) (Johnson 1985); steps that see it less often than that take what they like of it.
+void blow(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
+  constexpr double few = 8, good = 50; // steps in it
+  auto const flight = flight_of(all, pair);
+  if (!all.dynamic() || all.scene->part.schedule.accuracy || !pair.motion.unknown || !(flight.speed > 0) ||
+      pair.adheres())
+    return;
+  auto const& body = all.bodies[pair.secondary];
+  double lasts = 2 * body.extent() / body.pressure_speed();
+  if (pair.radius > 0 && all.scene->part.kinematics != solid::Kinematics::plane_strain)
+    lasts = std::max(lasts, 2.87 * std::pow(flight.mass * flight.mass /
+                                                (pair.radius * pair.modulus * pair.modulus * flight.speed),
+                                            0.2));
+  if (lasts >= few * all.longest_step)
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: {} comes at about {} and touches for about {}, {:.2g} steps: what it keeps of its speed "
+           "will depend on them",
+           pair.pair->name, flight.name, human(flight.speed, "m/s"), human(lasts, "s"),
+           lasts / all.longest_step),
+       fmt::format("steps of {} or less where they meet, or schedule accuracy", human(lasts / good, "s"))});
+}
+
 void obstacles_alone(Facts const& all, std::vector<Warning>& warnings) {
   for (auto const& [name, part] : all.scene->part.obstacles)
     if (std::ranges::none_of(all.scene->part.pairs,
@@ -99,6 +145,7 @@ void warn_of_meeting(Facts const& all, std::vector<Warning>& warnings) {
     looks_away(all, pair, warnings);
     gives_no_way(all, pair, warnings);
     few_cells(all, pair, warnings);
+    blow(all, pair, warnings);
   }
 }
 
