@@ -139,3 +139,11 @@ test("where runs fail beside the best an interval is not followed, and that is n
   judge.decide(judged, judge.by_profiles(own, judged, profiles))
   assert(judged.fates[1] ~= "not followed" and judged.fates[1] ~= "determined")
 end)
+
+test("a parameter is as sure as the wider side of its profile", function()
+  local judged = { free = { 1, 2 }, values = { 0.43, 2 }, sizes = { 0.43, 2 }, relative = { 0.016, 0.3 }, t = 2 }
+  local relative = judge.by_profiles({ linear("mu", 0, 1, 0.3), linear("young", 0, 10, 1) }, judged,
+    { { low = 0.045, high = 0.44 }, { low = 1.9, high = 2.1 } })
+  assert(math.abs(relative[1] - (0.43 - 0.045) / 0.43 / 2) < 1e-12, relative[1])
+  equal(relative[2], 0.3)
+end)
