@@ -71,7 +71,8 @@ bool any_within(Strip const& strip, std::vector<mesh::Facet> const& facets) {
 bool is_bent(Strip const& strip) {
   auto const& model = *strip.all.scene->model;
   auto const moved = [&](auto const& motion) {
-    return motion.component == strip.across && motion.farthest() > 0 && strip.has(motion.nodes.front());
+    return motion.component == strip.across && motion.farthest() > 0 && !motion.nodes.empty() &&
+           strip.has(motion.nodes.front());
   };
   auto const pushed = [&](auto const& load) {
     for (Index node = strip.first; node < strip.last; ++node)
@@ -125,9 +126,8 @@ void tensioned(Strip const& strip, std::vector<Warning>& warnings) {
   if (!solid::small_strain(body.material) || less < much || backed(strip))
     return;
   warnings.push_back(
-      {fmt::format("body {}: under its surface stress it bends by {} less than it should: the tension "
-                   "stiffens it, and "
-                   "that the compression in balance with it takes that back {} does not know",
+      {fmt::format("body {}: under its surface stress it bends by {} less than it should: {} knows small "
+                   "strains only, and not how the compression in balance with that tension gives way",
                    body.name, percent(less),
                    std::visit([](auto const& law) { return law.schema().name; }, body.material)),
        law_of_large_strains(strip.body)});

@@ -82,25 +82,29 @@ void few_cells(Facts const& all, PairFacts const& pair, std::vector<Warning>& wa
                    human(touched / good, "m"), pair.part->secondary)});
 }
 
-/// A side that flies or falls freely: its mass, kg (kg/m in plane strain), and its speed where the two meet,
-/// m/s.
+/// A side that flies or falls freely: its mass, kg (kg/m in plane strain), and how long a wave takes there
+/// and back in what is struck or strikes, s.
 struct Flight {
-  double mass = 0, speed = 0;
+  double mass = 0, wave = 0;
   std::string name;
 };
 
+double wave_in(BodyFacts const& body) {
+  return 2 * body.extent() / body.pressure_speed();
+}
+
+/// No mass: neither side flies.
 Flight flight_of(Facts const& all, PairFacts const& pair) {
   auto const& model = *all.scene->model;
-  double const fallen = std::sqrt(2 * model.gravity.norm() * std::max(pair.gap, 0.0));
-  double const speed = std::max(pair.motion.closing, fallen);
   if (!pair.primary && model.rigids[pair.rigid].free())
-    return {model.rigids[pair.rigid].mass, speed, pair.part->primary};
-  auto const& body = all.bodies[pair.secondary];
-  int down = model.dim() - 1;
-  pair.normal.cwiseAbs().maxCoeff(&down);
-  return body.held[ix(pair.normal.isZero(0) ? model.dim() - 1 : down)]
-             ? Flight{}
-             : Flight{body.mass, speed, body.body->name};
+    return {model.rigids[pair.rigid].mass, wave_in(all.bodies[pair.secondary]), pair.part->primary};
+  int along = model.dim() - 1;
+  if (!pair.normal.isZero(0))
+    pair.normal.cwiseAbs().maxCoeff(&along);
+  for (auto const number : {pair.secondary, pair.primary.value_or(pair.secondary)})
+    if (auto const& body = all.bodies[number]; !body.held[ix(along)])
+      return {body.mass, wave_in(body), body.body->name};
+  return {};
 }
 
 /// A blow lasts as long as a wave goes there and back, and of a ball as Hertz has it, 2.87 (m^2 / (R E*^2
@@ -108,14 +112,15 @@ Flight flight_of(Facts const& all, PairFacts const& pair) {
 void blow(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
   constexpr double few = 8, good = 50; // steps in it
   auto const flight = flight_of(all, pair);
-  if (!all.dynamic() || all.scene->part.schedule.accuracy || !pair.motion.unknown || !(flight.speed > 0) ||
-      pair.adheres())
+  double const fallen = std::sqrt(2 * all.scene->model->gravity.norm() * std::max(pair.gap, 0.0)),
+               speed = std::max(pair.motion.closing, fallen);
+  if (!all.dynamic() || all.scene->part.schedule.accuracy || !pair.motion.unknown || pair.adheres() ||
+      !(flight.mass > 0 && speed > 0))
     return;
-  auto const& body = all.bodies[pair.secondary];
-  double lasts = 2 * body.extent() / body.pressure_speed();
+  double lasts = flight.wave;
   if (pair.radius > 0 && all.scene->part.kinematics != solid::Kinematics::plane_strain)
     lasts = std::max(lasts, 2.87 * std::pow(flight.mass * flight.mass /
-                                                (pair.radius * pair.modulus * pair.modulus * flight.speed),
+                                                (pair.radius * pair.modulus * pair.modulus * speed),
                                             0.2));
   if (lasts >= few * all.longest_step)
     return;
@@ -123,8 +128,7 @@ void blow(Facts const& all, PairFacts const& pair, std::vector<Warning>& warning
       {fmt::format(
            "pair {}: {} comes at about {} and touches for about {}, {:.2g} steps: what it keeps of its speed "
            "will depend on them",
-           pair.pair->name, flight.name, human(flight.speed, "m/s"), human(lasts, "s"),
-           lasts / all.longest_step),
+           pair.pair->name, flight.name, human(speed, "m/s"), human(lasts, "s"), lasts / all.longest_step),
        fmt::format("steps of {} or less where they meet, or schedule accuracy", human(lasts / good, "s"))});
 }
 

@@ -77,9 +77,8 @@ void add_adhesion(Facts const& all, PairFacts const& facts, Section& section) {
   add(section,
       fmt::format("stiffness / {1}{0}{2}", wording.softening, product ? "(" : "", product ? ")" : ""),
       facts.column / scales.softening,
-      "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity snaps, "
-      "of "
-      "a ball where its Tabor-like number is above 0.7");
+      "bodies as columns against the softening bond (physics.md 3): below 1 a bond without viscosity "
+      "snaps, of a ball where its Tabor-like number is above 0.7");
   if (facts.radius > 0)
     add(section, "Tabor-like", facts.tabor(),
         fmt::format("(R w^2 / E*^2)^(1/3) {}: above 5 JKR, below 0.1 DMT", wording.tabor));
