@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <ranges>
-#include <span>
 
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
@@ -101,9 +99,11 @@ double mean_extent(mesh::Mesh const& mesh, mesh::Block const& block, int axis) {
   auto const size = static_cast<std::size_t>(mesh::info(block.kind).nodes);
   double sum = 0;
   for (std::size_t first = 0; first < block.nodes.size(); first += size) {
-    auto const nodes = std::span(block.nodes).subspan(first, size);
-    auto const [low, high] = std::ranges::minmax(
-        nodes | std::views::transform([&](Index node) { return mesh.nodes(node, axis); }));
+    double low = mesh.nodes(block.nodes[first], axis), high = low;
+    for (std::size_t k = first + 1; k < first + size; ++k) {
+      low = std::min(low, mesh.nodes(block.nodes[k], axis));
+      high = std::max(high, mesh.nodes(block.nodes[k], axis));
+    }
     sum += high - low;
   }
   return sum / (static_cast<double>(block.nodes.size()) / static_cast<double>(size));
