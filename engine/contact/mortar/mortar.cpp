@@ -62,7 +62,7 @@ void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle, std::vector
     auto& start = samples_[s].start = pairings_[s].foot;
     if (D == 3 && obstacle_ && start.foot.found())
       start.normal = normal_at(*obstacle_->shape, start.foot);
-    else if (start.foot.found())
+    else if (D == 3 && primary_ != nullptr && start.foot.found())
       samples_[s].bearing = bearing(faced(x), start.foot, pairings_[s].frame);
   });
   for (auto& point : points_)

@@ -139,7 +139,9 @@ void Condensation::add_stiffness_of_contact(Dense& W) {
     if (!crowded)
       small_.col(slot_[ix(k.column)]) -= (weight_ * k.value) * V_.col(slot_[ix(k.row)]).head(s);
   small_factor_.compute(small_);
-  Dense const motion = small_factor_.solve(right_.topRows(s)).transpose();
+  Dense motion(m, s);
+  if (m > 0)
+    motion = small_factor_.solve(right_.topRows(s)).transpose();
   K_motion_.setZero(m, s);
   if (crowded)
     K_motion_.noalias() = motion * K_all_.transpose();

@@ -257,7 +257,7 @@ TEST_CASE("bonds without viscosity that soften faster than the bodies unload sna
   for (int const steps : {1, 100}) { // of 2 s; a wave takes some 1 s
     auto snapping = bonded(4, 1000, 0);
     at(snapping, "schedule") = schedule({{2, steps}});
-    auto const& change = warnings(snapping, "snaps").front().change;
+    auto const change = warnings(snapping, "snaps").front().change;
     CHECK(contains(change, "as long as a wave goes") == (steps == 1));
   }
   CHECK_FALSE(warns(bonded(4, 300, 0), "snaps"));
