@@ -59,12 +59,13 @@ return stiction.study { title = "A filled tube", question = "How does its pressu
   end,
   results = { { name = "p", unit = "Pa", meaning = "pressure", function(run) return run:last("gas", "pressure") end } } }
 E
-filled() { # V NAME: a number of the summary with this volume
-  rm -rf out/filled
-  "$stiction" run filled --no-figures --set v="$1" >ran 2>&1 || cat ran
-  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR == 2 { print $at[name] }' out/filled/summary.csv
+number() { # STUDY SETTING NAME: a number of its summary with that setting
+  rm -rf "out/$1"
+  "$stiction" run "$1" --no-figures --set "$2" >ran 2>&1 || cat ran
+  awk -F, -v name="$3" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR == 2 { print $at[name] }' "out/$1/summary.csv"
 }
-less=$(filled 1.99 p) more=$(filled 2.01 p) slope=$(filled 2 d_p_d_v) own=$(filled 2 p) young=$(filled 2 d_p_d_young)
+less=$(number filled v=1.99 p) more=$(number filled v=2.01 p) own=$(number filled v=2 p)
+slope=$(number filled v=2 d_p_d_v) young=$(number filled v=2 d_p_d_young)
 awk -v a="$less" -v b="$more" -v d="$slope" -v p="$own" -v e="$young" 'function off(x, y) { return x > y ? x / y - 1 : 1 - x / y }
   BEGIN { exit !(off(d, (b - a) / 0.02) < 1e-3 && off(e * 1e6, p) < 1e-4) }' ||
   complain "derivatives of a given volume: p $less $own $more, dp/dv $slope, dp/dE $young"
@@ -88,12 +89,8 @@ return stiction.study { title = "A viscous disc", question = "How much does it k
   end,
   results = { { name = "kept", unit = "J/m", meaning = "kinetic energy", function(run) return run:last("energy", "kinetic") end } } }
 E
-struck() { # VISC NAME: a number of the summary with this viscosity, Pa s
-  rm -rf out/struck
-  "$stiction" run struck --no-figures --set "visc=$1 Pa s" >ran 2>&1 || cat ran
-  awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR == 2 { print $at[name] }' out/struck/summary.csv
-}
-less=$(struck 99.9 kept) more=$(struck 100.1 kept) slope=$(struck 100 d_kept_d_visc)
+less=$(number struck 'visc=99.9 Pa s' kept) more=$(number struck 'visc=100.1 Pa s' kept)
+slope=$(number struck 'visc=100 Pa s' d_kept_d_visc)
 awk -v a="$less" -v b="$more" -v d="$slope" 'BEGIN { x = d / ((b - a) / 0.2); exit !(x > 0.997 && x < 1.003) }' ||
   complain "derivative of a struck disc: kept $less $more, d/dvisc $slope"
 holds "a case ran where none could" [ -z "$(find out/unknown out/mesh out/flag -name series.h5 2>/dev/null)" ]

@@ -27,7 +27,7 @@ template<int D> Box<D> box_of(CellSurface const& surface, int facet, Positions x
 
 template<int D>
 Mortar<D>::Mortar(CellSurface const& secondary, CellSurface const* primary, MortarSettings settings)
-    : secondary_(&secondary), primary_(primary), around_(settings.around),
+    : secondary_(&secondary), primary_(primary), around_(settings.around), bonded_(settings.bonded),
       hat_areas_(secondary.hat_areas(settings.points, settings.around)), points_(settings.points.size()) {
   std::map<Index, int> number;
   for (Index const node : settings.points)
@@ -62,7 +62,7 @@ void Mortar<D>::begin(Positions x, PosedObstacle<D> const* obstacle, std::vector
     auto& start = samples_[s].start = pairings_[s].foot;
     if (D == 3 && obstacle_ && start.foot.found())
       start.normal = normal_at(*obstacle_->shape, start.foot);
-    else if (D == 3 && primary_ != nullptr && start.foot.found())
+    else if (D == 3 && bonded_ && !obstacle_ && start.foot.found())
       samples_[s].bearing = bearing(faced(x), start.foot, pairings_[s].frame);
   });
   for (auto& point : points_)

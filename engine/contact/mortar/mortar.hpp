@@ -12,6 +12,7 @@ struct MortarSettings {
   Indices points;      ///< corner nodes of the secondary, in the order of the contact points
   double reach = 0;    ///< as of the pair, m
   bool around = false; ///< areas of full turns about x = 0
+  bool bonded = false; ///< is there adhesion, whose bonds turn with the primary?
 };
 
 /// Stiffness over some nodes, [D nodes, D nodes], N/m.
@@ -113,7 +114,7 @@ private:
 
   CellSurface const* secondary_;
   CellSurface const* primary_;
-  bool around_;
+  bool around_, bonded_;
   GapRange range_;
   std::vector<std::array<int, 4>> points_of_; ///< contact points at the corners of every facet
   std::vector<double> hat_areas_;

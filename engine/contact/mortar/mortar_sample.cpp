@@ -103,8 +103,9 @@ template<int D> SamplePairing<D> pairing(Faced<D> const& faced, Sample const& sa
   auto const way = WayEnd<D>(faced, sample.start.foot).way_to(end);
   for (int a = 0; a < D - 1; ++a)
     result.slip[a] = way.along(result.frame.col(a + 1));
-  result.spin =
-      std::remainder(bearing(faced, sample.start.foot, result.frame) - sample.bearing, 2 * std::numbers::pi);
+  if (sample.bearing)
+    result.spin = std::remainder(bearing(faced, sample.start.foot, result.frame) - *sample.bearing,
+                                 2 * std::numbers::pi);
   return result;
 }
 

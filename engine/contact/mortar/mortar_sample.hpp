@@ -1,5 +1,7 @@
 // One quadrature point of a mortar pair: its pairing along the secondary's normals, its rows and stiffness.
 #pragma once
+#include <optional>
+
 #include "contact/node_to_segment/kinematics.hpp"
 #include "contact/surface/ray.hpp"
 #include "contact/surface/way.hpp"
@@ -14,8 +16,8 @@ struct Sample {
   PerNode hats = PerNode::Zero();     ///< of the facet's corners, there
   PerNode material = PerNode::Zero(); ///< sum_k material_k x_k is the first tangent's direction, carried (3D)
   Start start;                        ///< counterpart at the step's start
-  double bearing = 0;                 ///< of the counterpart's material in the frame then, rad (3D)
-  Vec3 tangent = Vec3::Zero();        ///< of an obstacle, in place of its direction; zero: that
+  std::optional<double> bearing; ///< of the counterpart's material in the frame then, rad; none: not asked
+  Vec3 tangent = Vec3::Zero();   ///< of an obstacle, in place of its direction; zero: that
 };
 
 /// The sample on a facet of `surface` at local coordinates; domain_weight: what it stands for
@@ -37,7 +39,7 @@ template<int D> struct SamplePairing {
   double gap = 0;                           ///< m
   Local<D - 1> slip = Local<D - 1>::Zero(); ///< since the step's start, m
   Mat<D> frame = Mat<D>::Zero();            ///< columns n, t1 [, t2], as in PointKinematics
-  double spin = 0;                          ///< of x2(start)'s material against it since then, rad
+  double spin = 0;                          ///< of x2(start)'s material against it since then, rad, if asked
   [[nodiscard]] bool found() const { return foot.found(); }
 };
 

@@ -42,8 +42,9 @@ template<int D> void ContactGeometry<D>::add_means(Pair const& pair) {
     means.emplace(pair.means);
   bool const around = model_->kinematics == solid::Kinematics::axisymmetric;
   if (pair.mortar)
-    mortar.emplace(*pair.mortar, std::get_if<contact::CellSurface>(&pair.primary),
-                   contact::MortarSettings{pair.secondary, pair.reach, around});
+    mortar.emplace(
+        *pair.mortar, std::get_if<contact::CellSurface>(&pair.primary),
+        contact::MortarSettings{pair.secondary, pair.reach, around, pair.law.adhesion.has_value()});
 }
 
 /// Calls act(mortar, obstacle, pair) for every mortar pair; obstacle: where it is, null if the primary is a

@@ -49,9 +49,11 @@ double Stepper::obstacle_work(std::size_t index, State const& old, State const& 
 /// what these make is the scheme's. At contact nodes, whose d is not dt times the mean rate, d . A d / dt
 /// would be more than there is.
 double Stepper::viscous_loss(State const& old, State const& next) const {
-  Vector first, last;
-  bulk_.damping_force(old.u, old.v, first);
-  bulk_.damping_force(u_, next.v, last);
+  Vector first = old.damping, last = damping_;
+  if (bulk_.springs().damped()) { // dashpots are in there, too
+    bulk_.damping_force(old.u, old.v, first);
+    bulk_.damping_force(u_, next.v, last);
+  }
   return std::max(0.0, ((1 - weights_.work) * first + weights_.work * last).dot(d_));
 }
 

@@ -83,9 +83,7 @@ bool is_bent(Strip const& strip) {
       (model.gravity[strip.across] != 0 && strip.body.held[ix(strip.across)]) ||
       std::ranges::any_of(model.pressures, [&](auto const& one) { return any_within(strip, one.facets); });
   for (auto const& pair : strip.all.pairs) {
-    bool const own = &strip.all.bodies[pair.secondary] == &strip.body ||
-                     (pair.primary && &strip.all.bodies[*pair.primary] == &strip.body);
-    if (!own || std::abs(pair.normal[strip.across]) < 0.7)
+    if (!is_side(strip.all, pair, strip.body) || std::abs(pair.normal[strip.across]) < 0.7)
       continue;
     if (!(pair.radius > 0) && !pair.motion.beside)
       return false;

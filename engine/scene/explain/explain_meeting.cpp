@@ -1,4 +1,4 @@
-// Pairs whose sides cannot meet, cannot give way or touch over few cells, and obstacles of no pair.
+// Pairs whose sides cannot meet, cannot give way or touch over few cells or steps, and obstacles of no pair.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -16,9 +16,8 @@ namespace {
 /// makes a moment that is none, by the angle times it.
 void moments(Facts const& all, TurnPart const& turn, std::string_view law, std::vector<Warning>& warnings) {
   auto const& facts = body_of(all, turn.set);
-  bool const pressed = std::ranges::any_of(all.pairs, [&](auto const& pair) {
-    return &all.bodies[pair.secondary] == &facts || (pair.primary && &all.bodies[*pair.primary] == &facts);
-  });
+  bool const pressed =
+      std::ranges::any_of(all.pairs, [&](auto const& pair) { return is_side(all, pair, facts); });
   for (auto const& [name, probe] : all.scene->part.probes)
     if (auto const* force = std::get_if<ForceProbe>(&probe);
         force != nullptr && force->set == turn.set && pressed)

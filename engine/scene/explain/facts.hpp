@@ -119,6 +119,11 @@ struct Facts {
 [[nodiscard]] std::string law_of_large_strains(BodyFacts const& facts);
 [[nodiscard]] PairFacts pair_facts(Facts const& facts, std::size_t pair, dynamics::State const& start);
 
+/// Is the body one of a pair's two sides?
+[[nodiscard]] inline bool is_side(Facts const& facts, PairFacts const& pair, BodyFacts const& body) {
+  return &facts.bodies[pair.secondary] == &body || (pair.primary && &facts.bodies[*pair.primary] == &body);
+}
+
 /// A line of words alone.
 void add(Section& section, std::string name, std::string words);
 /// explain_scene.cpp: what the scene models.
@@ -160,8 +165,8 @@ void warn_of_holes(Facts const& all, std::vector<Warning>& warnings);
 void warn_of_bending(Facts const& facts, std::vector<Warning>& warnings);
 /// explain_paths.cpp: paths whose turns no step sees.
 void warn_of_paths(Facts const& facts, std::vector<Warning>& warnings);
-/// explain_meeting.cpp: pairs whose sides cannot meet, cannot give way or touch over few cells; obstacles of
-/// no pair.
+/// explain_meeting.cpp: pairs whose sides cannot meet, cannot give way or touch over few cells or steps;
+/// obstacles of no pair.
 void warn_of_meeting(Facts const& facts, std::vector<Warning>& warnings);
 /// The same: do motions have hold of every point, before a rigid counterpart?
 [[nodiscard]] bool nothing_gives_way(Facts const& facts, PairFacts const& pair);
