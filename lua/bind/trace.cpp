@@ -86,6 +86,16 @@ std::string unit_hint(std::string const& message) {
   return fmt::format("; as a unit it wants a line before: local {0} = stiction.units.{0}", word);
 }
 
+/// The message of the error at 1; of a value without words, what it is and what to give instead.
+std::string words_of(lua_State* lua) {
+  bool const has_words = lua_type(lua, 1) == LUA_TSTRING || lua_isnumber(lua, 1) != 0 ||
+                         luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL;
+  if (!has_words)
+    return fmt::format("{}: error(...) with a {} instead of words; error(\"what is wrong\") says it",
+                       user_place(lua), luaL_typename(lua, 1));
+  return luaL_tolstring(lua, 1, nullptr);
+}
+
 } // namespace
 
 void note_line(lua_State* lua, lua_Debug* event) {
@@ -131,7 +141,7 @@ int on_error(lua_State* lua) {
     lua_settop(lua, 1);
     return 1;
   }
-  std::string message = luaL_tolstring(lua, 1, nullptr);
+  std::string message = words_of(lua);
   message += unit_hint(message);
   std::string trace = trace_of(lua, message);
   if (trace.empty() &&

@@ -113,7 +113,25 @@ function loader.environment(trust, source)
   return names
 end
 
+--- The files that wait for each other, "a.lua -> b.lua -> a.lua".
+local function circle(underway, path)
+  local names, inside = {}, false
+  for _, waiting in ipairs(underway) do
+    inside = inside or waiting == path
+    names[#names + 1] = inside and waiting:match("[^/]+$") or nil
+  end
+  names[#names + 1] = path:match("[^/]+$")
+  return table.concat(names, " -> ")
+end
+
 local function run_file(source, path, name)
+  local underway = source.underway
+  for _, waiting in ipairs(underway) do
+    if waiting == path then
+      fault.script("%s is required while it is being read itself (%s): move what both need into a module of its own", name,
+        circle(underway, path))
+    end
+  end
   local text, reason = engine.read_file(path)
   if not text then
     fault.input("%s", reason)
@@ -123,6 +141,8 @@ local function run_file(source, path, name)
   if not script then
     fault.input("%s", complaint)
   end
+  underway[#underway + 1] = path
+  local _ <close> = setmetatable({}, { __close = function() underway[#underway] = nil end }) -- by an error, too
   local value = script()
   return value
 end
@@ -205,6 +225,7 @@ end
 function loader.load(path, trust, reader)
   local source = loader.find(path)
   source.files, source.hashes, source.trust = reader and reader.files or {}, reader and reader.hashes or {}, trust
+  source.underway = reader and reader.underway or {} -- files that are being read, the outermost first
   source.environment = loader.environment(trust, source)
   source.environment.require = make_require(source)
   return run_file(source, source.file, source.name), source

@@ -97,6 +97,16 @@ echo 'local a = 5*mm' >scripts/unit.lua
 expect 2 "unit.lua:1: |local mm = stiction.units.mm" "$stiction" run scripts/unit.lua
 echo 'require "other"' >scripts/require.lua
 expect 2 "require.lua:1: there is no module 'other'" "$stiction" run scripts/require.lua
+printf 'return require "right"\n' >scripts/left.lua
+printf 'return require "left"\n' >scripts/right.lua
+echo 'require "left"' >scripts/around.lua
+expect 2 "right.lua:1: left.lua is required while it is being read itself (left.lua -> right.lua -> left.lua)" \
+  "$stiction" run scripts/around.lua
+printf 'require "./one.lua"\n' >one.lua
+expect 2 "one.lua:1: |(one.lua -> one.lua)" "$stiction" run one.lua
+printf 'error("no")\n' >scripts/left.lua
+printf 'print(pcall(require, "left"), (select(2, pcall(require, "left"))))\nerror {}\n' >scripts/around.lua
+expect 2 "false|left.lua:1: no|around.lua:2: error(...) with a table instead of words" "$stiction" run scripts/around.lua
 changed unit 's/unit = "N\/m"/unit = 1/'
 expect 2 "force_y: the unit is a number; a text is wanted, as \"1\" or \"kPa\"" "$stiction" run unit
 changed names 's/^  sweep = .*/&\n  case_id = function(p) return p.mu end,/'
