@@ -29,9 +29,14 @@ public:
     Vector const& force;
     Vector const& reaction;
   };
+  /// Lets the next problem be eliminated anew.
+  void forget() { of_.reset(); }
+  /// Are the rows and stiffnesses all but those that W was last made of? They may be off by `slight` of what
+  /// is largest among them.
+  [[nodiscard]] bool like_last(linear::BulkFactor const& bulk, double weight, double slight) const;
   /// As the problem that `lead` last eliminated, whose W holds, from present forces whose rows H differ a
   /// little: changes of forces act by the lead's. False, and nothing done, where that was of another matrix
-  /// or of other nodes. `lead` must stay as it is until the forces are added.
+  /// or of other nodes. `lead`, which may be this one, must stay as it is until the forces are added.
   [[nodiscard]] bool eliminate_as(Condensation const& lead, linear::BulkFactor const& bulk,
                                   Present const& now, double weight, Vector& free);
   /// The rows of H for a bulk that contact is solved together with, and free = H y; there is neither K_geo
@@ -53,18 +58,22 @@ private:
     double weight = 0;
     std::vector<Entry> H;
   };
-  Index rows_ = 0;
+  struct Gathered {
+    Index rows = 0;
+    std::vector<Entry> H, change, K;
+  };
   bool symmetric_ = true, held_ = false; ///< the bulk last eliminated
-  std::vector<Entry> H_, change_, K_;
-  Origin made_of_;                     ///< the last W
-  std::shared_ptr<void const> of_;     ///< the matrix of the problem last eliminated
-  Condensation const* lead_ = nullptr; ///< whose problem that was; null: its own
+  Gathered now_;                         ///< since the last clear
+  Gathered made_;                        ///< of the problem last eliminated, but for one like a lead's
+  Origin made_of_;                       ///< the last W
+  std::shared_ptr<void const> of_;       ///< the matrix of the problem last eliminated
+  Condensation const* lead_ = nullptr;   ///< whose problem that was like; null: like none
   void find_used(Index surface);
   [[nodiscard]] bool one_to_one() const;
-  [[nodiscard]] bool alike() const { return symmetric_ && change_.empty(); } ///< rows and columns of W
+  [[nodiscard]] bool alike() const { return symmetric_ && made_.change.empty(); } ///< rows and columns of W
   /// weight (H + change) V on the support, [rows, support]
   [[nodiscard]] auto sides() const {
-    return (alike() ? right_ : left_).topLeftCorner(support_, rows_).transpose();
+    return (alike() ? right_ : left_).topLeftCorner(support_, made_.rows).transpose();
   }
   template<class Act> void each_row_entry(Act const& act) const;
   void set_mobility(linear::BulkFactor& bulk, Dense& W);

@@ -13,6 +13,8 @@ namespace stiction::dynamics {
 namespace {
 /// Grip, of the bonds' stiffness: of free bodies, for a finite compliance; of unstable ones, more and more.
 constexpr double lightest = 1e-4, loosest = 0.05, tighter = 10, tightest = 0.5;
+/// Change of rows and stiffnesses, over the largest, that slows Newton's method less than kept factors do.
+constexpr double slight = 1e-2;
 } // namespace
 
 template<int D, int C>
@@ -29,6 +31,7 @@ template<int D, int C> void ProblemAssembly<D, C>::begin(State const& old, doubl
   turned_ = false;
   unstable_ = Unstable::unmet;
   grip_ = 0;
+  condensation_.forget(); // what a step does must follow from its start alone
 }
 
 template<int D, int C> bool ProblemAssembly<D, C>::insist() {
@@ -70,6 +73,8 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   gather(points, weight);
   if (together != nullptr)
     couple(*together, y, weight, problem);
+  else if (pose_again(points, bulk, {y, weight}, problem))
+    return fill(points, problem);
   else
     condensation_.eliminate(bulk, y, weight, problem.W.entries(), problem.free);
   // there might be no answer; with inertia a shorter step has one
@@ -86,10 +91,17 @@ Vector ProblemAssembly<D, C>::pose(Points const& points, linear::BulkFactor& bul
   return fill(points, problem);
 }
 
+/// Where the last problem's W is as good as this one's, whose forces and gaps are told exactly all the same.
 template<int D, int C>
-std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, Points const& points,
-                                                     linear::BulkFactor& bulk, Unloaded const& now,
-                                                     contact::Problem& problem) {
+bool ProblemAssembly<D, C>::pose_again(Points const& points, linear::BulkFactor& bulk, Unloaded const& now,
+                                       contact::Problem& problem) {
+  return condensation_.like_last(bulk, now.weight, slight) && eliminate_as(*this, points, bulk, now, problem);
+}
+
+template<int D, int C>
+bool ProblemAssembly<D, C>::eliminate_as(ProblemAssembly const& lead, Points const& points,
+                                         linear::BulkFactor& bulk, Unloaded const& now,
+                                         contact::Problem& problem) {
   Vector const force = forces_of(points);
   reaction_.setZero(now.y.size());
   for (Index const k : points.active()) {
@@ -100,8 +112,15 @@ std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead
       if (unknowns[j] >= 0)
         reaction_[unknowns[j]] += H.col(static_cast<Eigen::Index>(j)).template head<C>().dot(point.force);
   }
-  if (!condensation_.eliminate_as(lead.condensation_, bulk, {now.y, force, reaction_}, now.weight,
-                                  problem.free))
+  return condensation_.eliminate_as(lead.condensation_, bulk, {now.y, force, reaction_}, now.weight,
+                                    problem.free);
+}
+
+template<int D, int C>
+std::optional<Vector> ProblemAssembly<D, C>::pose_as(ProblemAssembly const& lead, Points const& points,
+                                                     linear::BulkFactor& bulk, Unloaded const& now,
+                                                     contact::Problem& problem) {
+  if (!eliminate_as(lead, points, bulk, now, problem))
     return {};
   turning_ = lead.turning_;
   return fill(points, problem);

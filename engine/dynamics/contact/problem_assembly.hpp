@@ -47,6 +47,10 @@ public:
 
 private:
   [[nodiscard]] Vector fill(Points const& points, contact::Problem& problem) const;
+  [[nodiscard]] bool pose_again(Points const& points, linear::BulkFactor& bulk, Unloaded const& now,
+                                contact::Problem& problem);
+  [[nodiscard]] bool eliminate_as(ProblemAssembly const& lead, Points const& points, linear::BulkFactor& bulk,
+                                  Unloaded const& now, contact::Problem& problem);
   [[nodiscard]] static Vector forces_of(Points const& points);
   void gather(Points const& points, double weight);
   void couple(linear::CoupledBulk& bulk, Vector const& y, double weight, contact::Problem& problem);
@@ -67,7 +71,7 @@ private:
   enum class Unstable : std::uint8_t { unmet, met, insisted, given_in };
   Unstable unstable_ = Unstable::unmet;
   Indices unknowns_; ///< surface unknowns of one point
-  Vector reaction_;  ///< of one that follows: H^T p of present forces, N
+  Vector reaction_;  ///< H^T p of present forces, N
   Condensation condensation_;
 };
 

@@ -114,6 +114,44 @@ TEST_SUITE("dynamics") {
       }
   }
 
+  TEST_CASE(
+      "a problem whose rows have hardly changed keeps its operator, with present forces by present rows") {
+    Bulk bulk;
+    bulk.take(3);
+    double const weight = 0.7, little = 1e-3;
+    Dense const H = rows_of(false), turned = H * (1 + little);
+    Dense K = Dense::Zero(surface, surface);
+    K(2, 3) = K(3, 2) = K(5, 5) = 0.2;
+    Dense W;
+    Vector free;
+    Vector const y = Vector::LinSpaced(surface, -1, 3), now = Vector::LinSpaced(4, 2, -1);
+    Condensation condensation;
+    pose(condensation, H, K);
+    condensation.eliminate(*bulk.factor, y, weight, W, free);
+    Dense const before = W;
+    pose(condensation, turned, K * (1 - little));
+    CHECK_FALSE(condensation.like_last(*bulk.factor, weight, 0.5 * little));
+    CHECK_FALSE(condensation.like_last(*bulk.factor, 2 * weight, 2 * little));
+    REQUIRE(condensation.like_last(*bulk.factor, weight, 2 * little));
+    REQUIRE(condensation.eliminate_as(condensation, *bulk.factor, {y, now, turned.transpose() * now}, weight,
+                                      free));
+    CHECK(W == before);
+    Dense const A = (Dense::Identity(surface, surface) - weight * bulk.V * K).inverse();
+    Vector const extra = weight * (turned - H).transpose() * now, moved = y + bulk.V * extra;
+    CHECK((free - H * A * moved).norm() <= 1e-12 * free.norm());
+    Vector c = Vector::Zero(surface);
+    condensation.add_forces(now, weight, c);
+    Vector const du = A * (moved + weight * bulk.V * H.transpose() * now);
+    CHECK((c - weight * (K * du + turned.transpose() * now)).norm() <= 1e-12 * c.norm());
+    Dense another = turned;
+    another(0, 9) = little; // a further node
+    pose(condensation, another, K);
+    CHECK_FALSE(condensation.like_last(*bulk.factor, weight, 2 * little));
+    pose(condensation, turned, K);
+    condensation.forget();
+    CHECK_FALSE(condensation.like_last(*bulk.factor, weight, 2 * little));
+  }
+
   TEST_CASE("a problem beside another one is not that one's where matrix, weight or nodes are others") {
     Bulk bulk;
     bulk.take(3);
