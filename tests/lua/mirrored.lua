@@ -47,3 +47,40 @@ test("friction takes from points that open in a step nothing that rounding decid
     assert(math.abs(first[i] - second[i]) < 1e-7 * first[#first], ("%d: %g, %g"):format(i, first[i], second[i]))
   end
 end)
+
+--- A hairpin whose shorter leg is pressed on the longer one and drawn along it; upwards, or mirrored in y. The inside of it
+--- touches itself, all around its tip where `round`.
+local function hairpin(up, round)
+  local function to(x, y, name) return stiction.edge { to = { x*mm, up * y*mm }, name = name } end
+  local function arc(x, y, name) return stiction.edge { to = { x*mm, up * y*mm }, centre = { 0*mm, 0*mm }, name = name } end
+  local tip = round and "inside" or nil
+  local mesh = stiction.mesh.gmsh { size = 0.5*mm, start = { 10*mm, up * -3*mm }, edges = { to(10, -2.5), to(10, -1.5),
+    to(0, -1.5, "inside"), arc(-1.5, 0, "inside"), arc(0, 1.5, "inside"), to(6, 1.5, "inside"), to(6, 2.5, tip), to(6, 3, "end"),
+    to(0, 3), arc(-3, 0), arc(0, -3), to(10, -3, "base") } }
+  local times = { 0*s, 1*s, 2*s }
+  return stiction.scene {
+    bodies = { pin = stiction.body { mesh = mesh, material = stiction.material.neo_hookean { young = 1*MPa, poisson = 0.4 },
+      density = 1000*kg/m^3 } },
+    pairs = { own = stiction.pair { secondary = "pin.inside", primary = "pin.inside", friction = stiction.friction.coulomb { mu = 0.4 } } },
+    motions = { stiction.motion.fix { set = "pin.base" }, stiction.motion.drive { set = "pin.end", times = times,
+      x = { 0*mm, 0*mm, 1*mm }, y = { 0*mm, up * -3.2*mm, up * -3.2*mm } } },
+    scheme = stiction.scheme.quasi_static {},
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 30 }, stiction.stage { to = 2*s, steps = 30 } } },
+    probes = { pull = stiction.probe.force { set = "pin.end" }, energy = stiction.probe.energy {} },
+  }
+end
+
+test("the end of a leg that touches the other one is borne whichever way up the two are", function()
+  local forces, losses = {}, {}
+  for _, round in ipairs { false, true } do
+    for _, up in ipairs { 1, -1 } do
+      local case = run(hairpin(up, round))
+      forces[#forces + 1], losses[#losses + 1] = case:last("pull", "force_x"), case:last("energy", "friction_loss")
+    end
+  end
+  assert(losses[1] > 1e-3, losses[1])
+  for k = 2, 4 do
+    assert(math.abs(forces[k] / forces[1] - 1) < 1e-6, ("%d: %g, %g"):format(k, forces[k], forces[1]))
+    assert(math.abs(losses[k] / losses[1] - 1) < 1e-6, ("%d: %g, %g"):format(k, losses[k], losses[1]))
+  end
+end)

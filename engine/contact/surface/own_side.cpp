@@ -13,6 +13,8 @@ namespace {
 constexpr double opposed = -0.2;
 /// Facets along the surface within which a node has no counterpart.
 constexpr int neighbourhood = 3;
+/// Cosine between the normals of facets beside each other below which they make a corner.
+constexpr double sharp = 0.5;
 /// Direction of the order: powers of the plastic number's inverse, far from axes and diagonals.
 std::array<double, 3> const order_direction{1, 0.7548776662466927, 0.5698402909980532};
 
@@ -34,6 +36,34 @@ Foot foot_at(Curve const&, int segment, int end) {
 Foot foot_at(Surface const& surface, int facet, int corner) {
   Vec2 const at = node_coordinates(surface.facets()[ix(facet)].count, corner);
   return {facet, at.x(), at.y()};
+}
+
+Foot middle_of(Curve const&, int segment) {
+  return {segment, 0.5};
+}
+Foot middle_of(Surface const& surface, int facet) {
+  double const middle = surface.facets()[ix(facet)].count == 3 ? 1.0 / 3 : 0;
+  return {facet, middle, middle};
+}
+/// Does the surface end at a node with these feet?
+bool ends_at(Curve const&, std::span<Foot const> feet) {
+  return feet.size() < 2;
+}
+/// Each facet there has two edges that end at the node, of which it shares both with others within the
+/// surface.
+bool ends_at(Surface const& surface, std::span<Foot const> feet) {
+  std::vector<Index> beside;
+  for (Foot const& foot : feet) {
+    auto const& facet = surface.facets()[ix(foot.segment)];
+    std::size_t corner = 0;
+    while (corner + 1 < ix(facet.count) &&
+           (node_coordinates(facet.count, static_cast<int>(corner)) - Vec2(foot.xi, foot.eta)).squaredNorm() >
+               0)
+      ++corner;
+    beside.push_back(facet.nodes[(corner + 1) % ix(facet.count)]);
+    beside.push_back(facet.nodes[(corner + ix(facet.count) - 1) % ix(facet.count)]);
+  }
+  return std::ranges::any_of(beside, [&](Index node) { return std::ranges::count(beside, node) < 2; });
 }
 
 Vec2 normal_at(Curve const& curve, Foot foot, std::span<double const> x) {
@@ -72,6 +102,16 @@ double interpolate(Surface const& surface, Foot foot, std::vector<double> const&
   for (std::size_t k = 0; k < ix(facet.count); ++k)
     sum += N[k] * of_nodes[ix(facet.nodes[k])];
   return sum;
+}
+
+Index nearest_node(Curve const& curve, Foot foot) {
+  return node_at(curve, foot.segment, foot.xi < 0.5 ? 0 : 1);
+}
+Index nearest_node(Surface const& surface, Foot foot) {
+  auto const& facet = surface.facets()[ix(foot.segment)];
+  auto const N = shape<double>(facet.count, foot.xi, foot.eta).N;
+  auto const most = std::max_element(N.begin(), N.begin() + facet.count);
+  return facet.nodes[static_cast<std::size_t>(most - N.begin())];
 }
 
 /// Larger than every facet in the reference, m; asked of surfaces alone.
@@ -120,10 +160,12 @@ bool neighbours(Surface const& surface, std::span<Foot const> own, Foot foot, do
 } // namespace
 
 template<int D>
-OwnSide<D>::OwnSide(Primary const& primary, std::span<double const> reference, double radius)
+OwnSide<D>::OwnSide(Primary const& primary, std::span<double const> reference, double radius,
+                    std::vector<bool> const& guided)
     : primary_(&primary), longest_(longest_facet(primary)) {
   gather_feet(reference.size() / D);
   order_nodes(reference);
+  last_ = outstanding(reference, guided);
   look_through(reference, radius);
 }
 
@@ -144,6 +186,45 @@ template<int D> void OwnSide<D>::gather_feet(std::size_t nodes) {
   feet_.resize(starts_.back());
   auto next = starts_;
   each_end([&](std::size_t node, Foot foot) { feet_[next[node]++] = foot; });
+}
+
+/// Does a node stand out, as where the surface ends or has a convex corner or edge? Other nodes would pass
+/// beside it.
+template<int D> bool OwnSide<D>::stands_out(Index node, std::span<double const> reference) const {
+  auto const own = feet_of(node);
+  if (ends_at(*primary_, own))
+    return true;
+  for (Foot const& a : own)
+    for (Foot const& b : own) {
+      Vec<D> const normal = normal_at(*primary_, middle_of(*primary_, a.segment), reference);
+      Vec<D> const way = primary_->position(middle_of(*primary_, b.segment), reference) -
+                         primary_->position(middle_of(*primary_, a.segment), reference);
+      if (normal.dot(normal_at(*primary_, middle_of(*primary_, b.segment), reference)) < sharp &&
+          way.dot(normal) < 0)
+        return true;
+    }
+  return false;
+}
+
+/// Those that stand out and what is near them along the surface.
+template<int D>
+std::vector<bool> OwnSide<D>::outstanding(std::span<double const> reference,
+                                          std::vector<bool> const& guided) const {
+  std::vector<bool> out(reference.size() / D, false);
+  for (std::size_t node = 0; node < out.size(); ++node)
+    out[node] = !feet_of(static_cast<Index>(node)).empty() && !(node < guided.size() && guided[node]) &&
+                stands_out(static_cast<Index>(node), reference);
+  for (int n = 0; n < neighbourhood; ++n) {
+    auto const before = out;
+    for (int f = 0; f < primary_->size(); ++f) {
+      bool beside = false;
+      for (int end = 0; end < ends_of(*primary_, f); ++end)
+        beside = beside || before[ix(node_at(*primary_, f, end))];
+      for (int end = 0; beside && end < ends_of(*primary_, f); ++end)
+        out[ix(node_at(*primary_, f, end))] = true;
+    }
+  }
+  return out;
 }
 
 template<int D> void OwnSide<D>::order_nodes(std::span<double const> reference) {
@@ -209,7 +290,8 @@ template<int D> bool OwnSide<D>::faces(Index node, Foot foot, std::span<double c
 }
 
 template<int D> bool OwnSide<D>::comes_after(Index node, Foot foot) const {
-  return order_[ix(node)] > interpolate(*primary_, foot, order_) - tie_;
+  bool const there = last_[ix(nearest_node(*primary_, foot))];
+  return last_[ix(node)] != there ? !there : order_[ix(node)] > interpolate(*primary_, foot, order_) - tie_;
 }
 
 template<int D>

@@ -31,8 +31,9 @@ Search<D>::Search(Primary const& primary, double reach)
     : primary_(&primary), size_(mean_size(primary)),
       radius_(std::max(4 * size_, reach + largest_size(primary))) {}
 
-template<int D> void Search<D>::allow_self(std::span<double const> reference) {
-  own_.emplace(*primary_, reference, radius_);
+template<int D>
+void Search<D>::allow_self(std::span<double const> reference, std::vector<bool> const& guided) {
+  own_.emplace(*primary_, reference, radius_, guided);
 }
 
 template<int D> void Search<D>::update(std::span<double const> x) {

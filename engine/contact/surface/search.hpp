@@ -17,8 +17,9 @@ public:
   Search(Primary const& primary, double reach);
 
   /// The primary may touch itself: its nodes look for it elsewhere only, and one of two that meet. reference:
-  /// positions [D nodes] in which it does not cross itself.
-  void allow_self(std::span<double const> reference);
+  /// positions [D nodes] in which it does not cross itself. guided: nodes that motions hold or drive; or
+  /// empty.
+  void allow_self(std::span<double const> reference, std::vector<bool> const& guided = {});
 
   /// Takes the boxes of all facets at x; call at the start of a step.
   void update(std::span<double const> x);

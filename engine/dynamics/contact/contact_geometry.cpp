@@ -31,8 +31,13 @@ template<int D> void ContactGeometry<D>::add_search(Pair const& pair) {
   if (primary == nullptr)
     return;
   search.emplace(*primary, contact::most_depth * pair.reach);
-  if (pair.self)
-    search->allow_self({model_->reference.data(), ix(model_->dofs())});
+  if (!pair.self)
+    return;
+  std::vector<bool> guided(ix(model_->node_count()), false);
+  for (auto const& motion : model_->motions)
+    for (Index const node : motion.nodes)
+      guided[ix(node)] = true;
+  search->allow_self({model_->reference.data(), ix(model_->dofs())}, guided);
 }
 
 template<int D> void ContactGeometry<D>::add_means(Pair const& pair) {

@@ -87,7 +87,7 @@ std::string Stepper::come_off(State const& old, double imbalance) const {
 /// is a body's, node to segment.
 Outcome Stepper::with_remedy(Outcome outcome) const {
   bool const by_nodes = std::ranges::any_of(model_->pairs, [](Pair const& pair) {
-    return !std::holds_alternative<RigidSide>(pair.primary) && !pair.mortar;
+    return !std::holds_alternative<RigidSide>(pair.primary) && !pair.mortar && !pair.self;
   });
   if (by_nodes && !outcome.converged())
     outcome.reason += ": points turn the surface under them farther than the bodies bear, as corners do; the "
