@@ -42,10 +42,15 @@ local function check_keys(t)
   end
 end
 
+--- Is it a number, plain or of a quantity, that is none?
+local function is_undefined(x)
+  return type(x) == "number" and x ~= x or units.is_quantity(x) and x.si ~= x.si
+end
+
 --- A parameter is a number, a quantity, a text or a flag.
 function study.is_value(x)
   local kind = type(x)
-  return kind == "number" and x == x or kind == "string" or kind == "boolean" or units.is_quantity(x)
+  return not is_undefined(x) and (kind == "number" or kind == "string" or kind == "boolean" or units.is_quantity(x))
 end
 
 --- {name = {value =, note =}} of `given` (a note is welcome) or `chosen` (it must be there).
@@ -58,7 +63,8 @@ local function read_parameters(t, section, need_note)
       value, note = entry[1], entry[2]
     end
     if not study.is_value(value) then
-      fault.script("study.%s.%s must be a number, a quantity, a text or a flag", section, tostring(name))
+      fault.script("study.%s.%s must be a number, a quantity, a text or a flag%s", section, tostring(name),
+        is_undefined(value) and "; it is not a number" or "")
     elseif need_note and (type(note) ~= "string" or note == "") then
       fault.script("study.chosen.%s needs its reason: %s = {%s, \"why\"}", name, name, tostring(value))
     end
@@ -150,7 +156,7 @@ local function check_values(name, values)
   for i = 1, #values do
     if not study.is_value(values[i]) then
       fault.script("study.sweep.%s: value %d is %s; it must be a number, a quantity, a text or a flag",
-        tostring(name), i, type(values[i]) == "number" and "not a number" or "a " .. type(values[i]))
+        tostring(name), i, is_undefined(values[i]) and "not a number" or "a " .. type(values[i]))
     elseif not are_alike(values[1], values[i]) then
       fault.script("study.sweep.%s: value %d, %s, is not of the first's dimension, %s", tostring(name), i, tostring(values[i]),
         tostring(values[1]))
@@ -212,11 +218,14 @@ local study_mark = { __index = methods }
 --- Names of parameters with respect to which results are to have derivatives.
 local function read_derivatives(t, known)
   local list = {}
+  local seen = {}
   for i, name in ipairs(t or {}) do
     if not known(name) then
       fault.script("study.derivatives: the study has no parameter '%s'; give a list of names", tostring(name))
+    elseif seen[name] then
+      fault.script("study.derivatives: '%s' stands there twice", name)
     end
-    list[i] = name
+    list[i], seen[name] = name, true
   end
   return list
 end

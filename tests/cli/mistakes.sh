@@ -113,6 +113,10 @@ changed names 's/^  sweep = .*/&\n  case_id = function(p) return p.mu end,/'
 expect 2 "study.case_id gave a number; the case's name, a text, is wanted" "$stiction" run names
 changed long 's/^  sweep = .*/&\n  case_id = function(p) return ("x"):rep(240) end,/'
 expect 2 "a name of 240 characters, more than the 200" "$stiction" run long
+changed moving 's/normal = { 0, 1 } }/&, y = { 0*mm, 1*mm }/'
+expect 2 "floor.y: has 2 values for 0 times; give one value per time" "$stiction" explain moving
+changed nothing 's/^  sweep = .*/sweep = { mu = { (0 \/ 0) * (1*units.mm), 1*units.mm } },/'
+expect 2 "value 1 is not a number" "$stiction" run nothing
 changed undefined 's/^  sweep = .*/  sweep = { mu = { 0 \/ 0, 0.2 } },/'
 expect 2 "value 1 is not a number; it must be a number" "$stiction" run undefined
 mkdir scripts/sub

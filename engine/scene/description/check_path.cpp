@@ -20,7 +20,7 @@ void check_path(core::Reader& reader, core::Numbers const& times, core::Numbers 
       (values.empty() && !is_empty(reader, key)))
     return; // what could not be read has its own complaint
   if (values.size() != times.size() || times.empty())
-    reader.complain_at(
+    return reader.complain_at(
         key, fmt::format("has {} values for {} times; give one value per time", values.size(), times.size()));
   for (std::size_t k = 1; k < times.size(); ++k)
     if (times[k] <= times[k - 1])
