@@ -140,3 +140,20 @@ test("steps that see a blow a few times only are told, and with steps as short a
     assert(math.abs(kept(10) - fine) > 0.05, kept(10) - fine)
   end
 end)
+
+test("points that motions hold where they are are not told to be pressed by those of other sets", function()
+  local above = stiction.scene { bodies = { a = block(0, 10) }, obstacles = { p = stiction.obstacle { shape = plane(0, 1) } },
+    pairs = { j = stiction.pair { secondary = "a.bottom", primary = "p" } },
+    motions = { stiction.motion.fix { set = "a.bottom" },
+      stiction.motion.drive { set = "a.top", times = down.times, x = down.x, y = down.y } },
+    scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 4 } } },
+    probes = {} }
+  equal(scenes.warning(above, "is rigid: the run will end there"), nil)
+end)
+
+test("sides that begin within each other are told, by how much, those that touch are not", function()
+  local held = { stiction.motion.fix { set = "a.top", y = false } }
+  local told = scenes.warning(beneath(plane(4.95, -1), held), "begins 50 um within")
+  assert(told and told.text:find("a.top begins 50 um within p", 1, true), told and told.text)
+  equal(scenes.warning(beneath(plane(5, -1), held), "within"), nil)
+end)

@@ -47,9 +47,43 @@ void looks_away(Facts const& all, PairFacts const& pair, std::vector<Warning>& w
        "sets that face each other; of a plane, its normal the other way round"});
 }
 
+/// Surfaces that begin within each other, deeper than chords of round ones lie: they jump apart.
+void begins_inside(PairFacts const& pair, std::vector<Warning>& warnings) {
+  constexpr double shallow = 1e-3, chords = 2; // of a cell; over the sagittas of both
+  double const cell = std::max(pair.size, pair.primary_size),
+               sagitta = pair.radius > 0 ? cell * cell / (8 * pair.radius) : 0;
+  if (pair.overlap <= std::max(shallow * pair.size, chords * sagitta))
+    return;
+  warnings.push_back(
+      {fmt::format(
+           "pair {}: {} begins {} within {}: it is pushed out at once in the first step, and no motion "
+           "does the work of that",
+           pair.pair->name, pair.part->secondary, human(pair.overlap, "m"), pair.part->primary),
+       fmt::format("sides that are {} further apart, and a motion that presses them",
+                   human(pair.overlap, "m"))});
+}
+
+/// Do motions only hold the points, and the counterpart stands? Then nothing presses them.
+bool stand_still(Facts const& all, PairFacts const& pair) {
+  auto const& model = *all.scene->model;
+  auto const& nodes = pair.pair->nodes();
+  std::vector<bool> own(ix(model.node_count()), false);
+  for (Index const node : nodes)
+    own[ix(node)] = true;
+  for (auto const& motion : model.motions)
+    if (motion.farthest() > 0 && std::ranges::any_of(motion.nodes, [&](Index n) { return own[ix(n)]; }))
+      return false;
+  auto const& part = all.scene->part.obstacles.at(model.rigids[pair.rigid].name);
+  auto const stays = [](core::Numbers const& values) {
+    return std::ranges::all_of(values, [](double value) { return value == 0; });
+  };
+  return !model.rigids[pair.rigid].free() && stays(part.x) && stays(part.y) && stays(part.z) &&
+         stays(part.angle);
+}
+
 /// Motions have hold of every point, and the counterpart is rigid: what they press has nothing to give way.
 void gives_no_way(Facts const& all, PairFacts const& pair, std::vector<Warning>& warnings) {
-  if (pair.motion.depth <= 0 || !nothing_gives_way(all, pair))
+  if (pair.motion.depth <= 0 || !nothing_gives_way(all, pair) || stand_still(all, pair))
     return;
   warnings.push_back(
       {fmt::format(
@@ -147,6 +181,7 @@ void warn_of_meeting(Facts const& all, std::vector<Warning>& warnings) {
   obstacles_alone(all, warnings);
   for (auto const& pair : all.pairs) {
     looks_away(all, pair, warnings);
+    begins_inside(pair, warnings);
     gives_no_way(all, pair, warnings);
     few_cells(all, pair, warnings);
     blow(all, pair, warnings);

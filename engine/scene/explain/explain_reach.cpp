@@ -29,7 +29,7 @@ bool plain(Facts const& all, PairFacts const& pair) {
   auto const& model = *all.scene->model;
   auto const& body = *all.bodies.front().body;
   auto const& law = pair.pair->law;
-  bool const free_of_loads = model.gravity.isZero() && model.loads.empty() && model.springs.empty() &&
+  bool const free_of_loads = model.gravity.isZero(0) && model.loads.empty() && model.springs.empty() &&
                              model.pressures.empty() && model.gases.empty() &&
                              model.surface_stresses.empty() && model.links.empty();
   return all.scene->part.kinematics == solid::Kinematics::axisymmetric && !all.dynamic() &&

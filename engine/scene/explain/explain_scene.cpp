@@ -211,7 +211,9 @@ void add_pair(Facts const& all, PairFacts const& facts, Explanation& explanation
   add(section, "friction", pair.law.friction ? chosen("friction", *pair.law.friction) : "none");
   add(section, "adhesion", pair.law.adhesion ? chosen("adhesion", *pair.law.adhesion) : "none");
   if (facts.gap >= 0)
-    section.lines.push_back({"gap at the start", human(facts.gap, "m"), facts.gap, "m", ""});
+    section.lines.push_back({"gap at the start",
+                             (facts.overlap > 0 ? "-" : "") + human(std::max(facts.gap, facts.overlap), "m"),
+                             facts.gap - facts.overlap, "m", ""});
   section.lines.push_back({"reach", human(pair.reach, "m"), pair.reach, "m", ""});
   explanation.sections.push_back(std::move(section));
 }
@@ -238,7 +240,7 @@ void add_run(Facts const& facts, Explanation& explanation) {
       "plane strain, forces per metre of depth",
       "axisymmetric: x is the radius, y the axis; forces of the full turn", "three-dimensional"};
   add(section, "kinematics", kinematics[static_cast<std::size_t>(part.kinematics)]);
-  if (!facts.scene->model->gravity.isZero())
+  if (!facts.scene->model->gravity.isZero(0))
     add(section, "gravity", words_of(part.gravity, "m/s^2"));
   add(section, "scheme", chosen("scheme", part.scheme));
   if (facts.scene->model->held_by_bonds)

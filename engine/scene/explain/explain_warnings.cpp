@@ -220,7 +220,7 @@ void symmetry(Facts const& all, std::size_t b, Warnings& warnings) {
 /// Nothing that inertia alone can move or hold: no flight, no weight, no snap.
 bool plain_inertia(Facts const& all) {
   auto const& model = *all.scene->model;
-  bool plain = all.dynamic() && model.gravity.isZero() && all.speed > 0 && model.loads.empty() &&
+  bool plain = all.dynamic() && model.gravity.isZero(0) && all.speed > 0 && model.loads.empty() &&
                model.pressures.empty() && model.gases.empty() && model.surface_stresses.empty();
   for (auto const& rigid : model.rigids)
     plain = plain && !rigid.free();

@@ -59,6 +59,7 @@ struct PairFacts {
   double bending = 0;                 ///< of what bends 1 / sum (1 - nu^2) / (E thickness^3), N m
   double size = 0, primary_size = 0;  ///< of facets where the surfaces are nearest, and mean, m; 0: rigid
   double gap = -1;                    ///< smallest at the start, m; < 0: beyond the search
+  double overlap = 0;                 ///< at the start, m
   double bond = 0;                    ///< most whole bond at the start, 1
   double radius = 0;                  ///< 1 / sum of curvatures, m; 0: flat or not known
   Vec3 normal = Vec3::Zero();         ///< mean of the secondary, outward; 0: it closes around

@@ -260,8 +260,11 @@ Index find_nearest(dynamics::Model const& model, std::vector<dynamics::ContactSt
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return gap(a) < gap(b); });
   bool const found = std::isfinite(gap(order[0]));
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  if (found)
-    facts.gap = gap(order[0]) > rounding * model.reference.cwiseAbs().maxCoeff() ? gap(order[0]) : 0;
+  double const least = rounding * model.reference.cwiseAbs().maxCoeff();
+  if (found) {
+    facts.gap = gap(order[0]) > least ? gap(order[0]) : 0;
+    facts.overlap = gap(order[0]) < -least ? -gap(order[0]) : 0;
+  }
   std::vector<bool> near(ix(model.node_count()), !found);
   for (std::size_t k = 0; k < 1 + order.size() / 10; ++k)
     near[ix(nodes[order[k]])] = true;
