@@ -29,3 +29,16 @@ test("0.3 mm and 0.1 mm + 0.2 mm are one place", function()
     end
   end
 end)
+
+test("weight acts however small gravity is", function()
+  for _, g in ipairs { 9.81, 1e-13 } do
+    local m = u.m
+    local case = run(stiction.scene { gravity = { 0*m/s^2, -g*m/s^2 },
+      bodies = { b = stiction.body { mesh = stiction.mesh.block { size = { 1*m, 1*m }, cells = { 2, 2 } },
+        material = stiction.material.linear_elastic { young = 1*u.MPa, poisson = 0 }, density = 1e3 / g * (1*u.kg/m^3) } },
+      motions = { stiction.motion.fix { set = "b.top" } }, scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
+      probes = { f = stiction.probe.force { set = "b.top" } } })
+    assert(math.abs(case:last("f", "force_y") / 1000 - 1) < 1e-9, case:last("f", "force_y"))
+  end
+end)

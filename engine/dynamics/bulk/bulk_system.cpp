@@ -88,8 +88,8 @@ BulkSystem::BulkSystem(Model const& model, StepWeights const& weights, Matrix ma
     skin_.emplace(model, on_surface_);
   }
   mass_.dead_load.setZero(model.dofs());
-  bool const loaded = !model.gravity.isZero() || std::any_of(model.rigids.begin(), model.rigids.end(),
-                                                             [](auto const& rigid) { return rigid.free(); });
+  bool const loaded = !model.gravity.isZero(0) || std::any_of(model.rigids.begin(), model.rigids.end(),
+                                                              [](auto const& rigid) { return rigid.free(); });
   if (weights.inertia || loaded)
     mass_ = weights.explicit_forces ? assemble_mass(model, everywhere(model), ContactInertia::implicit)
                                     : assemble_mass(model, on_surface_, weights.contact_inertia);
