@@ -106,6 +106,28 @@ local function sobol_axis(dimension, count, shift)
   return points
 end
 
+--- A whole number that this one and the key decide, as if drawn at random (the last steps of splitmix64).
+local function mixed(z, key)
+  z = (z ~ key) * 0xbf58476d1ce4e5b9
+  z = (z ~ (z >> 30)) * 0x94d049bb133111eb
+  z = (z ~ (z >> 27)) * 0xbf58476d1ce4e5b9
+  return z ~ (z >> 31)
+end
+
+local nested_bits = 20 -- that are each turned by those before them; the others are drawn
+
+--- A coordinate whose every bit is turned or not as those above it decide (Owen 1995): points stay as even as they were along each
+--- axis, and what two axes have in common is no longer the same at each seed.
+local function scrambled(x, key)
+  local whole, kept = math.floor(x * 2.0 ^ bits), 0
+  for i = 1, nested_bits do
+    local place = bits - i
+    kept = kept | ((((whole >> place) ~ mixed((whole >> (place + 1)) + i, key)) & 1) << place)
+  end
+  local rest = bits - nested_bits
+  return (kept + (mixed(whole >> rest, ~key) & ((1 << rest) - 1)) + 0.5) * 2.0 ^ -bits
+end
+
 local kinds = { log = true, whole = true }
 
 --- The value at x in [0, 1) of an axis { low, high, "log" | "whole" | nil }.
@@ -226,6 +248,23 @@ function sample.sobol(t)
     coordinates[name] = sobol_axis(k, total_of(t.count), whole() >> (64 - bits))
   end
   return cases_of(t, names, coordinates, "sobol")
+end
+
+--- Points of Sobol's sequence in 0 to 1, {x1, ..., x_axes} each, scrambled by the seed; a larger count keeps them.
+function sample.scrambled_points(axes, count, seed)
+  if axes > most_axes then
+    fault.script("study.sample: %d axes of points, at most %d", axes, most_axes)
+  end
+  local list = {}
+  for k = 1, axes do
+    local _, whole = generator(seed * 1000003 + k)
+    local key = whole()
+    for i, x in ipairs(sobol_axis(k, count, 0)) do
+      list[i] = list[i] or {}
+      list[i][k] = scrambled(x, key)
+    end
+  end
+  return list
 end
 
 --- What a list of cases was drawn with: {kind =, seed =, count =}, and their names; nil of any other list.

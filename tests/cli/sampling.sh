@@ -120,9 +120,9 @@ expect 1 "8 of 32 cases failed" "$stiction" sample edge --no-figures
 holds "they are in sample.json" grep -q '"reason": "bad input: .*too slippery' out/edge/sample/sample.json
 # of saltelli's design each coordinate occurs in several points: where failures lie is told by those that are independent
 sed 's/if p.mu < 0.065 .* end$/if p.descent < 0.015*mm then error("too little") end/
-  s/count = 32/count = 8, design = "saltelli", seed = 50/; s/of = { mu/of = { descent = { uniform = { 0.01*mm, 0.03*mm } }, mu/' \
+  s/count = 32/count = 8, design = "saltelli"/; s/of = { mu/of = { descent = { uniform = { 0.01*mm, 0.03*mm } }, mu/' \
   edge/study.lua >edge/pairs.lua
-expect 1 "10 of 40 cases failed|they lie at small descent" "$stiction" sample edge/pairs.lua --no-figures
+expect 1 "10 of 40 cases failed|they lie at small descent|(chance 0.01)" "$stiction" sample edge/pairs.lua --no-figures
 holds "and along no other: $(grep lie output)" [ "$(grep -c 'they lie at' output)" = 1 ]
 
 refused() { # SED-EXPRESSION "PART|PART"

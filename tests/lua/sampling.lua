@@ -262,3 +262,43 @@ test("what does not vary, or by rounding alone, has no shares", function()
   local small = chaos.of(points, numeric.map(points, function(u) return 1 + 1e-9 * u[1] end), { "uniform", "uniform" })
   assert(small.first[1] > 0.999, small.first[1])
 end)
+
+test("pairs of few points tell what their indices are off by", function()
+  local exact, count = { { 0.3139, 0.4424, 0 }, { 0.5576, 0.4424, 0.2437 } }, 12
+  local squares = { { 0, 0, 0 }, { 0, 0, 0 } }
+  for seed = 1, count do
+    local points, rows = spec.coordinates { design = "saltelli", axes = { 1, 2, 3 }, count = 64, seed = seed }, {}
+    local values = numeric.map(points, function(u)
+      local x = numeric.map(u, function(part) return (2 * part - 1) * math.pi end)
+      return math.sin(x[1]) + 7 * math.sin(x[2]) ^ 2 + 0.1 * x[3] ^ 4 * math.sin(x[1]) -- Ishigami's
+    end)
+    for i = 1, #values, 5 do
+      rows[#rows + 1] = { values[i], values[i + 1], { values[i + 2], values[i + 3], values[i + 4] } }
+    end
+    local found = indices.of(rows, 3)
+    for k = 1, 3 do
+      squares[1][k] = squares[1][k] + ((found.first[k] - exact[1][k]) / found.first_error[k]) ^ 2
+      squares[2][k] = squares[2][k] + ((found.total[k] - exact[2][k]) / found.total_error[k]) ^ 2
+    end
+  end
+  for i = 1, 2 do
+    for k = 1, 3 do
+      local over = math.sqrt(squares[i][k] / count)
+      assert(over < 1.6, ("%d, %d: %g times what is told"):format(i, k, over))
+    end
+  end
+end)
+
+test("scrambled points stay as even along each axis, and more of them keep the first", function()
+  local few, many = sample.scrambled_points(4, 32, 7), sample.scrambled_points(4, 64, 7)
+  for k = 1, 4 do
+    local taken = {}
+    for i, point in ipairs(many) do
+      taken[math.floor(64 * point[k])] = true
+      assert(i > 32 or point[k] == few[i][k])
+    end
+    for stratum = 0, 63 do
+      assert(taken[stratum], ("axis %d, stratum %d"):format(k, stratum))
+    end
+  end
+end)

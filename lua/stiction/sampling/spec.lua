@@ -128,9 +128,18 @@ local function check(t, asked)
   end
 end
 
---- Points in 0 to 1, lists by axis; of saltelli's design twice as many axes.
+local function within(x)
+  return math.min(math.max(x, tail), 1 - tail)
+end
+
+--- Points in 0 to 1, lists by axis; of saltelli's design twice as many axes, scrambled, as few points of Sobol's sequence itself lie
+--- along few lines of two axes, which no resampling of them can tell.
 local function drawn(own)
-  local axes, of, list = own.design == "saltelli" and 2 * #own.axes or #own.axes, {}, {}
+  if own.design == "saltelli" then
+    local points = sample.scrambled_points(2 * #own.axes, own.count, own.seed)
+    return numeric.map(points, function(point) return numeric.map(point, within) end)
+  end
+  local axes, of, list = #own.axes, {}, {}
   for k = 1, axes do
     of[("x%02d"):format(k)] = { 0, 1 }
   end
@@ -138,7 +147,7 @@ local function drawn(own)
   for i, case in ipairs(draw { count = own.count, seed = own.seed, of = of }) do
     list[i] = {}
     for k = 1, axes do
-      list[i][k] = math.min(math.max(case[("x%02d"):format(k)], tail), 1 - tail)
+      list[i][k] = within(case[("x%02d"):format(k)])
     end
   end
   return list
@@ -211,7 +220,11 @@ function spec.read(study, options)
     probe[own_axis.name] = own_axis.like
   end
   local standing = sweep.values_at(study, options, probe, "study.sample")
+  local told = sweep.settings_of(study, options)
   for _, name in ipairs(ordered.keys(t.of or {})) do
+    if told[name] ~= nil then
+      fault.input("--set %s: '%s' is what study.sample draws, and has no single value", name, name)
+    end
     own.axes[#own.axes + 1] = axis(name, t.of[name], standing[name])
   end
   local cases = own.design == "saltelli" and own.count * (#own.axes + 2) or own.count
