@@ -248,6 +248,18 @@ local function form(study, options)
   return plan, values
 end
 
+--- What --set says, by name.
+function sweep.settings_of(study, options)
+  local plan, values = form(study, options)
+  local told = {}
+  apply_settings(plan, values, options.set or {})
+  for _, setting in ipairs(options.set or {}) do
+    local name = setting:match("^%s*([%w_]+)")
+    told[name] = standing(plan, values, name)
+  end
+  return told
+end
+
 --- The swept values that study.trade.set must have brought down to one each, now standing with the others.
 local function settle(plan, values, words)
   for _, name in ipairs(axis_names(plan)) do

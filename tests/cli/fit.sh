@@ -175,6 +175,14 @@ table flat "yes 1,1,1,1,1,1,1,1,1,1 | head -10" 'N^2\/m^2' "" "is not positive d
 refused key 's/finer = {/finest = {/' "unknown key 'finest'; did you mean 'finer'?"
 refused loss 's/finer = {/loss = "hubert", finer = {/' "did you mean 'huber'?"
 refused setting 's/finer = { cells/finer = { cels/' "study.fit.finer: the study has no parameter 'cels'; did you mean 'cells'?"
+refused same 's/finer = { cells = 8/finer = { cells = 4/' "study.fit.finer: cells = 4 is what the cases have already"
+refused coarser 's/finer = { cells = 8/finer = { cells = 2/' "study.fit.finer: cells = 2 is coarser than the cases' 4"
+refused larger 's/finer = { cells = 8/finer = { descent = 0.03*mm/' "study.fit.finer: descent = 0.03 mm is coarser than the cases' 0.02 mm"
+refused fitted 's/finer = { cells = 8/finer = { young = 2*MPa/' "study.fit.finer: 'young' is fitted"
+refused held 's/against = { x = "time"/case = { young = 1*MPa }, &/' "study.fit.data.drag: case.young = 1 MPa stands beside the fit's own"
+refused further 's/further = { { descent/further = { { descend/' \
+  "study.fit.further: the study has no parameter 'descend'; did you mean 'descent'?"
+expect 2 "begin at 30 MPa" "$stiction" fit soft --no-figures --set 'young=30 MPa' --out begun
 refused nobody 's/mu = { 0.02, 0.5, start = 0.15 }/nu = { 0.02, 0.5 }, mu = { 0.02, 0.5, start = 0.15 }/' \
   "the study has no parameter 'nu'; did you mean 'mu'?"
 refused column 's/y_sign = -1/y_sine = -1/' "unknown key 'y_sine'; did you mean 'y_sign'?"

@@ -41,6 +41,7 @@ in_file 'mu,young' '0.15,1.1' "values.csv: row 1, column 'young': 'young' must b
 in_file 'nu,young [MPa]' '0.15,1.1' "values.csv: row 1, column 'nu': the study has no parameter 'nu'; did you mean 'mu'?"
 in_file 'mu,young [MPa]' '0.15,soft' "row 2, column 'young': 'soft' is no number"
 in_file 'mu,young [MPa]' '# 0.15,1.1' "with as many rows; values.csv has 1"
+expect 2 "--set mu: 'mu' is what study.sample draws" "$stiction" sample soft --no-figures --set mu=0.3 --out set
 in_list() { # POINT "PART|PART": a second point that is refused so
   sed "s/{ mu = 0.2, young = 2\*MPa }/$1/" soft/list.lua >soft/other.lua
   expect 2 "$2" "$stiction" sample soft/other.lua --no-figures

@@ -15,15 +15,37 @@ local finer = {}
 local farthest = 10 -- places that a step may go in a coordinate
 local floor = 1e-6 -- of a result: what solvers leave
 
+--- Fewer of what is counted, or larger of what has a length or lasts.
+local function is_coarser(value, own)
+  local a, b = units.si(value), units.si(own)
+  if type(a) ~= "number" or type(b) ~= "number" then
+    return false
+  elseif units.is_quantity(value) then
+    return (units.same_dimension(value, units.units.m) or units.same_dimension(value, units.units.s)) and a > b
+  end
+  return math.type(own) == "integer" and a < b
+end
+
 --- Settings a level finer that the study names, all at once: {settings =, factor =, words =}.
 local function of_study(fit, p)
   local settings, factor, words = {}, 1, {}
+  local fitted = {}
+  for _, own in ipairs(fit.parameters) do
+    fitted[own.key] = true
+  end
   for _, name in ipairs(ordered.keys(fit.finer)) do
     local value, own = fit.finer[name], p[name]
     if own == nil then
       fault.input("study.fit.finer: the study has no parameter '%s'%s", name, fault.meant(name, ordered.keys(p)))
     end
     local a, b = units.si(value), units.si(own)
+    if fitted[name] then
+      fault.input("study.fit.finer: '%s' is fitted; finer names settings of the simulation, as steps or the size of cells", name)
+    elseif a == b then
+      fault.input("study.fit.finer: %s = %s is what the cases have already; a level finer differs from it", name, tostring(value))
+    elseif is_coarser(value, own) then
+      fault.input("study.fit.finer: %s = %s is coarser than the cases' %s", name, tostring(value), tostring(own))
+    end
     local ratio = type(a) == "number" and type(b) == "number" and a > 0 and b > 0 and math.max(a / b, b / a)
     factor = math.max(factor, ratio and ratio > 1 and claim.factor(ratio) or 1)
     settings[name], words[#words + 1] = value, ("%s = %s"):format(name, tostring(value))

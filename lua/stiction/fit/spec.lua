@@ -1,4 +1,5 @@
 -- What a study declares as its fit: parameters with bounds, curves, settings; checked before anything runs.
+local copy = require "stiction.copy"
 local curve_module = require "stiction.fit.curve"
 local declared = require "stiction.declared"
 local engine = require "stiction.engine"
@@ -105,21 +106,40 @@ function spec.has(study, name)
   return standing_of(own_values(study), study, name) ~= nil
 end
 
-local function all_parameters(fit, study, curves)
-  local values, list = own_values(study), {}
+--- Bad input where a curve's cases are given a value of what is fitted.
+local function check_cases_of(curves, fit)
+  for _, curve in ipairs(curves) do
+    for _, name in ipairs(ordered.keys(curve.case)) do
+      if fit.parameters[name] or curve.own[name] then
+        fault.script("%s: case.%s = %s stands beside the fit's own '%s'; leave it in one of them, or give start = ... there", curve.what,
+          name, tostring(curve.case[name]), name)
+      end
+    end
+  end
+end
+
+--- options: of the command, whose --set says where to begin.
+local function all_parameters(fit, study, curves, options)
+  local values, list, told = own_values(study), {}, sweep.settings_of(study, options)
+  local function read(what, name, key, entry)
+    if told[key] ~= nil and type(entry) == "table" then
+      entry = copy(entry)
+      entry.start = told[key]
+    end
+    list[#list + 1] = read_parameter(what, name, entry, standing_of(values, study, key))
+    list[#list].key = key
+    return list[#list]
+  end
+  check_cases_of(curves, fit)
   for _, name in ipairs(ordered.keys(fit.parameters)) do
-    list[#list + 1] = read_parameter("study.fit.parameters." .. name, name, fit.parameters[name], standing_of(values, study, name))
-    list[#list].key = name
+    read("study.fit.parameters." .. name, name, name, fit.parameters[name])
   end
   for _, curve in ipairs(curves) do
     for _, name in ipairs(ordered.keys(curve.own)) do
       if fit.parameters[name] then
         fault.script("%s: own.%s is shared by all curves already (study.fit.parameters)", curve.what, name)
       end
-      local own = read_parameter(("%s.own.%s"):format(curve.what, name), curve.name .. "." .. name, curve.own[name],
-        standing_of(values, study, name))
-      own.curve, own.key = curve.name, name
-      list[#list + 1] = own
+      read(("%s.own.%s"):format(curve.what, name), curve.name .. "." .. name, name, curve.own[name]).curve = curve.name
     end
   end
   return list
@@ -225,6 +245,19 @@ local function count_points(fit)
   return count
 end
 
+--- Bad input where a further measurement is of a parameter that there is none of.
+local function check_further(further, study)
+  for _, key in ipairs(ordered.keys(further)) do
+    local entry = further[key]
+    local names = type(key) == "string" and { key } or type(entry) == "table" and not units.is_quantity(entry) and ordered.keys(entry) or {}
+    for _, name in ipairs(names) do
+      if type(name) == "string" and not spec.has(study, name) then
+        fault.script("study.fit.further: the study has no parameter '%s'%s", name, fault.meant(name, ordered.keys(own_values(study))))
+      end
+    end
+  end
+end
+
 --- Whether the errors of measured values are known: those that are not told are then estimated from the values themselves.
 local function is_known(curves)
   for _, curve in ipairs(curves) do
@@ -248,7 +281,8 @@ function spec.read(study, options)
   for i, name in ipairs(ordered.keys(t.data)) do
     fit.curves[i] = curve_module.read(tostring(name), t.data[name], study.source.folder, note)
   end
-  fit.parameters = all_parameters(t, study, fit.curves)
+  fit.parameters = all_parameters(t, study, fit.curves, options)
+  check_further(t.further or {}, study)
   fit.most = t.most or most_per_parameter * #fit.parameters
   check_settings(fit)
   fit.count, fit.known = count_points(fit), is_known(fit.curves)
