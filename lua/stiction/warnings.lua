@@ -6,7 +6,21 @@ local warnings = {}
 
 local most_ids = 6 -- of the cases alike, by name
 
---- Warnings of one wording whatever their numbers, in the order of their first: {text =, change =, ids =}.
+--- Notes that this case asks for this.
+local function add_change(group, words, id)
+  for _, change in ipairs(group.changes) do
+    if change.words == words then
+      change.ids[#change.ids + 1] = id
+      return
+    end
+  end
+  group.changes[#group.changes + 1] = words and { words = words, ids = { id } } or nil
+end
+
+local most_changes = 4 -- told of a group
+
+--- Warnings of one wording whatever their numbers, in the order of their first: {text =, changes = (what each of them asks for, once:
+--- {words =, ids =}), ids =}.
 function warnings.groups(told)
   local groups, by_words = {}, {}
   for _, entry in ipairs(told) do
@@ -14,9 +28,10 @@ function warnings.groups(told)
       local words = warning.text:gsub("%d[%d.e+-]*", "#")
       local group = by_words[words]
       if not group then
-        group = { text = warning.text, change = warning.change, ids = {} }
+        group = { text = warning.text, changes = {}, ids = {} }
         groups[#groups + 1], by_words[words] = group, group
       end
+      add_change(group, warning.change, entry.id)
       if group.ids[#group.ids] ~= entry.id then
         group.ids[#group.ids + 1] = entry.id
       end
@@ -39,7 +54,13 @@ end
 function warnings.show(told)
   for _, group in ipairs(warnings.groups(told)) do
     report.line("warning: %s (%s%s)", group.text, #group.ids > 1 and "or alike, in " or "", warnings.cases_of(group.ids, #told))
-    report.line("  -> %s", group.change)
+    for i = 1, math.min(#group.changes, most_changes) do
+      local change = group.changes[i]
+      report.line("  -> %s%s", change.words, #group.changes > 1 and (" (%s)"):format(warnings.cases_of(change.ids, #told)) or "")
+    end
+    if #group.changes > most_changes then
+      report.line("  and %d more, which 'stiction explain STUDY --case ID' tells", #group.changes - most_changes)
+    end
   end
 end
 

@@ -206,3 +206,16 @@ test("checks fail on what is no number, and refuse other dimensions and statemen
   fails("two resolutions are equal", recorder.proof, { case = "c", quantity = "q", kind = "exact", reference = 2, order = 1,
     tolerance = 1, values = { { 1, 3 }, { 1, 2 } } })
 end)
+
+test("cases that are warned alike tell each what it asks for", function()
+  local function told(id, number) return { id = id, warnings = { { text = "it opens by " .. number .. " u0",
+    change = number * 200 .. " steps" } } } end
+  local groups = warnings.groups { told("a", 2), told("b", 15), told("c", 2) }
+  equal(#groups, 1)
+  equal(table.concat(groups[1].ids, " "), "a b c")
+  local told_changes = {}
+  for i, change in ipairs(groups[1].changes) do
+    told_changes[i] = change.words .. " for " .. table.concat(change.ids, " ")
+  end
+  equal(table.concat(told_changes, ", "), "400 steps for a c, 3000 steps for b")
+end)
