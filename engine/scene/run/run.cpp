@@ -2,6 +2,7 @@
 #include "scene/run/run.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 
 #include "core/threads.hpp"
@@ -62,6 +63,28 @@ void tell_of_meshes(MeshControl const& control, Story& story, RunResult& result,
   std::ranges::copy(control.doubts(), std::back_inserter(result.remarks));
 }
 
+/// The scene with these sizes of cells; where the mesher makes one of them that is no good, with others near
+/// them.
+Scene meshed(core::Input const& input, CellSizes const& sizes, linear::Ranks const* ranks,
+             core::Input& asked) {
+  std::string reason;
+  for (double const factor : {1.0, 1.07, 0.93, 1.15, 0.86}) {
+    auto near = sizes;
+    for (auto& [name, numbers] : near)
+      for (std::size_t i = 2; i < numbers.size(); i += 3)
+        numbers[i] *= factor;
+    asked = with_sizes(input, near);
+    try {
+      return build(asked, ranks);
+    } catch (core::InputError const& error) {
+      if (sizes.empty())
+        throw;
+      reason = error.what();
+    }
+  }
+  throw core::RunError(fmt::format("no sound mesh was made of the sizes that remesh asks for: {}", reason));
+}
+
 } // namespace
 
 void validate(core::Input const& scene) {
@@ -80,8 +103,8 @@ RunResult run(core::Input const& input, RunOptions const& options) {
     story = Story::anew();
   }
   for (;;) {
-    auto const asked = with_sizes(input, story.sizes);
-    auto scene = build(asked, options.ranks);
+    core::Input asked;
+    auto scene = meshed(input, story.sizes, options.ranks, asked);
     ready_for(options.beside, scene);
     if (scene.formula)
       return run_formula(asked, scene, options, story);
