@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkStringOutputWindow.h>
 
@@ -39,6 +40,7 @@ bool is_film(postproc::FigureSpec const& figure) {
 void draw_to_files(postproc::FigureSpec const& figure, fs::path const& file) {
   vtkNew<vtkStringOutputWindow> log;
   vtkOutputWindow::SetInstance(log);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   std::error_code ignored;
   for (char const* kind : {".png", ".svg", ".pdf", ".ogv"}) // no picture of an earlier run survives a failure
     fs::remove(fs::path(file).replace_extension(kind), ignored);

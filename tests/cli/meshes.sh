@@ -188,5 +188,7 @@ sed 's/bar\.vtu/poly.vtu/g' bar.lua >poly.lua
 expect 2 "poly.vtu: not an unstructured grid of VTK" "$stiction" run poly.lua --no-figures --case filepoly.vtu
 head -c 700 bar.vtu >cut.vtu
 sed 's/bar\.vtu/cut.vtu/g' bar.lua >cut.lua
-expect 2 "cut.vtu: " "$stiction" run cut.lua --no-figures --case filecut.vtu
+expect 2 "cut.vtu: the file is damaged; VTK says: " "$stiction" run cut.lua --no-figures --case filecut.vtu
+holds "in one line of words: $(cat output)" [ "$(wc -l <output)" = 1 ]
+holds "without addresses: $(cat output)" [ "$(grep -c '(0x' output)" = 0 ]
 finish

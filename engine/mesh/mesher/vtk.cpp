@@ -3,6 +3,7 @@
 #include <set>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringOutputWindow.h>
@@ -21,9 +22,18 @@ constexpr std::size_t most_sets = 100; ///< of one array: more are numbers of ce
 
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
+/// Of "ERROR: In FILE, line N" and then "CLASS (ADDRESS): words" the words.
+std::string words_in(std::string const& error) {
+  constexpr std::string_view before = "): ";
+  auto const start = error.find(before);
+  auto const from = start == std::string::npos ? 0 : start + before.size();
+  return error.substr(from, error.find('\n', from) - from);
+}
+
 Grid read_grid(std::string const& path) {
   vtkNew<vtkStringOutputWindow> log; // what VTK complains about does not go to the screen
   vtkOutputWindow::SetInstance(log);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   Grid grid;
   if (path.ends_with(".vtu")) {
     vtkNew<vtkXMLUnstructuredGridReader> reader;
@@ -46,7 +56,7 @@ Grid read_grid(std::string const& path) {
   }
   std::string const said = log->GetOutput();
   if (auto const error = said.find("ERR"); error != std::string::npos)
-    throw core::InputError("the file is damaged; VTK says: " + said.substr(error, 300));
+    throw core::InputError("the file is damaged; VTK says: " + words_in(said.substr(error)));
   if (grid->GetNumberOfCells() == 0)
     throw core::InputError("the file has no cells");
   return grid;
