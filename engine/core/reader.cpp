@@ -239,6 +239,13 @@ bool Reader::parse_choice(Parameter const& parameter, Input const& given, Value&
   return false;
 }
 
+namespace {
+bool is_number(Parameter const& parameter) {
+  using Kind = Parameter::Kind;
+  return parameter.kind == Kind::number || parameter.kind == Kind::integer || parameter.kind == Kind::numbers;
+}
+} // namespace
+
 void Reader::fill(void* target, Schema const& schema) {
   for (auto const& parameter : schema.parameters) {
     auto const& given = at(parameter.name, Need::optional);
@@ -246,8 +253,9 @@ void Reader::fill(void* target, Schema const& schema) {
       continue;
     if (!has(parameter.name)) {
       if (parameter.need == Need::required)
-        complain_at(parameter.name, fmt::format("is missing; {}: {}, {}", schema.name, parameter.meaning,
-                                                parameter.range.words(parameter.unit)));
+        complain_at(parameter.name,
+                    fmt::format("is missing; {}: {}{}", schema.name, parameter.meaning,
+                                is_number(parameter) ? ", " + parameter.range.words(parameter.unit) : ""));
       continue;
     }
     if (Value value; parse(parameter, given, value))
