@@ -57,6 +57,20 @@ function verification.lost(outcome)
   return list
 end
 
+--- How many of the cases can be computed again: those that finished and whose source is kept.
+function verification.count(outcome, place)
+  local count, known = 0, {}
+  for _, case in ipairs((verification.choose(outcome))) do
+    local files = provenance.files_of(case.ended)
+    local key = files and engine.encode_json(files)
+    if key and known[key] == nil then
+      known[key] = provenance.lay_out(outcome.folder, files, place .. "/count" .. count) ~= nil
+    end
+    count = count + (key and known[key] and 1 or 0)
+  end
+  return count
+end
+
 local function list_or_none(x)
   return type(x) == "table" and x or {}
 end

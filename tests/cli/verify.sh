@@ -63,6 +63,7 @@ spoil source 'source/*/block.lua' 's/poisson = 0.3/poisson = 0.31/'
 expect 1 "mu0: not recomputed: ../parts/block.lua is no longer what was read|0 of 3 cases" "$stiction" verify source
 rm source/source/*/block.lua
 expect 1 "block.lua is not kept" "$stiction" verify source
+expect 0 "source.tgz: 3 cases|none can be computed again" "$stiction" pack source --to source.tgz
 spoil result mu0.4/manifest.json 's/"force_y":23.9/"force_y":23.8/'
 expect 1 "mu0.4: force_y was 23.8|is now 23.9|5 of 6 results equal to the last bit, 1 differs too much" "$stiction" verify result
 rm -rf history
@@ -83,7 +84,7 @@ expect 1 "lost.tgz: 3 cases|mu0.2: its files are gone|mu0.4: lost/mu0.4/manifest
 
 spoil files mu0/manifest.json '1s/"path":"study.lua"/"path":["study.lua"]/'
 expect 1 "mu0: not recomputed: it does not say how it was run|2 of 3 cases" "$stiction" verify files
-expect 0 "files.tgz: 3 cases" "$stiction" pack files --to files.tgz
+expect 0 "files.tgz: 3 cases|'stiction verify files.tgz' computes 2 of them again" "$stiction" pack files --to files.tgz
 
 # another build may differ by what is stated
 sed -i '1s/"program":"/"program":"0/; 1s/"force_y":23.\([0-9]*\)[0-9]\{6\}/"force_y":23.\1000000/' before/mu0*/manifest.json

@@ -24,8 +24,10 @@ local function write(place, outcome, file, license)
   local files = archive.files(outcome.folder)
   local name = engine.absolute(outcome.folder):match("[^/]+$")
   archive.pack(file, outcome.folder, files, name, crate.describe(outcome, files, about(outcome, license)), place)
-  report.line("%s: %d case%s, %d files, %.3g MB; 'stiction verify %s' computes them again", file, #outcome.cases,
-    #outcome.cases == 1 and "" or "s", #files, engine.file_size(file) / 1e6, file)
+  local again, all = verification.count(outcome, place), #outcome.cases
+  report.line("%s: %d case%s, %d files, %.3g MB; %s", file, all, all == 1 and "" or "s", #files, engine.file_size(file) / 1e6,
+    again == 0 and "none can be computed again, as no source of a finished case is kept"
+      or ("'stiction verify %s' computes %s again"):format(file, again == all and "them" or ("%d of them"):format(again)))
   local lost = verification.lost(outcome)
   for _, entry in ipairs(lost) do
     report.line("%s: %s", entry.case, entry.reason)

@@ -152,7 +152,7 @@ TEST_SUITE("contact") {
       visits.push_back(count / sheet.flat.free_node());
     }
     CHECK(visits[0] > 0);
-    CHECK(visits[0] < 200);
-    CHECK(visits[2] <= visits[0] + 20);
+    CHECK(visits[2] < 200);
+    CHECK(visits[2] <= visits[1] + 20); // of the least one many nodes are near its border, and look at less
   }
 }
