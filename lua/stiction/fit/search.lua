@@ -88,10 +88,10 @@ local function from_step(self, J, m)
   return column
 end
 
---- Columns of differences of residuals over coordinates at a point; how many could not be had.
+--- Columns of differences of residuals over coordinates at a point; how many could not be had, and why the last one of these.
 local function differences(self, z, at)
   local p, old = #z, self.J
-  local steps, J, lost = {}, {}, 0
+  local steps, J, lost, reason = {}, {}, 0, nil
   for k = 1, p do
     local h = self.problem.step(k, z)
     steps[k] = self.problem.parameters[k].from and z[k] + h > 1 and -h or h
@@ -108,6 +108,7 @@ local function differences(self, z, at)
     for i, k in ipairs(ks) do
       local h, answer = sign * steps[k], answers[i]
       local column = answer.r and {}
+      reason = answer.failed or reason
       for n = 1, answer.r and #at.r or 0 do
         column[n] = (answer.r[n] - at.r[n]) / h
       end
@@ -137,12 +138,12 @@ local function differences(self, z, at)
   if m then
     J[m] = from_step(self, J, m)
   end
-  return J, lost
+  return J, lost, reason
 end
 
 --- Derivatives made anew where the search stands.
 local function refresh(self)
-  self.J, self.lost = differences(self, self.z, self.at)
+  self.J, self.lost, self.reason = differences(self, self.z, self.at)
   self.fresh, self.refused, self.ways = true, 0, {}
 end
 
@@ -323,7 +324,7 @@ local function descend(self, z, at)
     refresh(self)
   end
   local free = free_ones(self)
-  return { z = self.z, at = self.at, J = self.J, free = free, lost = self.lost, ended = word or "most",
+  return { z = self.z, at = self.at, J = self.J, free = free, lost = self.lost, reason = self.reason, ended = word or "most",
     promised = gain_of(self, free) / math.max(unit_of(self), 1e-300) }
 end
 

@@ -211,7 +211,8 @@ function verdict.lines(fit, judged, own_error, found, intervals)
   end
   on_profiles(fit, judged, intervals, lines)
   if found.lost > 0 then
-    lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail"):format(found.lost)
+    lines[#lines + 1] = ("%d derivatives could not be had, as runs beside the best point fail%s"):format(found.lost,
+      found.reason and ": " .. found.reason or "")
   end
   if found.ended == "stuck" and (found.promised or 0) > stuck then
     lines[#lines + 1] = ("the search is STUCK: derivatives promise a gain of %.2g squared standard errors, no step along them gains. "
