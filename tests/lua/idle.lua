@@ -117,3 +117,14 @@ test("a set that holds nodes of the axis of a section is not to be moved off it"
   equal(warned(of(0, "axisymmetric"), "moved off it"), false)
   equal(warned(of(0.01, "plane_strain"), "moved off it"), false)
 end)
+
+test("paths that begin when the run has ended are told", function()
+  for _, late in ipairs { true, false } do
+    local times = late and { 1*s, 2*s } or { 0*s, 2*s }
+    local scene = scene_of({}, { motions = { stiction.motion.fix { set = "block.top", x = false },
+      stiction.motion.drive { set = "block.right", times = times, x = { 0*m, 0.1*m } } },
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {}, times = times, y = { 0*m, 0.1*m } } } })
+    equal(warned(scene, "motions[2] of block.right: its path begins at 1 s, the run ends at 1 s"), late)
+    equal(warned(scene, "obstacle floor: its path begins at 1 s"), late)
+  end
+end)

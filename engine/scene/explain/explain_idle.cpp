@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unordered_set>
 
+#include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
 
 namespace stiction::scene {
@@ -29,6 +30,28 @@ bool any_held(dynamics::Model const& model, Indices const& nodes) {
                     return among(master.first / dim);
                   });
          });
+}
+
+/// A path that the run ends before: all stays as at its start.
+void warn_of_late(std::string const& owner, core::Numbers const& times, double end,
+                  std::vector<Warning>& warnings) {
+  if (!times.empty() && times.front() >= end)
+    warnings.push_back({fmt::format("{}: its path begins at {}, the run ends at {}: it does not move", owner,
+                                    human(times.front(), "s"), human(end, "s")),
+                        "times within the run, or a stage to the end of the path"});
+}
+
+void warn_of_late_paths(Facts const& all, std::vector<Warning>& warnings) {
+  auto const& motions = all.scene->part.motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    auto const owner = fmt::format("motions[{}] of {}", i + 1, set_of(motions[i]));
+    if (auto const* drive = std::get_if<DrivePart>(&motions[i]))
+      warn_of_late(owner, drive->times, all.end, warnings);
+    else if (auto const* turn = std::get_if<TurnPart>(&motions[i]))
+      warn_of_late(owner, turn->times, all.end, warnings);
+  }
+  for (auto const& [name, part] : all.scene->part.obstacles)
+    warn_of_late("obstacle " + name, part.times, all.end, warnings);
 }
 
 } // namespace
@@ -62,6 +85,7 @@ void warn_of_idle(Facts const& all, std::vector<Warning>& warnings) {
     warn_of_idle_law(pair.name, pair.law, model.dim(), warnings);
   std::visit([&](auto const& scheme) { warn_of_parameters("scheme", scheme.schema(), &scheme, warnings); },
              model.scheme);
+  warn_of_late_paths(all, warnings);
   for (auto const& [name, probe] : all.scene->part.probes) {
     auto const* force = std::get_if<ForceProbe>(&probe);
     if (force != nullptr && !any_held(model, *all.scene->nodes_of(force->set)))
