@@ -178,6 +178,8 @@ void Condensation::move_without_forces(Condensation const& made, Vector const& y
 bool Condensation::like_last(linear::BulkFactor const& bulk, double weight, double slight) const {
   if (!of_ || of_ != bulk.identity() || weight_ != weight || held_ || now_.rows != made_.rows)
     return false;
+  if (now_.K.empty() && now_.change.empty() && now_.H == made_.H) // `eliminate` leaves W as well, to the bit
+    return false;
   auto const largest = [](std::vector<Entry> const& entries) {
     double most = 0;
     for (auto const& one : entries)

@@ -32,7 +32,7 @@ public:
   /// Lets the next problem be eliminated anew.
   void forget() { of_.reset(); }
   /// Are the rows and stiffnesses all but those that W was last made of? They may be off by `slight` of what
-  /// is largest among them.
+  /// is largest among them. False of rows without stiffness that are just those: `eliminate` leaves W then.
   [[nodiscard]] bool like_last(linear::BulkFactor const& bulk, double weight, double slight) const;
   /// As the problem that `lead` last eliminated, whose W holds, from present forces whose rows H differ a
   /// little: changes of forces act by the lead's. False, and nothing done, where that was of another matrix
