@@ -212,6 +212,7 @@ private:
   material::NetworkEnergy<double> relaxed_; ///< of the step that ends, J
   double strain_ = 0, force_scale_ = 0;
   double previous_imbalance_ = 0, contraction_ = 0; ///< progress with the present factor
+  double contraction_before_ = 0;                   ///< of the iteration before
   double previous_worst_ = 0;                       ///< imbalance or contact's residual, N
   int slow_ = 0;                                    ///< corrections in a row that hardly contracted
   bool mixes_ = false;                              ///< corrections by the matrix alone lead nowhere

@@ -17,10 +17,9 @@ core::Schema const& PressurePart::schema() {
           "pressure on a surface as it is deformed, against its outward normal. Newton's matrix has the "
           "symmetric part of what it does, which is all of it where the surface is closed or its edge is "
           "held, on a plane of symmetry or on the axis; elsewhere steps take some iterations more, and do "
-          "not converge, however "
-          "small, where it acts on the free end of a slender body by more than its bending bears (E I / L^2 "
-          "over "
-          "the end's size). Thin or hardly compressible bodies want small steps, as under any load",
+          "not converge, however small, where it acts on the free end of a slender body by several times "
+          "what bending bears (E I / L^2 over the end's size). Thin or hardly compressible bodies want small "
+          "steps, as under any load",
           "physics.md 4"}
           .text("set", &PressurePart::set, Need::required, "the surface, \"body.set\"")
           .numbers("times", &PressurePart::times, "s", Need::required, "times of the path, ascending")
