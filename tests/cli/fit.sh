@@ -131,6 +131,11 @@ sed 's/^1\.1,0.53/1.1,1.9/; s/^2.0,2.315/2.0,1.2/' soft/drag.csv >soft/wrong.csv
 expect 1 "MODEL REJECTED by the data|whether others end lower is not known" "$stiction" fit soft/wrong.lua --no-figures --no-profiles --out wrong
 holds "so says its file" grep -q '"rejected": true' wrong/fit.json
 
+# what cannot be moved a little says why
+sed 's/mu = { 0.02, 0.5, start = 0.15 }/steps = { 5, 20 }, &/' soft/study.lua >soft/whole.lua
+expect 0 "NOT DETERMINED by these data: steps|1 derivatives could not be had|a whole number is wanted" \
+  "$stiction" fit soft/whole.lua --no-figures --no-profiles --out whole
+
 refused() { # NAME SED-EXPRESSION "PART|PART": a copy of the study, or of its data, that is refused with this message
   mkdir -p "$1"
   cp soft/study.lua soft/block.lua soft/*.csv "$1"
