@@ -67,13 +67,12 @@ template<int D> void Krylov<D>::undo(Vector const& few, Vector& result) {
   each_of(system_->points, [&](Index k) {
     some_.segment<D>(D * k) = scale * (system_->B[ix(k)] * scale * few.segment<D>(D * k));
   });
-  Vector solved(some_.size());
-  masked_solve(some_, solved);
+  masked_solve(some_, result);
   each_of(system_->points, [&](Index k) {
-    Local<D> const from = few.segment<D>(D * k);
+    Local<D> const from = few.segment<D>(D * k), solved = result.segment<D>(D * k);
     LocalMatrix<D> const range = system_->B[ix(k)] * scale;
     if (system_->yields[ix(k)])
-      result.segment<D>(D * k) = from - range * from + range * solved.segment<D>(D * k);
+      result.segment<D>(D * k) = from - range * from + range * solved;
     else
       result.segment<D>(D * k) = from;
   });
@@ -173,25 +172,29 @@ Correction Krylov<D>::by_residuals(Vector const& right, double total, double par
   double const root = std::sqrt(static_cast<double>(system_->size()));
   if (lifted_)
     prepare_lift();
-  Vector few(n), changed(n);
+  Vector few, changed(lifted_ ? n : 0);
   auto const apply_all = [&](Vector const& from, Vector& to) {
-    few = from.head(n);
-    apply(few, lifted_ ? from[n] : 0, changed);
     to.resize(from.size());
+    if (!lifted_) {
+      apply(from, 0, to);
+      return;
+    }
+    few = from.head(n);
+    apply(few, from[n], changed);
     to.head(n) = changed;
-    if (lifted_)
-      to[n] = (normal_sum(few) - held_lift_ * from[n]) / root;
+    to[n] = (normal_sum(few) - held_lift_ * from[n]) / root;
   };
   auto const undo_all = [&](Vector const& from, Vector& to) {
+    to.resize(from.size());
+    if (!lifted_) {
+      undo(from, to);
+      return;
+    }
     few = from.head(n);
     undo(few, changed);
-    to.resize(from.size());
-    if (lifted_) {
-      double const stiffness = lift_sum_ + held_lift_;
-      to[n] = stiffness != 0 ? (normal_sum(changed) - root * from[n]) / stiffness : 0;
-      changed -= to[n] * lift_force_;
-    }
-    to.head(n) = changed;
+    double const stiffness = lift_sum_ + held_lift_;
+    to[n] = stiffness != 0 ? (normal_sum(changed) - root * from[n]) / stiffness : 0;
+    to.head(n) = changed - to[n] * lift_force_;
   };
   Correction made{Vector::Zero(n), Vector::Zero(surface_->rows()), 0, 0};
   Vector residual(n + (lifted_ ? 1 : 0)), step, answer;

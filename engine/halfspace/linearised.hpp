@@ -17,7 +17,7 @@ using contact::LocalMatrix;
 template<int D> struct Linearised {
   Indices points;                              ///< that count, ascending
   std::vector<LocalMatrix<D>> B;               ///< [points], N/m
-  std::vector<LocalMatrix<D>> left;            ///< [points], (a + b W_own)^-1
+  std::vector<Local<D>> left;                  ///< [points], -(a + b W_own)^-1 F, N
   LocalMatrix<D> own = LocalMatrix<D>::Zero(); ///< diagonal block of W, m/N
   double softness = 0;                         ///< mean of 1 / stiffness of what yields with W, m/N
   std::vector<bool> yields;                    ///< [points] does W govern it, and not its own law?

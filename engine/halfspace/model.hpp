@@ -35,7 +35,7 @@ struct State {
   Vector gap;                       ///< [points], m
   Vector dry;                       ///< those forces without adhesion, [components points], N
   Vector beta;                      ///< [points]; empty without adhesion
-  Vector stretch;                   ///< [2 points], m; empty without adhesion
+  Vector stretch;                   ///< [2 points], m; empty without adhesion or what acts along the surface
   Vector path;                      ///< slip since the start, [components - 1, points], m
   std::vector<std::uint8_t> status; ///< [points]
   dynamics::Ledger ledger;
@@ -46,10 +46,12 @@ struct State {
     return static_cast<interface::Status>(status[ix(i)]);
   }
   [[nodiscard]] interface::Bond bond_of(Index i) const {
-    return beta.size() == 0 ? interface::Bond {
-    } : interface::Bond {
-      beta[i], stretch.segment<2>(2 * i)
-    };
+    interface::Bond bond;
+    if (beta.size() > 0)
+      bond.beta = beta[i];
+    if (stretch.size() > 0)
+      bond.stretch = stretch.segment<2>(2 * i);
+    return bond;
   }
 };
 

@@ -18,14 +18,14 @@ namespace {
 
 template<int D> class Newton {
 public:
-  Newton(Surface const& surface, contact::Problem const& problem, Wanted const& wanted)
+  Newton(Surface const& surface, Problem const& problem, Wanted const& wanted)
       : surface_(surface), problem_(problem), wanted_(wanted), n_(problem.size()),
-        natural_(contact::natural_scale(problem, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()),
-        own_(problem.W.template block<D>(0)) {
+        natural_(contact::natural_scale(problem.shared, 0)), rho_(D == 1 ? natural_ : 1 / surface.longest()),
+        own_(problem.shared.W.template block<D>(0)) {
     governed_ = surface.longest();
     least_hold_ = 1e-3 / governed_;
     unfelt_ = !wanted.force && !surface.mean_gives();
-    for (auto const& law : problem.adhesions) {
+    for (auto const& law : problem.shared.adhesions) {
       auto const scales = interface::scales(law);
       strength_ = std::max(strength_, scales.strength);
       double const wide = scales.strength > 0 ? 3 * scales.work / scales.strength : 0;
@@ -39,9 +39,10 @@ public:
     place();
     evaluate();
     Standing const before = standing();
-    torn_ = tells() && !wanted_.force && problem_.start.size() > 0 && before.bonds < bonds_at_start(problem_);
-    Station const start = here();
-    if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held() || over_a_rise(start))
+    torn_ = tells() && !wanted_.force && problem_.has_start() && before.bonds < bonds_at_start(problem_);
+    Vector start = answer_.x;
+    if (!solve_from_here() || gained<D>(before, standing()) || gained_beside_held() ||
+        over_a_rise({guess_, std::move(start), 0}))
       if (!solve_from_held())
         solve_by_small_moves();
     finish();
@@ -56,7 +57,7 @@ private:
 
   /// x = free + lift + W p.
   void place() {
-    answer_.x = problem_.free;
+    answer_.x = problem_.shared.free;
     for (Index i = 0; answer_.lift != 0 && i < n_; ++i)
       answer_.x[D * i] += answer_.lift;
     surface_.add_product(answer_.force, answer_.x);
@@ -68,29 +69,25 @@ private:
     double const hold = held(i);
     if (hold > 0)
       p += hold * (x - near_.segment<D>(D * i));
-    auto state = contact::evaluate<D>(problem_, i, p, x, rho_);
+    auto state = contact::evaluate<D>(problem_.shared, problem_.point(i), p, x, rho_);
     state.adhesion_by_x.diagonal().array() -= hold;
     return state;
   }
   /// Is it apart, without force or anything that could pull? Then nothing is missing there.
   [[nodiscard]] bool idle(Index i) const {
-    auto const& point = problem_.points[ix(i)];
-    return D == 1 && point.adhesion < 0 && answer_.force[i] == 0 && answer_.x[i] > point.shift[0];
+    return D == 1 && !problem_.adheres() && answer_.force[i] == 0 && answer_.x[i] > 0;
   }
   /// Stiffness that holds a point near where it was, if adhesion may make it snap from there, N/m.
   [[nodiscard]] double held(Index i) const {
-    auto const& point = problem_.points[ix(i)];
-    if (hold_ == 0 || point.adhesion < 0)
+    if (hold_ == 0 || !problem_.adheres())
       return 0;
-    bool const stays = interface::evolves(problem_.adhesions[ix(point.adhesion)]) && point.bond.old.beta > 0;
-    return stays || near_[D * i] < reach_ ? hold_ * point.area : 0;
+    bool const stays = interface::evolves(problem_.adhesion()) && problem_.beta(i) > 0;
+    return stays || near_[D * i] < reach_ ? hold_ * problem_.area : 0;
   }
   /// Stiffness that holds the counterpart near where it was, N/m.
   [[nodiscard]] double held_lift() const { return hold_ * lift_share_; }
 
-  [[nodiscard]] bool tells() const {
-    return !problem_.adhesions.empty() && !interface::evolves(problem_.adhesions.front());
-  }
+  [[nodiscard]] bool tells() const { return problem_.adheres() && !interface::evolves(problem_.adhesion()); }
   void back_to(Station const& at) {
     answer_.force = at.force;
     answer_.x = at.x;
@@ -135,7 +132,7 @@ private:
     Standing const after = standing();
     if (after.bonds >= bonds_at_start(problem_))
       return false;
-    Vector x = problem_.free;
+    Vector x = problem_.shared.free;
     surface_.add_product(guess_, x);
     if (after.potential <= least_held<D>(problem_, guess_, x))
       return false;
@@ -157,12 +154,11 @@ private:
         system_.points.push_back(i);
     LocalMatrix<D> const stiff = own_.inverse();
     system_.B.assign(system_.points.size(), stiff);
-    system_.left.assign(system_.points.size(), stiff);
     system_.yields.assign(system_.points.size(), true);
     Vector to_go(D * system_.size());
     for (Index k = 0; k < system_.size(); ++k) {
       Index const i = system_.points[ix(k)];
-      to_go.segment<D>(D * k) = stiff * (problem_.start.segment<D>(D * i) - problem_.free.segment<D>(D * i));
+      to_go.segment<D>(D * k) = stiff * (problem_.template start<D>(i) - problem_.template free<D>(i));
     }
     Correction const made = Krylov<D>(surface_, system_, false).solve(to_go, 0, 1e-8, most_inner);
     answer_.krylov += made.iterations;
@@ -172,9 +168,13 @@ private:
     evaluate();
     for (Index k = 0; k < system_.size(); ++k) {
       Index const i = system_.points[ix(k)];
-      to_go.segment<D>(D * k) = answer_.x.segment<D>(D * i) - problem_.start.segment<D>(D * i);
+      to_go.segment<D>(D * k) = answer_.x.segment<D>(D * i) - problem_.template start<D>(i);
     }
-    return to_go.cwiseAbs().maxCoeff() < 1e-3 * (problem_.start - problem_.free).cwiseAbs().maxCoeff();
+    double moved = 0; // since the start of the step, without forces
+    for (Index i = 0; i < n_; ++i)
+      moved = std::max(moved,
+                       (problem_.template start<D>(i) - problem_.template free<D>(i)).cwiseAbs().maxCoeff());
+    return to_go.cwiseAbs().maxCoeff() < 1e-3 * moved;
   }
   bool solve_from_held() {
     if (!torn_ || !hold_bonds_at_start())
@@ -184,9 +184,8 @@ private:
   }
   [[nodiscard]] double steepest() const {
     double most = 0;
-    for (auto const& point : problem_.points)
-      if (point.adhesion >= 0)
-        most = std::max(most, interface::steepest_fall(problem_.adhesions[ix(point.adhesion)], point.bond));
+    for (Index i = 0; problem_.adheres() && i < n_; ++i)
+      most = std::max(most, interface::steepest_fall(problem_.adhesion(), problem_.bond(i)));
     return most;
   }
 
@@ -199,8 +198,7 @@ private:
     Local<D> force = answer_.force.segment<D>(D * i);
     double const whole = force.norm();
     force[0] -= unfelt;
-    return unfelt == 0 ? whole
-                       : std::max(force.norm(), std::min(whole, strength_ * problem_.points[ix(i)].area));
+    return unfelt == 0 ? whole : std::max(force.norm(), std::min(whole, strength_ * problem_.area));
   }
 
   /// Residuals of all points, and how large they are.
@@ -214,9 +212,8 @@ private:
       for (Index i = first; i < last; ++i) {
         Local<D> const residual = idle(i) ? Local<D>(Local<D>::Zero()) : state(i).residual;
         F_.segment<D>(D * i) = residual;
-        double const area = problem_.points[ix(i)].area;
-        double const pressed =
-            std::max(0.0, problem_.points[ix(i)].shift[0] - problem_.free[D * i] - answer_.lift) * natural_;
+        double const area = problem_.area;
+        double const pressed = std::max(0.0, -problem_.shared.free[D * i] - answer_.lift) * natural_;
         verdict.residual = std::max(verdict.residual, residual.norm() * natural_ / rho_ / area);
         verdict.scale = std::max({verdict.scale, yardstick(i, unfelt) / area, pressed / area});
         sum += residual.squaredNorm();
@@ -276,7 +273,7 @@ private:
     bool const yields = stiffest * own_(0, 0) < 1 + 1e-9 + 10.0 * (D > 1) && soft < governed_ && B(0, 0) >= 0;
     system.points.push_back(i);
     system.B.push_back(B);
-    system.left.push_back(left);
+    system.left.push_back(-left * at.residual);
     system.yields.push_back(yields);
     system.definite = system.definite && B(0, 0) > 0 && B(0, 0) * own_(0, 0) <= 1 + 1e-9;
     if (yields && D == 1)
@@ -292,18 +289,17 @@ private:
     for (Index const point : system_.points)
       others.segment<D>(D * point).setZero();
     bool const any = others.cwiseAbs().maxCoeff() > 0;
-    Correction made{others, Vector::Zero(D * n_), 0, 0};
-    if (any)
-      surface_.add_product(others, made.motion);
     double total = missing();
     if (any && wanted_.force)
       for (Index i = 0; i < n_; ++i)
         total -= others[D * i];
+    Correction made{std::move(others), Vector::Zero(D * n_), 0, 0};
+    if (any)
+      surface_.add_product(made.force, made.motion);
     Vector right(D * system_.size());
     each_of(system_.points, [&](Index k) {
       Index const i = system_.points[ix(k)];
-      right.segment<D>(D * k) =
-          -system_.left[ix(k)] * F_.segment<D>(D * i) - system_.B[ix(k)] * made.motion.segment<D>(D * i);
+      right.segment<D>(D * k) = system_.left[ix(k)] - system_.B[ix(k)] * made.motion.segment<D>(D * i);
     });
     Krylov<D> krylov(surface_, system_, wanted_.force.has_value(), held_lift());
     Correction const inner = krylov.solve(right, total, part, most_inner);
@@ -325,7 +321,7 @@ private:
 
   /// Newton's iterations, each as long as the residual allows; false where they lead nowhere.
   bool solve_from_here() {
-    bool const dry = problem_.adhesions.empty() && D == 1;
+    bool const dry = !problem_.adheres() && D == 1;
     double last = norm_, before = norm_, best = norm_;
     int vain = 0;
     for (int k = 0; k < wanted_.iterations && !enough(); ++k) {
@@ -440,7 +436,7 @@ private:
   }
 
   void finish() {
-    answer_.verdict = contact::judge(problem_, answer_.force, answer_.x, answer_.lift);
+    answer_.verdict = judge(problem_, answer_.force, answer_.x, answer_.lift);
     if (unfelt_)
       answer_.verdict.scale = std::min(answer_.verdict.scale, verdict_.scale);
     answer_.converged = !answer_.interrupted && answer_.verdict.relative() <= wanted_.tolerance && balanced();
@@ -470,7 +466,7 @@ private:
   static constexpr long most_inner = 200;
 
   Surface const& surface_;
-  contact::Problem const& problem_;
+  Problem const& problem_;
   Wanted const& wanted_;
   Index n_;
   double natural_; ///< as the judge weighs gaps, N/m
@@ -492,8 +488,8 @@ private:
 
 } // namespace
 
-Answer Solver::solve(contact::Problem const& problem, Vector const& guess, Wanted const& wanted) const {
-  return contact::by_dimension(problem.dim,
+Answer Solver::solve(Problem const& problem, Vector const& guess, Wanted const& wanted) const {
+  return contact::by_dimension(problem.shared.dim,
                                [&]<int D>() { return Newton<D>(*surface_, problem, wanted).run(guess); });
 }
 

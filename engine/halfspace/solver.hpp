@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "contact/solvers/solver.hpp"
-#include "halfspace/surface.hpp"
+#include "halfspace/problem.hpp"
 
 namespace stiction::halfspace {
 
@@ -32,8 +32,7 @@ struct Wanted {
 class Solver {
 public:
   explicit Solver(Surface const& surface) : surface_(&surface) {}
-  [[nodiscard]] Answer solve(contact::Problem const& problem, Vector const& guess,
-                             Wanted const& wanted) const;
+  [[nodiscard]] Answer solve(Problem const& problem, Vector const& guess, Wanted const& wanted) const;
 
 private:
   Surface const* surface_;

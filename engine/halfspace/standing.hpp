@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/problem/problem.hpp"
 #include "core/threads.hpp"
 #include "halfspace/linearised.hpp"
+#include "halfspace/problem.hpp"
 
 namespace stiction::halfspace {
 
@@ -30,10 +30,10 @@ struct Station {
 /// Down by what a force takes at the nearest point alone, `alone`, at most to where a quarter of the points
 /// touches, as more of them cost room and iterations, m; 0 where one touches.
 template<int D>
-[[nodiscard]] double drop_until_touched(contact::Problem const& problem, Vector const& x, double alone) {
+[[nodiscard]] double drop_until_touched(Problem const& problem, Vector const& x, double alone) {
   Vector gaps(problem.size());
   for (Index i = 0; i < problem.size(); ++i)
-    gaps[i] = x[D * i] - problem.points[ix(i)].shift[0];
+    gaps[i] = x[D * i];
   double const nearest = gaps.minCoeff();
   if (nearest < 0)
     return 0;
@@ -51,27 +51,26 @@ struct Standing {
 };
 
 /// Adds what a point's bond at x has stored and lost in the step.
-template<int D>
-void add_bond(contact::Problem const& problem, Index i, contact::Local<D> const& x, Standing& sum) {
-  auto const& point = problem.points[ix(i)];
-  if (point.adhesion < 0)
+template<int D> void add_bond(Problem const& problem, Index i, contact::Local<D> const& x, Standing& sum) {
+  if (!problem.adheres())
     return;
-  auto const& law = problem.adhesions[ix(point.adhesion)];
-  auto const bond = interface::advance<D>(law, point.bond, x);
+  auto const& law = problem.adhesion();
+  auto const before = problem.bond(i);
+  auto const bond = interface::advance<D>(law, before, x);
   sum.bonds += bond.beta > 0 ? 1 : 0;
   sum.potential +=
-      point.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, point.bond, x));
+      problem.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, before, x));
 }
 
 /// Forces and x of every point, [D points], N and m.
 template<int D>
-[[nodiscard]] Standing standing(contact::Problem const& problem, Vector const& force, Vector const& x) {
+[[nodiscard]] Standing standing(Problem const& problem, Vector const& force, Vector const& x) {
   Standing sum;
   for (Index i = 0; i < problem.size(); ++i) {
     contact::Local<D> const at = x.segment<D>(D * i), f = force.segment<D>(D * i);
-    sum.deepest = std::max(sum.deepest, problem.points[ix(i)].shift[0] - at[0]);
+    sum.deepest = std::max(sum.deepest, -at[0]);
     sum.force += f[0];
-    sum.potential += 0.5 * f.dot(at - problem.free.segment<D>(D * i));
+    sum.potential += 0.5 * f.dot(at - problem.free<D>(i));
     add_bond<D>(problem, i, at, sum);
   }
   return sum;
@@ -79,11 +78,10 @@ template<int D>
 
 /// What pushes points out of each other that are pressed in at the start, at most, J.
 template<int D>
-[[nodiscard]] double work_of_pressing(contact::Problem const& problem, Station const& from,
-                                      Station const& to) {
+[[nodiscard]] double work_of_pressing(Problem const& problem, Station const& from, Station const& to) {
   double sum = 0;
   for (Index i = 0; i < problem.size(); ++i) {
-    double const depth = problem.points[ix(i)].shift[0] - from.x[D * i];
+    double const depth = -from.x[D * i];
     if (depth > 0)
       sum += depth * std::max({0.0, from.force[D * i], to.force[D * i]});
   }
@@ -100,12 +98,11 @@ template<int D> [[nodiscard]] bool gained(Standing const& before, Standing const
   return (D == 1 || after.bonds < before.bonds) && more > pressing + rounding * std::abs(before.potential);
 }
 
-[[nodiscard]] inline bool bonded_at_start(contact::Problem const& problem, Index i) {
-  auto const& point = problem.points[ix(i)];
-  return point.adhesion >= 0 && point.bond.old.beta > 0;
+[[nodiscard]] inline bool bonded_at_start(Problem const& problem, Index i) {
+  return problem.beta(i) > 0;
 }
 
-[[nodiscard]] inline Index bonds_at_start(contact::Problem const& problem) {
+[[nodiscard]] inline Index bonds_at_start(Problem const& problem) {
   Index sum = 0;
   for (Index i = 0; i < problem.size(); ++i)
     sum += bonded_at_start(problem, i) ? 1 : 0;
@@ -115,10 +112,10 @@ template<int D> [[nodiscard]] bool gained(Standing const& before, Standing const
 /// At least so much there is while bonds are held where they were at the start of a step, J, with the forces
 /// of then: a body's energy is convex, and forces are its slope. x: what forces lead to now.
 template<int D>
-[[nodiscard]] double least_held(contact::Problem const& problem, Vector const& force, Vector const& x) {
+[[nodiscard]] double least_held(Problem const& problem, Vector const& force, Vector const& x) {
   Standing sum;
   for (Index i = 0; i < problem.size(); ++i) {
-    contact::Local<D> const start = problem.start.segment<D>(D * i), free = problem.free.segment<D>(D * i);
+    contact::Local<D> const start = problem.start<D>(i), free = problem.free<D>(i);
     sum.potential += force.segment<D>(D * i).dot(start - 0.5 * (x.segment<D>(D * i) + free));
     add_bond<D>(problem, i, start, sum);
   }

@@ -2,6 +2,7 @@
 #include "halfspace/stepper.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/threads.hpp"
 
@@ -11,22 +12,7 @@ Stepper::Stepper(Model const& model)
     : model_(&model),
       surface_(model.grid, Compliance::of(model.body, model.counterpart ? &*model.counterpart : nullptr),
                model.components()),
-      solver_(surface_) {
-  problem_.dim = model.components();
-  problem_.W = surface_.delassus();
-  problem_.free.resize(surface_.rows());
-  problem_.start = Vector::Zero(surface_.rows());
-  problem_.points.resize(ix(model.grid.size()));
-  if (model.law.adhesion)
-    problem_.adhesions.push_back(*model.law.adhesion);
-  if (model.law.mu_follows())
-    problem_.frictions.push_back(*model.law.friction);
-  for (auto& point : problem_.points) {
-    point.area = model.grid.area();
-    point.adhesion = model.law.adhesion ? 0 : -1;
-    point.friction = model.law.mu_follows() ? 0 : -1;
-  }
-}
+      solver_(surface_), problem_(surface_, model.law) {}
 
 State Stepper::initial() const {
   Index const n = model_->grid.size();
@@ -40,7 +26,7 @@ State Stepper::initial() const {
   if (!model_->law.adhesion)
     return state;
   state.beta.resize(n);
-  state.stretch.setZero(2 * n);
+  state.stretch.setZero(problem_.shared.dim > 1 ? 2 * n : 0);
   for (Index i = 0; i < n; ++i) {
     auto const bond = interface::initial_bond(*model_->law.adhesion, state.gap[i]);
     state.beta[i] = bond.beta;
@@ -53,38 +39,38 @@ State Stepper::initial() const {
 
 /// Free gaps of the step's end, free slips of the step.
 void Stepper::begin(State const& old, State const& next, double dt) {
-  int const D = problem_.dim;
+  int const D = problem_.shared.dim;
+  auto& free = problem_.shared.free;
+  problem_.old = &old;
+  problem_.dt = dt;
   for (Index i = 0; i < problem_.size(); ++i) {
-    problem_.free[D * i] = model_->heights[i] + next.lift;
-    problem_.start[D * i] = old.gap[i];
+    free[D * i] = model_->heights[i] + next.lift;
     for (int c = 1; c < D; ++c)
-      problem_.free[D * i + c] = old.along[ix(c - 1)] - next.along[ix(c - 1)] - old.u[D * i + c];
-    auto& point = problem_.points[ix(i)];
-    point.mu = model_->law.mu(old.status_of(i));
-    point.bond = {old.bond_of(i), dt, old.status_of(i) != interface::Status::open};
+      free[D * i + c] = old.along[ix(c - 1)] - next.along[ix(c - 1)] - old.u[D * i + c];
+    problem_.closed[ix(i)] = old.status_of(i) != interface::Status::open ? 1 : 0;
   }
 }
 
 namespace {
 
 template<int D>
-contact::PointState<D> state_at(contact::Problem const& problem, Answer const& answer, Index i, double rho) {
-  return contact::evaluate<D>(problem, i, answer.force.segment<D>(D * i), answer.x.segment<D>(D * i), rho);
+contact::PointState<D> state_at(Problem const& problem, Answer const& answer, Index i, double rho) {
+  return contact::evaluate<D>(problem.shared, problem.point(i), answer.force.segment<D>(D * i),
+                              answer.x.segment<D>(D * i), rho);
 }
 
 } // namespace
 
 bool Stepper::closing_changed(Answer const& answer) {
-  if (problem_.adhesions.empty() || !interface::grows(problem_.adhesions.front()))
+  if (!problem_.adheres() || !interface::grows(problem_.adhesion()))
     return false;
   bool changed = false;
-  double const rho = contact::natural_scale(problem_, 0);
-  contact::by_dimension(problem_.dim, [&]<int D>() {
+  double const rho = contact::natural_scale(problem_.shared, 0);
+  contact::by_dimension(problem_.shared.dim, [&]<int D>() {
     for (Index i = 0; i < problem_.size(); ++i) {
       bool const closed = state_at<D>(problem_, answer, i, rho).status != interface::Status::open;
-      auto& told = problem_.points[ix(i)].bond.closed;
-      changed = changed || closed != told;
-      told = closed;
+      changed = changed || closed != (problem_.closed[ix(i)] != 0);
+      problem_.closed[ix(i)] = closed ? 1 : 0;
     }
   });
   return changed;
@@ -92,7 +78,7 @@ bool Stepper::closing_changed(Answer const& answer) {
 
 template<int D>
 void Stepper::settle_point(State const& old, Answer const& answer, Index i, State& next) const {
-  auto const at = state_at<D>(problem_, answer, i, contact::natural_scale(problem_, 0));
+  auto const at = state_at<D>(problem_, answer, i, contact::natural_scale(problem_.shared, 0));
   contact::Local<D> const x = answer.x.segment<D>(D * i);
   next.dry.segment<D>(D * i) = at.dry;
   next.gap[i] = x[0];
@@ -108,31 +94,37 @@ void Stepper::settle_point(State const& old, Answer const& answer, Index i, Stat
 
 template<int D> void Stepper::settle_bond(contact::Local<D> const& x, Index i, State& next) const {
   auto const& law = *model_->law.adhesion;
-  auto const& point = problem_.points[ix(i)];
-  auto const bond = interface::advance<D>(law, point.bond, x);
+  auto const before = problem_.bond(i);
+  auto const bond = interface::advance<D>(law, before, x);
   next.beta[i] = bond.beta;
-  next.stretch.segment<2>(2 * i) = bond.stretch;
-  next.ledger.bonding_loss +=
-      point.area * interface::dissipation<D>(law, point.bond, problem_.start[D * i], x);
-  next.ledger.bond += point.area * interface::bond_energy(law, bond, x[0]);
+  if (D > 1)
+    next.stretch.segment<2>(2 * i) = bond.stretch;
+  next.ledger.bonding_loss += problem_.area * interface::dissipation<D>(law, before, problem_.old->gap[i], x);
+  next.ledger.bond += problem_.area * interface::bond_energy(law, bond, x[0]);
 }
 
 void Stepper::settle(State const& old, Answer const& answer, State& next) const {
   next.lift += answer.lift;
   next.ledger.bond = 0;
-  contact::by_dimension(problem_.dim, [&]<int D>() {
+  next.gap.resize(problem_.size());
+  next.status.resize(ix(problem_.size()));
+  next.u.resize(answer.x.size());
+  next.dry.resize(answer.x.size());
+  next.path = old.path;
+  next.beta.resize(old.beta.size());
+  next.stretch.resize(old.stretch.size());
+  contact::by_dimension(problem_.shared.dim, [&]<int D>() {
     for (Index i = 0; i < problem_.size(); ++i) {
       settle_point<D>(old, answer, i, next);
       if (model_->law.adhesion)
         settle_bond<D>(answer.x.segment<D>(D * i), i, next);
     }
   });
-  next.force = answer.force;
 }
 
 /// Works by the means of the step's forces.
 void Stepper::account(State const& old, State& next) const {
-  int const D = problem_.dim;
+  int const D = problem_.shared.dim;
   auto& ledger = next.ledger;
   ledger.strain = 0.5 * next.force.dot(next.u);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -144,8 +136,9 @@ void Stepper::account(State const& old, State& next) const {
 }
 
 Outcome Stepper::step(State const& old, double dt) {
-  Outcome outcome{old, false, false, "", 0};
-  auto& next = outcome.state;
+  Outcome outcome;
+  auto& next = outcome.state; // its arrays come when the solver has left room for them
+  next.ledger = old.ledger;
   next.t = old.t + dt;
   next.lift = model_->force ? old.lift : model_->shift[2].value(next.t);
   next.along = {model_->shift[0].value(next.t), model_->shift[1].value(next.t)};
@@ -155,17 +148,17 @@ Outcome Stepper::step(State const& old, double dt) {
   wanted.enough = enough_;
   if (model_->force)
     wanted.force = model_->force->value(next.t);
-  Vector guess = old.force;
   Answer answer;
+  Vector guess;
   long const products = surface_.products(), solutions = surface_.solutions();
   constexpr int most_closings = 30; // of what touches, with bonds that tell; then it goes back and forth
   for (int k = 0; k < most_closings; ++k) {
-    answer = solver_.solve(problem_, guess, wanted);
+    answer = solver_.solve(problem_, k == 0 ? old.force : std::as_const(guess), wanted);
     outcome.iterations += answer.iterations;
     cost_.krylov += answer.krylov;
     if (!answer.converged || !closing_changed(answer))
       break;
-    guess = answer.force;
+    guess = std::move(answer.force);
     answer.converged = false;
     answer.reason = "bonds that form where points touch lift them off again";
   }
@@ -178,6 +171,7 @@ Outcome Stepper::step(State const& old, double dt) {
   if (!answer.converged)
     return outcome;
   settle(old, answer, next);
+  next.force = std::move(answer.force);
   account(old, next);
   return outcome;
 }

@@ -29,7 +29,6 @@ public:
   /// Is asked in every iteration whether to leave off.
   void interrupt_when(std::function<bool()> enough) { enough_ = std::move(enough); }
   [[nodiscard]] Surface const& surface() const { return surface_; }
-  [[nodiscard]] contact::Problem const& problem() const { return problem_; }
   [[nodiscard]] Cost const& cost() const { return cost_; }
   void go_on(Cost const& cost) { cost_ = cost; }
 
@@ -45,7 +44,7 @@ private:
   Model const* model_;
   Surface surface_;
   Solver solver_;
-  contact::Problem problem_;
+  Problem problem_;
   std::function<bool()> enough_;
   Cost cost_;
 };

@@ -21,7 +21,6 @@ halfspace::Linearised<1> softening(Surface const& surface, double radius, double
       continue;
     system.points.push_back(i);
     system.B.emplace_back(halfspace::LocalMatrix<1>(1 / (system.own(0, 0) + S)));
-    system.left.push_back(system.B.back());
     system.yields.push_back(false);
   }
   system.definite = false;

@@ -100,13 +100,11 @@ TEST_CASE("amplitudes of a rough surface follow its spectrum, wave by wave") {
 /// Rigid waves pressed by a mean pressure onto a half space with E* = 1 Pa.
 halfspace::Answer pressed(Vector const& gaps, Grid const& grid, double pressure) {
   halfspace::Surface const surface(grid, halfspace::Compliance::of({1, 0, 0}, nullptr), 1);
-  contact::Problem problem;
-  problem.dim = 1;
-  problem.W = surface.delassus();
-  problem.free = gaps;
-  problem.points.resize(ix(grid.size()));
-  for (auto& point : problem.points)
-    point.area = grid.area();
+  halfspace::Problem problem(surface, {});
+  halfspace::State old;
+  old.status.assign(ix(grid.size()), 0);
+  problem.old = &old;
+  problem.shared.free = gaps;
   halfspace::Wanted wanted;
   wanted.force = pressure * grid.area() * grid.size();
   return halfspace::Solver(surface).solve(problem, Vector::Zero(grid.size()), wanted);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <memory>
 #include <numbers>
 
 #include "interface/laws.hpp"
@@ -15,18 +16,39 @@ using halfspace::Grid;
 using halfspace::Surface;
 using std::numbers::pi;
 
-contact::Problem problem_of(Surface const& surface, double radius, double depth) {
-  auto const& grid = surface.grid();
-  contact::Problem problem;
-  problem.dim = surface.components();
-  problem.W = surface.delassus();
-  problem.free = Vector::Zero(surface.rows());
-  problem.points.resize(ix(grid.size()));
-  for (Index i = 0; i < grid.size(); ++i) {
-    problem.points[ix(i)].area = grid.area();
-    problem.free[problem.dim * i] = (grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / (2 * radius) - depth;
+/// A problem and what it starts from.
+struct Posed {
+  std::shared_ptr<halfspace::State> old = std::make_shared<halfspace::State>();
+  halfspace::Problem problem;
+  Posed(Surface const& surface, interface::Law const& law) : problem(surface, law) {
+    old->status.assign(ix(problem.size()), 0);
+    if (law.adhesion)
+      old->beta.setZero(problem.size());
+    if (problem.shared.dim > 1)
+      old->stretch.setZero(2 * problem.size());
+    problem.old = old.get();
+    problem.dt = 0.01;
   }
-  return problem;
+  [[nodiscard]] int dim() const { return problem.shared.dim; }
+  [[nodiscard]] Vector& free() { return problem.shared.free; }
+  void set_bond(Index i, interface::Bond const& bond) {
+    old->beta[i] = bond.beta;
+    if (dim() > 1)
+      old->stretch.segment<2>(2 * i) = bond.stretch;
+  }
+  /// The next step is to start where points are.
+  void start(Vector const& x) {
+    old->gap = Eigen::Map<Vector const, 0, Eigen::InnerStride<>>(x.data(), problem.size(),
+                                                                 Eigen::InnerStride<>(dim()));
+  }
+};
+
+Posed problem_of(Surface const& surface, double radius, double depth, interface::Law const& law = {}) {
+  auto const& grid = surface.grid();
+  Posed posed(surface, law);
+  for (Index i = 0; i < grid.size(); ++i)
+    posed.free()[posed.dim() * i] = (grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / (2 * radius) - depth;
+  return posed;
 }
 
 struct Setup {
@@ -38,26 +60,17 @@ Setup const setups[] = {{{8, 7, 0.4, 0.35, false, false}, 3}, {{8, 7, 0.4, 0.35,
                         {{24, 1, 0.4, 1, true, true}, 2},     {{24, 1, 0.4, 1, true, true}, 1}};
 
 /// A sphere or cylinder pressed on and moved along, its law the same at all points.
-contact::Problem pressed(Surface const& surface, interface::Law const& law, double depth) {
-  auto problem = problem_of(surface, 1, depth);
-  for (Index i = 0; i < problem.size(); ++i) {
-    auto& point = problem.points[ix(i)];
-    point.mu = law.mu();
-    point.friction = law.mu_follows() ? 0 : -1;
-    point.bond.dt = 0.01;
-    point.bond.closed = problem.free[problem.dim * i] < 0;
-    if (law.adhesion) {
-      point.adhesion = 0;
-      point.bond.old = interface::initial_bond(*law.adhesion, std::max(0.0, problem.free[problem.dim * i]));
-    }
-    if (problem.dim > 1)
-      problem.free[problem.dim * i + 1] = -2e-3;
+Posed pressed(Surface const& surface, interface::Law const& law, double depth) {
+  auto posed = problem_of(surface, 1, depth, law);
+  for (Index i = 0; i < posed.problem.size(); ++i) {
+    double const gap = posed.free()[posed.dim() * i];
+    posed.problem.closed[ix(i)] = gap < 0 ? 1 : 0;
+    if (law.adhesion)
+      posed.set_bond(i, interface::initial_bond(*law.adhesion, std::max(0.0, gap)));
+    if (posed.dim() > 1)
+      posed.free()[posed.dim() * i + 1] = -2e-3;
   }
-  if (law.mu_follows())
-    problem.frictions.push_back(*law.friction);
-  if (law.adhesion)
-    problem.adhesions.push_back(*law.adhesion);
-  return problem;
+  return posed;
 }
 
 double normal(Vector const& force, int components) {
@@ -68,15 +81,15 @@ double normal(Vector const& force, int components) {
 }
 
 /// The same answer by its force, from another height of the counterpart.
-void by_force(Surface const& surface, contact::Problem problem, halfspace::Answer const& known) {
-  double const lift = -1.5e-3, wanted = normal(known.force, problem.dim);
+void by_force(Surface const& surface, halfspace::Problem problem, halfspace::Answer const& known) {
+  double const lift = -1.5e-3, wanted = normal(known.force, problem.shared.dim);
   for (Index i = 0; i < problem.size(); ++i)
-    problem.free[problem.dim * i] -= lift;
+    problem.shared.free[problem.shared.dim * i] -= lift;
   halfspace::Wanted asked;
   asked.force = wanted;
   auto const mine = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), asked);
   CHECK_MESSAGE(mine.converged, mine.reason);
-  CHECK(normal(mine.force, problem.dim) == doctest::Approx(wanted).epsilon(1e-9));
+  CHECK(normal(mine.force, problem.shared.dim) == doctest::Approx(wanted).epsilon(1e-9));
   CHECK(mine.lift == doctest::Approx(lift).epsilon(1e-6));
   CHECK((known.force - mine.force).norm() <= 1e-6 * mine.force.norm());
 }
@@ -86,12 +99,14 @@ void same_as_dense(Setup const& setup, interface::Law const& law, std::string co
   CAPTURE(setup.components);
   CAPTURE(setup.grid.periodic);
   Surface const surface(setup.grid, Compliance::of({1e4, 0.2, 0.1}, nullptr), setup.components);
-  auto const problem = pressed(surface, law, 6e-3);
+  auto const posed = pressed(surface, law, 6e-3);
+  auto const& problem = posed.problem;
   auto const mine = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), {});
   CHECK_MESSAGE(mine.converged, mine.reason);
-  auto dense = problem;
-  dense.W = contact::Delassus(problem.W.dense());
+  auto dense = problem.listed();
+  dense.W = contact::Delassus(dense.W.dense());
   CHECK(contact::judge(dense, mine.force).relative() <= 1.1e-10);
+  CHECK(judge(problem, mine.force, mine.x, 0).relative() <= 1e-10);
   auto const theirs = contact::BipotentialNewton{}.make()->solve(dense, Vector::Zero(surface.rows()));
   CHECK((theirs.force - mine.force).norm() <= 1e-8 * mine.force.norm());
   by_force(surface, problem, mine);
@@ -120,8 +135,8 @@ struct Hertz {
 /// A sphere of radius 1 m down by 1 m on 4 m x 4 m of an incompressible half space, E* = 1 Pa, from no force.
 Hertz hertz(Index n) {
   Surface const surface({n, n, 4, 4, false, false}, Compliance::of({0.75, 0.5, 0}, nullptr), 1);
-  auto const problem = problem_of(surface, 1, 1);
-  auto const answer = halfspace::Solver(surface).solve(problem, Vector::Zero(surface.rows()), {});
+  auto const posed = problem_of(surface, 1, 1);
+  auto const answer = halfspace::Solver(surface).solve(posed.problem, Vector::Zero(surface.rows()), {});
   CHECK_MESSAGE(answer.converged, answer.reason);
   CHECK(answer.verdict.relative() <= 1e-10);
   return {answer.force.sum() / (4.0 / 3) - 1, answer.force.maxCoeff() / surface.grid().area() / (2 / pi) - 1,
@@ -141,16 +156,16 @@ TEST_CASE("Hertz's force and pressure come with the second power of the spacing,
 
 TEST_CASE("a force finds a half space that it does not touch yet, and leaves it") {
   Surface const surface({16, 16, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
-  auto const problem = problem_of(surface, 1, -0.02);
+  auto const posed = problem_of(surface, 1, -0.02);
   halfspace::Wanted wanted;
   wanted.force = 3;
   halfspace::Solver const solver(surface);
-  auto const pressed = solver.solve(problem, Vector::Zero(surface.rows()), wanted);
+  auto const pressed = solver.solve(posed.problem, Vector::Zero(surface.rows()), wanted);
   CHECK_MESSAGE(pressed.converged, pressed.reason);
   CHECK(pressed.force.sum() == doctest::Approx(3).epsilon(1e-9));
   CHECK(pressed.lift < -0.02);
   wanted.force = 0;
-  auto const left = solver.solve(problem, pressed.force, wanted);
+  auto const left = solver.solve(posed.problem, pressed.force, wanted);
   CHECK_MESSAGE(left.converged, left.reason);
   CHECK(std::abs(left.force.sum()) < 1e-9);
 }
@@ -159,8 +174,8 @@ TEST_CASE("a half space that is left off says so") {
   Surface const surface({16, 16, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
   halfspace::Wanted wanted;
   wanted.enough = [] { return true; };
-  auto const answer =
-      halfspace::Solver(surface).solve(problem_of(surface, 1, 0.01), Vector::Zero(surface.rows()), wanted);
+  auto const posed = problem_of(surface, 1, 0.01);
+  auto const answer = halfspace::Solver(surface).solve(posed.problem, Vector::Zero(surface.rows()), wanted);
   CHECK(answer.interrupted);
   CHECK_FALSE(answer.converged);
 }
@@ -173,18 +188,17 @@ TEST_CASE("a half space that snaps is answered, with less energy than before") {
        {interface::AdhesionLaw{interface::Dugdale{1000, 2e-3, 0.2}}, interface::AdhesionLaw{bilinear}}) {
     CAPTURE(adhesion.index());
     Surface const surface({32, 32, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
-    auto problem = pressed(surface, {{}, adhesion}, 2e-3);
+    auto posed = pressed(surface, {{}, adhesion}, 2e-3);
+    auto const& problem = posed.problem;
     halfspace::Solver const solver(surface);
     auto answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
     CHECK_MESSAGE(answer.converged, answer.reason);
     double strongest = 0;
     for (int step = 0; step < 16; ++step) {
-      problem.start = answer.x;
-      for (Index i = 0; i < problem.size(); ++i) {
-        auto& bond = problem.points[std::size_t(i)].bond;
-        bond.old = interface::advance<1>(adhesion, bond, answer.x.segment<1>(i));
-      }
-      problem.free.array() += 2e-3;
+      posed.start(answer.x);
+      for (Index i = 0; i < problem.size(); ++i)
+        posed.set_bond(i, interface::advance<1>(adhesion, problem.bond(i), answer.x.segment<1>(i)));
+      posed.free().array() += 2e-3;
       answer = solver.solve(problem, answer.force, {});
       CHECK_MESSAGE(answer.converged, answer.reason);
       strongest = std::min(strongest, answer.force.sum());
@@ -198,7 +212,8 @@ TEST_CASE("a half space that snaps is answered, with less energy than before") {
 /// those of a displacement as far.
 std::vector<double> under_forces(std::vector<double> const& forces, interface::AdhesionLaw const& adhesion) {
   Surface const surface({32, 32, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
-  auto problem = pressed(surface, {{}, adhesion}, 0);
+  auto posed = pressed(surface, {{}, adhesion}, 0);
+  auto const& problem = posed.problem;
   halfspace::Solver const solver(surface);
   halfspace::Answer answer;
   answer.force = Vector::Zero(surface.rows());
@@ -210,14 +225,14 @@ std::vector<double> under_forces(std::vector<double> const& forces, interface::A
     wanted.force = force;
     answer = solver.solve(problem, answer.force, wanted);
     CHECK_MESSAGE(answer.converged, answer.reason);
-    problem.free.array() += answer.lift;
+    posed.free().array() += answer.lift;
     lifts.push_back(height += answer.lift);
     auto const moved = solver.solve(problem, answer.force, {});
     CHECK_MESSAGE(moved.converged, moved.reason);
     CHECK((moved.force - answer.force).norm() < 1e-6 * answer.force.norm());
-    problem.start = answer.x;
+    posed.start(answer.x);
     for (Index i = 0; i < problem.size(); ++i)
-      problem.points[std::size_t(i)].bond.old = interface::initial_bond(adhesion, answer.x[i]);
+      posed.set_bond(i, interface::initial_bond(adhesion, answer.x[i]));
   }
   halfspace::Wanted wanted;
   wanted.force = -100;
@@ -247,13 +262,13 @@ TEST_CASE("a half space is not left where energy has its maximum") {
   Surface const surface({1, 1, 1, 1, false, false}, Compliance::of({1e4, 0.2, 0}, nullptr), 1);
   double const W = surface.delassus().dense()(0, 0);
   interface::Dugdale const law{1000, 2e-3, 0.2};
-  auto problem = pressed(surface, {{}, law}, 0);
+  auto posed = pressed(surface, {{}, law}, 0);
   double const unstable = 500; // N, half of what the bond holds at most
   double const gap = law.h0 + 0.5 * law.rise();
-  problem.free[0] = gap + W * unstable;
+  posed.free()[0] = gap + W * unstable;
   for (double const held : {0.999 * unstable, 1.001 * unstable}) {
     CAPTURE(held);
-    auto const answer = halfspace::Solver(surface).solve(problem, Vector::Constant(1, -held), {});
+    auto const answer = halfspace::Solver(surface).solve(posed.problem, Vector::Constant(1, -held), {});
     CHECK_MESSAGE(answer.converged, answer.reason);
     CHECK(std::abs(answer.x[0] - gap) > 0.5 * law.rise());
   }
@@ -269,14 +284,14 @@ interface::Law short_bonds() {
 }
 
 /// Points in a line under a roller that has come down so far, m.
-contact::Problem under_roller(Surface const& surface, interface::Law const& law, double down) {
-  auto problem = pressed(surface, law, 0);
-  for (Index i = 0; i < problem.size(); ++i) {
+Posed under_roller(Surface const& surface, interface::Law const& law, double down) {
+  auto posed = pressed(surface, law, 0);
+  for (Index i = 0; i < posed.problem.size(); ++i) {
     double const x = surface.grid().x(i);
-    problem.free[2 * i] = x * x / 0.1 - down;
-    problem.free[2 * i + 1] = 0;
+    posed.free()[2 * i] = x * x / 0.1 - down;
+    posed.free()[2 * i + 1] = 0;
   }
-  return problem;
+  return posed;
 }
 
 /// Points whose ramps are far finer than a step: with friction, and pressed on, an answer might leave them
@@ -284,13 +299,14 @@ contact::Problem under_roller(Surface const& surface, interface::Law const& law,
 TEST_CASE("bonds of a half space do not break while it is pressed on") {
   Surface const surface = few_points();
   interface::Law const law = short_bonds();
-  auto problem = under_roller(surface, law, 0);
+  auto posed = under_roller(surface, law, 0);
+  auto const& problem = posed.problem;
   halfspace::Solver const solver(surface);
   Vector force = Vector::Zero(surface.rows());
   Index most = 0;
   for (int step = 0; step < 20; ++step) {
     for (Index i = 0; i < problem.size(); ++i)
-      problem.free[2 * i] -= 5e-6;
+      posed.free()[2 * i] -= 5e-6;
     auto const answer = solver.solve(problem, force, {});
     CHECK_MESSAGE(answer.converged, answer.reason);
     force = answer.force;
@@ -307,7 +323,8 @@ TEST_CASE("bonds of a half space do not break while it is pressed on") {
 TEST_CASE("bonds of a half space do not break because a step is longer than their range") {
   Surface const surface = few_points();
   interface::Law const law = short_bonds();
-  auto problem = under_roller(surface, law, 1e-4);
+  auto posed = under_roller(surface, law, 1e-4);
+  auto const& problem = posed.problem;
   halfspace::Solver const solver(surface);
   auto answer = solver.solve(problem, Vector::Zero(surface.rows()), {});
   CHECK_MESSAGE(answer.converged, answer.reason);
@@ -321,12 +338,11 @@ TEST_CASE("bonds of a half space do not break because a step is longer than thei
   CHECK(before > 2);
   for (double const step : {1e-5, 2.75e-5, 2e-5}) {
     CAPTURE(step);
-    problem.start = answer.x;
+    posed.start(answer.x);
     for (Index i = 0; i < problem.size(); ++i) {
-      problem.start[2 * i + 1] = 0;
-      problem.points[std::size_t(i)].bond.old = interface::initial_bond(*law.adhesion, answer.x[2 * i]);
-      problem.free[2 * i] += step;
-      problem.free[2 * i + 1] -= answer.x[2 * i + 1];
+      posed.set_bond(i, interface::initial_bond(*law.adhesion, answer.x[2 * i]));
+      posed.free()[2 * i] += step;
+      posed.free()[2 * i + 1] -= answer.x[2 * i + 1];
     }
     answer = solver.solve(problem, answer.force, {});
     CHECK_MESSAGE(answer.converged, answer.reason);
@@ -339,12 +355,13 @@ TEST_CASE("forces that a periodic half space does not feel are no yardstick") {
   double const L = 1e-3, D = 1e-5, w = 0.002, modulus = 4e6, R = L * L / (4 * pi * pi * D);
   double const sigma0 = 6 / std::cbrt(9 * R / (2 * pi * w * modulus * modulus)); // Maugis' lambda is 6
   Surface const surface({500, 1, L, 1, true, true}, Compliance::of({3e6, 0.5, 0}, nullptr), 1);
-  auto problem = pressed(surface, {{}, interface::Dugdale{sigma0, w / sigma0}}, 0);
+  auto posed = pressed(surface, {{}, interface::Dugdale{sigma0, w / sigma0}}, 0);
+  auto const& problem = posed.problem;
   halfspace::Solver const solver(surface);
   Vector force = Vector::Zero(surface.rows());
   for (int step = 1; step <= 6; ++step) {
     for (Index i = 0; i < problem.size(); ++i)
-      problem.free[i] = D * (1 - std::cos(2 * pi * surface.grid().x(i) / L)) - 1e-6 * step;
+      posed.free()[i] = D * (1 - std::cos(2 * pi * surface.grid().x(i) / L)) - 1e-6 * step;
     auto const answer = solver.solve(problem, force, {});
     CAPTURE(step);
     if (!answer.converged)

@@ -99,41 +99,41 @@ double Verdict::relative() const {
   return scale > 0 ? residual / scale : residual;
 }
 
-namespace {
-
-template<int D> Verdict judge_in(Problem const& problem, Vector const& force, Vector const& x, double lift) {
-  Verdict verdict;
-  if (!x.allFinite() || !force.allFinite())
-    return {std::numeric_limits<double>::infinity(), 0};
-  for (Index i = 0; i < problem.size(); ++i) {
-    double const rho = natural_scale(problem, i), area = problem.points[ix(i)].area;
-    Local<D> const p = force.segment<D>(D * i), at = x.segment<D>(D * i);
-    auto const state = evaluate<D>(problem, i, p, at, rho);
-    double const residual = state.residual.norm();
-    // the cone takes rho |x_t| off the pressure and gives it back: what that rounds to, a point that just
-    // touches while it slides cannot do without
-    double const rounding =
-        state.status == interface::Status::open
-            ? 0.0
-            : 4 * std::numeric_limits<double>::epsilon() * rho * at.template tail<D - 1>().norm();
-    if (!(residual <= rounding))
-      verdict.residual = std::max(verdict.residual, residual / area);
-    // a separated point far away must not set the yardstick: only pushing free gaps count
-    double const pressed =
-        std::max(0.0, problem.points[ix(i)].shift[0] - problem.free[D * i] - lift) * rho / area;
-    verdict.scale = std::max({verdict.scale, p.norm() / area, pressed});
-  }
-  return verdict;
+template<int D>
+void judge_point(Problem const& problem, ProblemPoint const& data, double rho, PointForces<D> const& at,
+                 Verdict& verdict) {
+  auto const state = evaluate<D>(problem, data, at.p, at.x, rho);
+  double const residual = state.residual.norm();
+  // the cone takes rho |x_t| off the pressure and gives it back: what that rounds to, a point that just
+  // touches while it slides cannot do without
+  double const rounding =
+      state.status == interface::Status::open
+          ? 0.0
+          : 4 * std::numeric_limits<double>::epsilon() * rho * at.x.template tail<D - 1>().norm();
+  if (!(residual <= rounding))
+    verdict.residual = std::max(verdict.residual, residual / data.area);
+  // a separated point far away must not set the yardstick: only pushing free gaps count
+  double const pressed = std::max(0.0, data.shift[0] - at.free) * rho / data.area;
+  verdict.scale = std::max({verdict.scale, at.p.norm() / data.area, pressed});
 }
-
-} // namespace
+template void judge_point<1>(Problem const&, ProblemPoint const&, double, PointForces<1> const&, Verdict&);
+template void judge_point<2>(Problem const&, ProblemPoint const&, double, PointForces<2> const&, Verdict&);
+template void judge_point<3>(Problem const&, ProblemPoint const&, double, PointForces<3> const&, Verdict&);
 
 Verdict judge(Problem const& problem, Vector const& force) {
   return judge(problem, force, displacement(problem, force));
 }
 
 Verdict judge(Problem const& problem, Vector const& force, Vector const& x, double lift) {
-  return by_dimension(problem.dim, [&]<int D>() { return judge_in<D>(problem, force, x, lift); });
+  if (!x.allFinite() || !force.allFinite())
+    return {std::numeric_limits<double>::infinity(), 0};
+  Verdict verdict;
+  by_dimension(problem.dim, [&]<int D>() {
+    for (Index i = 0; i < problem.size(); ++i)
+      judge_point<D>(problem, problem.points[ix(i)], natural_scale(problem, i),
+                     {force.segment<D>(D * i), x.segment<D>(D * i), problem.free[D * i] + lift}, verdict);
+  });
+  return verdict;
 }
 
 } // namespace stiction::contact

@@ -99,6 +99,15 @@ struct Verdict {
   /// Infinite when any force or displacement is not finite.
   [[nodiscard]] double relative() const;
 };
+/// Forces of a point, N, where they lead, m, and the gap without any, m.
+template<int D> struct PointForces {
+  Local<D> p, x;
+  double free;
+};
+/// A point's part of it. rho: its natural scale, N/m.
+template<int D>
+void judge_point(Problem const& problem, ProblemPoint const& data, double rho, PointForces<D> const& at,
+                 Verdict& verdict);
 [[nodiscard]] Verdict judge(Problem const& problem, Vector const& force);
 /// Where x = free + lift + W p is known: free gaps are larger by the lift, m.
 [[nodiscard]] Verdict judge(Problem const& problem, Vector const& force, Vector const& x, double lift = 0);
