@@ -244,6 +244,7 @@ return function(options)
   options.jobs = options.jobs or options.worker and 1 or nil
   local plan = make_plan(options)
   sweep.tell_quick(plan.study, options)
+  sweep.tell_twice(plan.study)
   local code
   if options.list then
     hold.check_owner(plan.folder, plan.study)

@@ -218,6 +218,9 @@ local function make_case(study, names, swept, first, values, drawn_id)
   elseif #id > longest_id then
     fault.input("study.case_id gave a name of %d characters, more than the %d that a folder's has room for: %s...", #id, longest_id,
       id:sub(1, 40))
+  elseif not study.case_id and id:find("[^%w._+-]") then
+    fault.input("study.sweep: cases cannot be called by the names that are swept, as in '%s'; name them by letters, digits and "
+      .. "_, or give the study a case_id(p)", id)
   elseif not id:find("^[%w._+-]+$") or id:find("^%.") then
     fault.input("study.case_id gave '%s': a case's name is a folder's name of letters, digits and . _ + -", tostring(id))
   elseif taken[id] or id:find("%.json$") or id:find("%.csv$") then
@@ -350,6 +353,15 @@ function sweep.tell_quick(study, options)
   local held, value = engine.call(apply_quick, copy_plan(study.sweep), base_values(study), study.quick)
   if not held and not options.quick then
     engine.complain(("stiction: %s; --quick is refused for that\n"):format(type(value) == "table" and value.message or value))
+  end
+end
+
+--- Says once how many cases of a list, as the study has it, stand in it before.
+function sweep.tell_twice(study)
+  local listed = study.sweep.cases or {}
+  local twice = #listed - #sweep.cases(study, {})
+  if twice > 0 then
+    engine.complain(("stiction: %d of the %d cases of the sweep stand in it twice, and are computed once\n"):format(twice, #listed))
   end
 end
 

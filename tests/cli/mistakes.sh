@@ -119,6 +119,13 @@ changed nothing 's/^  sweep = .*/sweep = { mu = { (0 \/ 0) * (1*units.mm), 1*uni
 expect 2 "value 1 is not a number" "$stiction" run nothing
 changed undefined 's/^  sweep = .*/  sweep = { mu = { 0 \/ 0, 0.2 } },/'
 expect 2 "value 1 is not a number; it must be a number" "$stiction" run undefined
+changed spaced 's/^  sweep = .*/  sweep = { ["my mu"] = { 0.2, 0.3 } },/'
+expect 2 "cases cannot be called by the names that are swept, as in 'my mu0.2'|case_id(p)" "$stiction" run spaced
+changed listed 's/^  sweep = .*/  sweep = { { mu = 0.2 }, { mu = 0.3 }, { mu = 0.2 } },/'
+expect 0 "1 of the 3 cases of the sweep stand in it twice" "$stiction" run listed --list
+changed single 's/pairs = { sole = /pairs = /; s/\(coulomb { mu = p.mu }\) } }/\1 }/'
+expect 2 "pairs: is one pair by itself; name it, as in pairs = { one = pair { ... } }" "$stiction" run single
+expect 2 "no help on 'zz'; 'stiction help' tells" "$stiction" help zz
 mkdir scripts/sub
 echo 'return {}' >scripts/sub/other.lua
 for name in sub/other ./sub/other; do

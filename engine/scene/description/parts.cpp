@@ -24,6 +24,12 @@ std::map<std::string, Part> named(Reader& reader, char const* key, Need need, Re
     return parts;
   }
   Reader table = reader.child(key, need);
+  if (!table.tag().empty() && table.tag() != key) {
+    reader.complain_at(key,
+                       fmt::format("is one {0} by itself; name it, as in {1} = {{ one = {0} {{ ... }} }}",
+                                   table.tag().substr(table.tag().rfind('.') + 1), key));
+    return parts;
+  }
   for (auto const& name : table.keys())
     parts.emplace(name, read(table.child(name)));
   return parts;

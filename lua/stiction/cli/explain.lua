@@ -103,6 +103,7 @@ return function(options)
     fault.input("%s solves saved contact problems; there is no scene to explain", study.name)
   end
   sweep.tell_quick(study, options)
+  sweep.tell_twice(study)
   local cases, names = sweep.cases(study, options)
   local case = options.case and sweep.find(cases, options.case) or cases[1]
   local explanation = engine.explain(study:scene_of(case))

@@ -180,7 +180,8 @@ return function(options)
     elseif command then
       report.line("%s\n\n'stiction %s --help' lists its options.", command, topic)
     elseif not show_kinds(catalog, topic) then
-      fault.input("there is no help on '%s'%s", options.topic, fault.meant(topic, known_topics(catalog)))
+      local meant = fault.meant(topic, known_topics(catalog))
+      fault.input("there is no help on '%s'%s", options.topic, #meant > 0 and meant or "; 'stiction help' tells what there is help on")
     end
   end
   return 0
