@@ -108,11 +108,17 @@ local function judge(plan, rows)
   if #cases < #rows then
     return judge_part(plan, cases, rows)
   end
-  local checks = check.run(plan.study, cases, plan.accuracy)
-  output.write_checks(plan.folder, checks)
-  local good = report.checks(checks) == 0
-  if not plan.options.no_figures then
+  local held, checks = engine.call(check.run, plan.study, cases, plan.accuracy)
+  local good = false
+  if held then
+    output.write_checks(plan.folder, checks)
+    good = report.checks(checks) == 0
+  end
+  if not plan.options.no_figures then -- of these cases, even if checks went wrong
     good = draw(plan, cases) and good
+  end
+  if not held then
+    error(checks, 0)
   end
   return good
 end

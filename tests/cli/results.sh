@@ -49,6 +49,16 @@ changed points 's/energy = stiction.probe.energy/points = stiction.probe.contact
     return table.concat(x, " ") == "0 0.25 0.5 0.75 1" and run:at(2*s, "points", "X") == 0 and 1 or 99/'
 expect 0 "2 of 2 checks held" "$stiction" run points --no-figures --quick
 
+# checks that go wrong leave no pictures of earlier cases behind
+if [ -x "$(dirname "$stiction")/../../postproc/stiction-figures" ]; then
+  changed drawn ''
+  "$stiction" run drawn --quick >/dev/null 2>&1
+  touch -d '2001-01-01' out/drawn/figures/force.png
+  changed drawn 's/check.holds(case.id/check.holds(case.nothing.id/'
+  expect 2 "study.lua:41:" "$stiction" run drawn --quick
+  holds "figures of these cases" [ out/drawn/figures/force.png -nt drawn/study.lua ]
+fi
+
 # a dot for a colon, and the reverse
 changed dot 's/run:at(1\*s, /run.at(1*s, /'
 expect 2 "study.lua:34: write run:at(...), with a colon, not run.at(...)" "$stiction" run dot --quick --no-figures
