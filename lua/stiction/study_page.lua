@@ -126,9 +126,13 @@ end
 local function grouped(told, class)
   local lines = {}
   for _, group in ipairs(warnings.groups(told)) do
+    local changes, more = warnings.changes_of(group, #told)
+    if more > 0 then
+      changes[#changes + 1] = ("and %d more, which explain tells"):format(more)
+    end
     lines[#lines + 1] = ("<li%s>%s <em>(%s)</em>%s</li>"):format(class or "", html.plain(group.text),
       html.plain(warnings.cases_of(group.ids, #told)),
-      group.change ~= "" and "<br>\u{2192} " .. html.plain(group.change) or "")
+      table.concat(numeric.map(changes, function(words) return "<br>\u{2192} " .. html.plain(words) end)))
   end
   return #lines > 0 and "<ul>" .. table.concat(lines, "\n") .. "</ul>" or ""
 end
@@ -139,7 +143,7 @@ local function told_by(outcome, texts_of)
     local list = {}
     for _, entry in ipairs(texts_of(case)) do
       local own = type(entry) == "table" and entry or { text = entry }
-      list[#list + 1] = { text = tostring(own.text), change = tostring(own.change or "") }
+      list[#list + 1] = { text = tostring(own.text), change = own.change and tostring(own.change) or nil }
     end
     return { id = case.name, warnings = list }
   end)

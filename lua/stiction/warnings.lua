@@ -50,16 +50,26 @@ function warnings.cases_of(ids, count)
     #ids > most_ids and ", ..." or "")
 end
 
+--- What a group's cases ask for, a text each, and how many texts more there are.
+function warnings.changes_of(group, count)
+  local texts = {}
+  for i = 1, math.min(#group.changes, most_changes) do
+    local change = group.changes[i]
+    texts[i] = change.words .. (#group.changes > 1 and (" (%s)"):format(warnings.cases_of(change.ids, count)) or "")
+  end
+  return texts, #group.changes - #texts
+end
+
 --- Prints the groups of told = {{id =, warnings =}}.
 function warnings.show(told)
   for _, group in ipairs(warnings.groups(told)) do
     report.line("warning: %s (%s%s)", group.text, #group.ids > 1 and "or alike, in " or "", warnings.cases_of(group.ids, #told))
-    for i = 1, math.min(#group.changes, most_changes) do
-      local change = group.changes[i]
-      report.line("  -> %s%s", change.words, #group.changes > 1 and (" (%s)"):format(warnings.cases_of(change.ids, #told)) or "")
+    local texts, more = warnings.changes_of(group, #told)
+    for _, text in ipairs(texts) do
+      report.line("  -> %s", text)
     end
-    if #group.changes > most_changes then
-      report.line("  and %d more, which 'stiction explain STUDY --case ID' tells", #group.changes - most_changes)
+    if more > 0 then
+      report.line("  and %d more, which 'stiction explain STUDY --case ID' tells", more)
     end
   end
 end

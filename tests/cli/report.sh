@@ -23,6 +23,7 @@ shows '<title>A &lt;block&gt; &amp; a &quot;plane&quot;</title>' 'Do script, swe
   '<th>force_y/(N/m)</th>' ' ± ' 'result failed: result force_x: study.lua' 'not &lt;this&gt; one' \
   'body block will be strained by about 30 %' '→ ' 'all 3 cases: mu0, mu0.2, mu0.4' 'material: linear_elastic' 'friction: coulomb' \
   'first case began' 'Linux' 'file study.lua' 'compiler'
+holds "no remedy that is none" [ "$(grep -c '→ nil' "$page")" = 0 ]
 holds "warnings once" [ "$(grep -c 'will be strained' "$page")" = 1 ]
 holds "the end" [ "$(tail -n 1 "$page")" = "</body></html>" ]
 "$stiction" run "$tiny" --jobs 2 >/dev/null 2>&1
