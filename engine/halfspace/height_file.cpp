@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -42,6 +43,7 @@ using detail::refuse_heights;
 using std::string_view;
 
 constexpr string_view blanks = " \t\r";
+constexpr string_view byte_order = "\xef\xbb\xbf"; // as some editors put first
 
 string_view trimmed(string_view text) {
   auto const first = text.find_first_not_of(blanks);
@@ -75,6 +77,7 @@ public:
       ++line_;
     }
     detail::check_count(path_, file_.nx, file_.ny);
+    refuse_tables();
     return std::move(file_);
   }
 
@@ -139,6 +142,41 @@ private:
     file_.nx = column;
     ++file_.ny;
     detail::check_count(path_, file_.nx, file_.ny);
+  }
+
+  [[nodiscard]] double at(Index row, Index column) const {
+    return file_.heights[ix(row) * ix(file_.nx) + ix(column)];
+  }
+  /// Do the numbers at(k), k < count, go up by one each?
+  static bool counts(Index count, auto const& at) {
+    for (Index k = 1; k < count; ++k)
+      if (at(k) - at(k - 1) != 1)
+        return false;
+    return true;
+  }
+  [[nodiscard]] std::size_t different(Index column) const {
+    std::set<double> values;
+    for (Index row = 0; row < file_.ny; ++row)
+      values.insert(at(row, column));
+    return values.size();
+  }
+
+  /// What would be taken for heights: names of rows and columns, and places.
+  void refuse_tables() const {
+    Index const nx = file_.nx, ny = file_.ny;
+    auto const row = [this](Index j) { return [this, j](Index i) { return at(j, i); }; };
+    auto const column = [this](Index i) { return [this, i](Index j) { return at(j, i); }; };
+    if (nx > 2 && ny > 2 && (at(0, 0) == 0 || at(0, 0) == 1)) {
+      if (counts(nx, row(0)) && !counts(nx, row(1)))
+        refuse_heights(path_, "the first row counts the columns; heights alone are wanted: leave it out");
+      if (counts(ny, column(0)) && !counts(ny, column(1)))
+        refuse_heights(path_, "the first column counts the rows; heights alone are wanted: leave it out");
+    }
+    auto const lines = nx == 3 && ny > 8 ? different(0) : 0, points = lines > 1 ? different(1) : 0;
+    if (points > 1 && lines * points == ix(ny))
+      refuse_heights(path_, fmt::format("is a list of {} x {} places with their heights; a row of heights "
+                                        "for each y is wanted: reshape it",
+                                        lines, points));
   }
 
   void take(string_view word, Index column) {
@@ -279,7 +317,8 @@ HeightFile read_heights(std::string const& path, std::string const& dataset) {
   if (!dataset.empty() && !hdf5)
     refuse_heights(path, "is no HDF5 file, and has no data sets; leave it out", "dataset");
   if (!hdf5 && !bytes.starts_with("\x93NUMPY"))
-    return TextReader(path, bytes).read();
+    return TextReader(path, string_view(bytes).substr(bytes.starts_with(byte_order) ? byte_order.size() : 0))
+        .read();
   auto file = hdf5 ? detail::read_hdf5(path, dataset) : read_npy(path, bytes);
   refuse_holes(path, file);
   return file;

@@ -89,6 +89,22 @@ TEST_CASE("texts of heights are read to the last digit, whatever stands between 
   CHECK(!asc.length_y);
 }
 
+TEST_CASE("what stands around heights in a text is not taken for them") {
+  test::Folder const folder;
+  auto const written_as = [&](std::string const& words) { return written(folder, "a.csv", words); };
+  check_six(halfspace::read_heights(written_as("\xef\xbb\xbf" + text(",", six))));
+  check_six(halfspace::read_heights(written_as("\xef\xbb\xbf# unit\n" + text(",", six))));
+  std::string places;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 4; ++i)
+      places += fmt::format("{} {} {}\n", 0.5 * i, 0.25 * j, 0.1 * i * j);
+  CHECK(holds(told(written_as(places)), "4 x 3 places"));
+  CHECK(holds(told(written_as("0,1,2\n0.3,0.1,0.2\n0.5,0.7,0.6\n")), "the first row counts"));
+  CHECK(holds(told(written_as("1,0.5,0.3\n2,0.1,0.2\n3,0.7,0.6\n")), "the first column counts"));
+  for (char const* heights : {"0,1,2\n1,2,3\n2,3,4\n", "0,1,2\n0,1,2\n0,1,2\n"}) // slopes
+    CHECK(halfspace::read_heights(written_as(heights)).heights.size() == 9);
+}
+
 TEST_CASE("arrays of NumPy are read in either order and of either length") {
   test::Folder const folder;
   check_six(halfspace::read_heights(written(folder, "a.npy", npy("<f8", "False", "2, 3", six))));
