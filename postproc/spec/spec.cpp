@@ -279,7 +279,8 @@ MapSpec read_map(Reader& reader) {
     column.finish();
   }
   for (auto& kind : reader.children("kinds")) {
-    map.kinds.push_back({kind.text("letter"), kind.text("label"), index_at(kind, "colour").value_or(0)});
+    map.kinds.push_back(
+        {kind.text("letter"), kind.text("label"), index_at(kind, "colour").value_or(map.kinds.size())});
     if (map.kinds.back().letter.size() != 1)
       kind.complain_at("letter", "wants one letter");
     kind.finish();

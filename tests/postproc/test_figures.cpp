@@ -209,6 +209,16 @@ TEST_CASE("a map of many columns is wider, so that its rows keep their labels") 
   CHECK(labels(many) > 0);
 }
 
+TEST_CASE("kinds of a map without colours each have their own") {
+  auto const drawn = draw("kinds", R"({"name":"it","kind":"map","columns":[{"label":"a"},{"label":"b"}],
+    "kinds":[{"letter":"x","label":"one"},{"letter":"y","label":"two"}],
+    "rows":[{"group":"g","label":"r","cells":"xy"}]})");
+  REQUIRE_MESSAGE(drawn.code == 0, drawn.messages);
+  Image const image(work / "kinds/it.png");
+  CHECK(image.count({0, 114, 178}) > 100);
+  CHECK(image.count({213, 94, 0}) > 100);
+}
+
 TEST_CASE("a wrong spec ends with 2 and says where") {
   auto const unit = draw("unit", simple_lines(R"("file":"case0/series.h5","y":"/crown/beta")", "MPa"));
   CHECK(unit.code == 2);
