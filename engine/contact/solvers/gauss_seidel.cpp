@@ -69,7 +69,7 @@ Solution sweep(Problem const& problem, Vector const& guess, double tolerance, in
     best.work += 2;
     x = displacement(problem, p); // no drift
     Verdict const verdict = judge(problem, p);
-    best.converged = verdict.relative() <= tolerance;
+    best.converged = verdict.relative() <= tolerance && verdict.residual <= residual_felt(problem, p);
     if (best.converged || verdict.residual < best.verdict.residual) {
       best.force = p;
       best.verdict = verdict;

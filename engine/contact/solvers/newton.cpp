@@ -20,7 +20,8 @@ namespace {
 
 constexpr int sweeps = 200, most_sweeps = 5000; // after Newton has stagnated; between two judgements, in all
 constexpr int refinements = 3;
-constexpr double near_by = 0.3;   // residual of a guess that Newton takes first
+constexpr double near_by = 0.3; // residual of a guess that Newton takes first
+constexpr int projections_at_last = 1000;
 constexpr long huge = 150;        // rows, from which on sweeps cost less than its factorizations
 constexpr int quick = 12;         // iterations, before what is sure takes over
 constexpr int proximals = 80;     // in which the residual has to halve: rigid walls take many
@@ -73,6 +74,9 @@ public:
     auto solution = by_dimension(problem.dim, [&]<int D>() { return run<D>(problem, guess, stuck); });
     spend(solution.iterations, solution.work);
     if (solution.converged && !felt(problem, solution, there_)) {
+      double const enough = 0.5 * residual_felt(problem, solution.force) / solution.verdict.scale;
+      if (enough < settings_.tolerance && !sharpens_)
+        return sharpened(problem, solution.force, stuck, enough);
       solution.converged = solution.rounded = false;
       solution.method = Method::none;
     }
@@ -80,6 +84,18 @@ public:
   }
 
 private:
+  /// Large forces have to leave less than the tolerance makes of them.
+  [[nodiscard]] Solution sharpened(Problem const& problem, Vector const& guess, Stuck stuck,
+                                   double tolerance) {
+    auto settings = settings_;
+    settings.tolerance = tolerance;
+    NewtonSolver sharper(settings);
+    sharper.sharpens_ = true;
+    sharper.there_ = there_;
+    auto solution = sharper.polish(problem, guess, stuck);
+    spend(sharper.spent_.iterations, sharper.spent_.work);
+    return solution;
+  }
   [[nodiscard]] bool solved(Problem const& problem, Vector const& force) const {
     return judge(problem, force).relative() <= settings_.tolerance;
   }
@@ -233,9 +249,27 @@ private:
       if (auto beside = beside_bonds(problem, guess); beside.converged)
         return beside;
     solution = at_last(problem, std::move(solution));
+    if (!solution.converged && !approaches_)
+      solution = projected(problem, std::move(solution));
     if (!solution.converged)
       solution = approached(problem, guess, std::move(solution));
     return solution.converged ? solution : last_of_all(problem, std::move(solution));
+  }
+
+  /// Projections are slow, but where they contract nothing is in their way. From where the others have ended,
+  /// then from nothing.
+  [[nodiscard]] Solution projected(Problem const& problem, Solution solution) {
+    BipotentialUzawa projections;
+    projections.tolerance = settings_.tolerance;
+    projections.iterations = projections_at_last;
+    Vector const stuck = solution.force;
+    for (auto const& start : {stuck, Vector(Vector::Zero(stuck.size()))}) {
+      auto found = projections.make()->solve(problem, start);
+      spend(found.iterations, found.work);
+      if (found.converged && felt(problem, found, there_))
+        return found;
+    }
+    return solution;
   }
 
   /// A plain problem that takes no energy has an answer, which may be far from all that was tried.
@@ -390,6 +424,7 @@ private:
   std::unique_ptr<MinimumMemory> memory_;
   double there_ = std::numeric_limits<double>::infinity(); ///< Pa
   bool none_ = false;                                      ///< has pivoting shown that there is no answer?
+  bool sharpens_ = false;   ///< does it solve to less than the tolerance asked for?
   bool approaches_ = false; ///< is this a step on the way to another problem's answer?
   BipotentialNewton settings_;
 };

@@ -12,6 +12,8 @@ constexpr double no_answer =
     1e-8; ///< relative: so much is not rounding's, whatever it may do to a point that hardly gives way
 constexpr double left_undone = 0.4; ///< of the forces there without any: half of two gaps, if nothing gives
 constexpr double unfelt = 1e9;      ///< times the forces there are: displacements have no digits left
+constexpr double large = 10;        ///< times those without any: forces that may hide what they leave undone
+constexpr double hidden = 1e-6;     ///< of the forces there without any, beside the largest
 
 /// Where nothing can move a point, is it pressed in by more than rounding beside the tractions elsewhere? Its
 /// own force may be any.
@@ -56,10 +58,19 @@ double forces_there(Problem const& problem, Vector const& guess) {
   return there > 0 ? there : std::numeric_limits<double>::infinity();
 }
 
+double residual_felt(Problem const& problem, Vector const& force) {
+  double const there = forces_there(problem, Vector::Zero(force.size()));
+  double largest = 0;
+  for (Index i = 0; i < problem.size(); ++i)
+    largest =
+        std::max(largest, force.segment(problem.dim * i, problem.dim).norm() / problem.points[ix(i)].area);
+  return there * std::max(hidden, left_undone / (1 + std::pow(largest / (large * there), 2)));
+}
+
 bool felt(Problem const& problem, Solution const& solution, double there) {
   if (jams(problem, solution.force))
     return false;
-  if (solution.verdict.residual > left_undone * forces_there(problem, Vector::Zero(problem.free.size())))
+  if (solution.verdict.residual > residual_felt(problem, solution.force))
     return false;
   for (Index i = 0; i < problem.size(); ++i)
     if (solution.force.segment(problem.dim * i, problem.dim).norm() >

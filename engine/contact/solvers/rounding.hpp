@@ -11,9 +11,11 @@ namespace stiction::contact {
 /// Largest traction that a problem and a start for it hold, Pa: of the start, of what would take all gaps and
 /// slips away point by point, of whole bonds. Infinite where there is none of it.
 [[nodiscard]] double forces_there(Problem const& problem, Vector const& guess);
+/// What forces may leave of what was there without them, Pa. Their own size hides it from every judge: the
+/// larger they are, the less it may be.
+[[nodiscard]] double residual_felt(Problem const& problem, Vector const& force);
 /// Does W p say where the points are, beside the forces there? Forces that W feels by rounding alone may grow
-/// without end, and their own size hides from every judge what they leave: that has to be less than what was
-/// there without them.
+/// without end.
 [[nodiscard]] bool felt(Problem const& problem, Solution const& solution, double there);
 
 } // namespace stiction::contact

@@ -34,6 +34,33 @@ Problem spread(int dim, int n, unsigned seed, double mu) {
   return problem;
 }
 
+/// n dry points of a rigid body in the plane, W of rank three, that has an answer with points of all kinds.
+Problem rigid(int n, unsigned seed, double most) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Dense B(2 * n, 3);
+  for (Eigen::Index i = 0; i < B.size(); ++i)
+    B.data()[i] = normal(random);
+  Problem problem;
+  problem.W = Dense(B * B.transpose() / 3);
+  Vector force = Vector::Zero(2 * n), y = Vector::Zero(2 * n);
+  for (int i = 0; i < n; ++i) {
+    double const mu = most * uniform(random), way = random() % 2 == 0 ? 1 : -1;
+    problem.points.push_back({1, mu, -1, {}});
+    auto const kind = random() % 3;
+    if (kind == 0) {
+      y.segment<2>(2 * i) << 0.1 + uniform(random), normal(random);
+      continue;
+    }
+    force[2 * i] = 0.1 + uniform(random);
+    force[2 * i + 1] = -way * mu * force[2 * i] * (kind == 1 ? 0.9 * uniform(random) : 1);
+    y[2 * i + 1] = kind == 1 ? 0 : way * (0.1 + uniform(random));
+  }
+  problem.free = y - problem.W.dense() * force;
+  return problem;
+}
+
 } // namespace
 
 TEST_SUITE("contact") {
@@ -48,5 +75,30 @@ TEST_SUITE("contact") {
         CHECK(answer.converged);
         CHECK(answer.verdict.relative() <= 1e-9);
       }
+  }
+
+  TEST_CASE("a rigid body on many rough points is answered") {
+    int projected = 0;
+    struct Known {
+      int points;
+      double mu;
+      unsigned seed;
+    };
+    for (auto const& [points, mu, seed] : {Known{12, 1.5, 9},
+                                           {30, 1.5, 71},
+                                           {12, 3, 69},
+                                           {20, 3, 29},
+                                           {60, 3, 8},
+                                           {40, 1.5, 1},
+                                           {60, 1.5, 2},
+                                           {40, 3, 3},
+                                           {60, 3, 4}}) {
+      auto const answer = solve(BipotentialNewton{1e-9}, rigid(points, seed, mu));
+      CAPTURE(points);
+      CAPTURE(seed);
+      CHECK(answer.converged);
+      projected += answer.method == Method::uzawa ? 1 : 0;
+    }
+    CHECK(projected > 0); // what nothing else answers is among them
   }
 }

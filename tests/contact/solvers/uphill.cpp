@@ -88,19 +88,50 @@ TEST_SUITE("contact") {
     }
   }
 
-  TEST_CASE("what nothing can open is no answer, however loose the tolerance") {
-    Problem jammed; // two points face each other and have no room
-    jammed.dim = 1;
+  /// Two points that face each other and have as little room; give: of both together, of one alone.
+  Problem jaws(double first, double second, double give) {
+    Problem problem;
+    problem.dim = 1;
     Dense W(2, 2);
-    W << 1, -1, -1, 1;
-    jammed.W = W;
-    jammed.free = Vector::Constant(2, -2);
-    jammed.points = {{1, 0, -1, {}}, {1, 0, -1, {}}};
+    W << 1, give - 1, give - 1, 1;
+    problem.W = W;
+    problem.free = Vector(Eigen::Vector2d(first, second));
+    problem.points = {{1, 0, -1, {}}, {1, 0, -1, {}}};
+    return problem;
+  }
+
+  TEST_CASE("what nothing can open is no answer, however loose the tolerance") {
     for (double const tolerance : {1e-2, 1e-4, 1e-6, 1e-10})
       for (auto const& [name, choice] : all_solvers(tolerance)) {
         CAPTURE(name);
         CAPTURE(tolerance);
-        CHECK_FALSE(solve(choice, jammed).converged);
+        CHECK_FALSE(solve(choice, jaws(-2, -2, 0)).converged);
+      }
+  }
+
+  TEST_CASE("what hardly overlaps where nothing gives has no answer, however large its forces") {
+    for (double const second : {1.9, 1.99, 1.9999})
+      for (double const tolerance : {1e-8, 1e-10})
+        for (auto const& [name, choice] : all_solvers(tolerance)) {
+          CAPTURE(name);
+          CAPTURE(second);
+          CAPTURE(tolerance);
+          CHECK_FALSE(solve(choice, jaws(-2, second, 0)).converged);
+        }
+  }
+
+  TEST_CASE("large forces leave no more than small ones where little gives") {
+    for (double const give : {1e-3, 1e-5, 1e-6})
+      for (double const tolerance : {1e-6, 1e-8}) {
+        CAPTURE(give);
+        CAPTURE(tolerance);
+        BipotentialNewton newton;
+        newton.tolerance = tolerance;
+        auto const problem = jaws(-2, 1.9, give);
+        auto const solution = solve(newton, problem);
+        CHECK(solution.converged);
+        CHECK(displacement(problem, solution.force).minCoeff() > -2e-6);
+        CHECK(solution.force[1] == doctest::Approx(0.05 / give).epsilon(0.05));
       }
   }
 }
