@@ -71,3 +71,24 @@ test("two soles that border on each other press like one", function()
     assert(math.abs(halves[k] / whole[k] - 1) < 1e-7, ("%d: %.10g for %.10g"):format(k, halves[k], whole[k]))
   end
 end)
+
+--- A corner past the border of its counterpart by what a point keeps it where it is pressed, and within it where it is not.
+test("borders that lie flush pass each other, whatever the steps", function()
+  local function block(y)
+    return stiction.body { density = 1000*u.kg/u.m^3, material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.3 },
+      mesh = stiction.mesh.block { origin = { 0*mm, y*mm }, size = { 4*mm, 1*mm }, cells = { 6, 2 } } }
+  end
+  local function force(steps, more)
+    return run(stiction.scene { bodies = { low = block(0), up = block(1) },
+      pairs = { joint = stiction.pair { secondary = "up.bottom", primary = "low.top", smoothing = more } },
+      motions = { stiction.motion.fix { set = "low.bottom" }, stiction.motion.drive { set = "up.top", times = { 0*s, 1*s, 2*s },
+        x = { 0*mm, 0*mm, 0.2*mm }, y = { 0*mm, -0.06*mm, -0.06*mm } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 5 }, stiction.stage { to = 2*s, steps = steps } } },
+      probes = { joint = stiction.probe.contact { pair = "joint" } } }):last("joint", "force_y")
+  end
+  local once = force(1)
+  for _, steps in ipairs { 8, 20, 60 } do
+    assert(math.abs(force(steps) / once - 1) < 1e-6, steps)
+  end
+  assert(force(60, "polyline") / once > 0.9)
+end)

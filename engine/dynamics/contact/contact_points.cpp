@@ -15,6 +15,7 @@ namespace stiction::dynamics {
 namespace {
 constexpr Index few = 64;           // points that one thread does best
 constexpr double same_place = 1e-9; // of a pair's reach
+constexpr int most_lost = 1;        // times in a step that a point's counterpart may turn up again
 } // namespace
 
 template<int D, int C>
@@ -52,6 +53,7 @@ template<int D, int C> void ContactPoints<D, C>::begin(State const& old, double 
     point.data.mu = pair_of(point).law.mu(state.status);
     point.kinematics.foot = state.foot;
     point.apart = false;
+    point.lost = 0;
     if (weights_.velocity_level())
       limit_rates(point, dt);
   }
@@ -91,8 +93,12 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
   each_point([&](Point const& point) { geometry_.see(point.id, point.kinematics.foot); });
   geometry_.settle();
   each_point([&](Point& point) {
+    bool const had = point.kinematics.found && point.rho > 0;
     point.kinematics =
         point.apart ? contact::PointKinematics<D>{} : geometry_.kinematics(point.id, point.kinematics.foot);
+    // past a border where it is pressed, back within it where not: no state would hold
+    if (had && !point.kinematics.found && !geometry_.shared(point.id.pair))
+      point.apart = ++point.lost > most_lost;
     if (C == 3 && point.data.adhesion >= 0) // between material points of both sides
       point.data.bond.old = interface::turned(before(point).bond, point.kinematics.spin);
   });

@@ -15,7 +15,8 @@ template<int D, int C> struct StepPoint {
   bool active = false;
   bool waits = false; ///< at the velocity level: its gap will not close in this step
   bool led = false;   ///< its twin acts for both, see Twins
-  bool apart = false; ///< of one that follows: there is no counterpart to look for
+  bool apart = false; ///< there is no counterpart to look for in this step
+  int lost = 0;       ///< times that it lost its counterpart in this step
   [[nodiscard]] contact::Local<C> x() const {
     contact::Local<C> x;
     x[0] = kinematics.gap;
