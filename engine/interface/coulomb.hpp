@@ -11,7 +11,7 @@ struct Coulomb {
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Coulomb>{"coulomb", "dry friction |r_t| <= mu r_n", "(17), physics.md 3"}
-            .number("mu", &Coulomb::mu, "1", core::non_negative, core::Need::required, "friction coefficient")
+            .number("mu", &Coulomb::mu, "1", coefficients, core::Need::required, "friction coefficient")
             .build();
     return made;
   }

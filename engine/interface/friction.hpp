@@ -1,8 +1,12 @@
 // What friction laws are asked and answer: the coefficient at one point, with its derivatives.
 #pragma once
+#include "core/schema.hpp"
 #include "interface/cone.hpp"
 
 namespace stiction::interface {
+
+/// Of friction: with larger ones the cone takes what rounding leaves of slips for openings.
+inline constexpr core::Range coefficients{0, 1e6};
 
 /// The state that a coefficient may depend on.
 template<int D> struct Sliding {

@@ -20,9 +20,9 @@ struct PressureFriction {
     static auto const made =
         core::Describe<PressureFriction>{"pressure", "coefficient of friction that follows the pressure",
                                          "Thirion 1946, with mu_inf = 0"}
-            .number("mu_0", &PressureFriction::mu_0, "1", core::non_negative, Need::required,
+            .number("mu_0", &PressureFriction::mu_0, "1", coefficients, Need::required,
                     "coefficient at no pressure")
-            .number("mu_inf", &PressureFriction::mu_inf, "1", core::non_negative, Need::optional,
+            .number("mu_inf", &PressureFriction::mu_inf, "1", coefficients, Need::optional,
                     "coefficient at high pressure")
             .number("p_ref", &PressureFriction::p_ref, "Pa", core::positive, Need::required,
                     "pressure over which it changes")

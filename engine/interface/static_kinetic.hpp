@@ -15,9 +15,9 @@ struct StaticKinetic {
                                       "coefficient mu_s for a step that starts stuck or open, mu_k once the "
                                       "point has slid",
                                       "Coulomb 1785; decided at the start of each step"}
-            .number("mu_s", &StaticKinetic::mu_s, "1", core::non_negative, Need::required,
+            .number("mu_s", &StaticKinetic::mu_s, "1", coefficients, Need::required,
                     "coefficient unless the point slid in the last step")
-            .number("mu_k", &StaticKinetic::mu_k, "1", core::non_negative, Need::required,
+            .number("mu_k", &StaticKinetic::mu_k, "1", coefficients, Need::required,
                     "coefficient if the point slid in the last step")
             .build();
     return made;

@@ -12,7 +12,7 @@ struct Tresca {
   static core::Schema const& schema() {
     static auto const made =
         core::Describe<Tresca>{"tresca", "friction |r_t| <= min(mu r_n, tau_max)", "Orowan 1943"}
-            .number("mu", &Tresca::mu, "1", core::non_negative, core::Need::required,
+            .number("mu", &Tresca::mu, "1", coefficients, core::Need::required,
                     "friction coefficient at low pressure")
             .number("tau_max", &Tresca::tau_max, "Pa", core::positive, core::Need::required,
                     "shear strength of the interface")

@@ -17,9 +17,8 @@ struct VelocityFriction {
     static auto const made =
         core::Describe<VelocityFriction>{"velocity", "friction mu_k + (mu_s - mu_k) exp(-|v_t| / v_ref)",
                                          "Tustin 1947; v_t: slip of the step over its length"}
-            .number("mu_s", &VelocityFriction::mu_s, "1", core::non_negative, Need::required,
-                    "coefficient at rest")
-            .number("mu_k", &VelocityFriction::mu_k, "1", core::non_negative, Need::required,
+            .number("mu_s", &VelocityFriction::mu_s, "1", coefficients, Need::required, "coefficient at rest")
+            .number("mu_k", &VelocityFriction::mu_k, "1", coefficients, Need::required,
                     "coefficient at high speed")
             .number("v_ref", &VelocityFriction::v_ref, "m/s", core::positive, Need::required,
                     "speed over which it changes; one that falls has several answers in steps shorter than p "

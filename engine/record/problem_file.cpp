@@ -133,8 +133,8 @@ contact::ProblemPoint point_of(double const* row, ProblemReader const& reader, s
   point.mu = row[1];
   point.adhesion = reader.index(row[2], laws);
   point.bond = {{row[3], {row[4], row[5]}}, row[6], row[7] != 0};
-  reader.require(point.area > 0 && point.mu >= 0 && point.bond.old.beta >= 0 && point.bond.old.beta <= 1 &&
-                     point.bond.dt >= 0,
+  reader.require(point.area > 0 && interface::coefficients.contains(point.mu) && point.bond.old.beta >= 0 &&
+                     point.bond.old.beta <= 1 && point.bond.dt >= 0,
                  "a point's area, mu, law or bond is out of range");
   return point;
 }
@@ -204,7 +204,8 @@ contact::Problem load_packed(ProblemReader const& reader) {
     for (Eigen::Index j = i; j < W.rows(); ++j)
       W(i, j) = W(j, i) = packed[k++];
   for (double const coefficient : mu) {
-    reader.require(coefficient >= 0, "a friction coefficient is negative");
+    reader.require(interface::coefficients.contains(coefficient),
+                   "a friction coefficient is negative, or beyond all");
     problem.points.push_back({1.0, coefficient, -1, {}});
   }
   return problem;

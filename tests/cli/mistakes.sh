@@ -125,6 +125,7 @@ changed listed 's/^  sweep = .*/  sweep = { { mu = 0.2 }, { mu = 0.3 }, { mu = 0
 expect 0 "1 of the 3 cases of the sweep stand in it twice" "$stiction" run listed --list
 changed single 's/pairs = { sole = /pairs = /; s/\(coulomb { mu = p.mu }\) } }/\1 }/'
 expect 2 "pairs: is one pair by itself; name it, as in pairs = { one = pair { ... } }" "$stiction" run single
+expect 2 "friction.mu: is 1e+15; it must be in [0, 1e+06]" "$stiction" run "$tiny" --set mu=1e15
 expect 2 "no help on 'zz'; 'stiction help' tells" "$stiction" help zz
 mkdir scripts/sub
 echo 'return {}' >scripts/sub/other.lua
