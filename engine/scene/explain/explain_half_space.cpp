@@ -11,6 +11,7 @@
 #include "scene/description/human.hpp"
 #include "scene/explain/facts.hpp"
 #include "scene/explain/forecast.hpp"
+#include "scene/explain/machine.hpp"
 
 namespace stiction::scene {
 
@@ -24,6 +25,12 @@ struct GridFacts {
   [[nodiscard]] double spacing() const {
     auto const& grid = model.grid;
     return grid.line ? grid.dx() : std::max(grid.dx(), grid.dy());
+  }
+  [[nodiscard]] double steps() const {
+    long sum = 0;
+    for (auto const& stage : scene.part.schedule.stages)
+      sum += stage.steps;
+    return static_cast<double>(sum);
   }
 };
 
@@ -87,10 +94,7 @@ Section describe_grid(GridFacts const& facts) {
       fmt::format("{} force{} a point", facts.model.components(), facts.model.components() > 1 ? "s" : ""),
       law.tangential() ? "along the normal and the surface" : "nothing acts along the surface");
   tell_of_formula(facts, section);
-  long steps = 0;
-  for (auto const& stage : facts.scene.part.schedule.stages)
-    steps += stage.steps;
-  count(section, "steps", static_cast<double>(steps), "1", "nominal");
+  count(section, "steps", facts.steps(), "1", "nominal");
   return section;
 }
 
@@ -158,16 +162,46 @@ Section grid_numbers(GridFacts const& facts) {
   return section;
 }
 
+/// Products and their inverses in a step, as studies of this kind take them: the finer the grid the more.
+double products_in_step(halfspace::Model const& model) {
+  bool const along = model.components() > 1, adheres = model.law.adhesion.has_value();
+  double const finer = std::max(model.grid.nx, model.grid.ny) / 64.0;
+  double const space = !adheres ? along ? 75 * std::pow(finer, 0.35) : 55 * std::pow(finer, 0.25)
+                       : along ? 90 * std::pow(finer, 0.35)
+                                : 90 * std::pow(finer, 0.5);
+  return model.grid.line ? 0.5 * space : space;
+}
+
+/// Of a product and what goes with it, measured on no more than so many points.
+double seconds_of_product(halfspace::Model const& model) {
+  constexpr Index most = 256;
+  auto few = model.grid;
+  few.nx = std::min(few.nx, few.line ? most * most : most);
+  few.ny = std::min(few.ny, most);
+  int const D = model.components();
+  halfspace::Surface const surface(few, halfspace::Compliance::of(model.body, nullptr), D);
+  double const part = halfspace::product_operations(model.grid, D) / halfspace::product_operations(few, D);
+  constexpr double beside = 2; // of what is no product
+  return part * beside * measure_product(surface);
+}
+
 Section grid_cost(GridFacts const& facts) {
   Section section{"Cost", {}};
   auto const& grid = facts.model.grid;
   int const D = facts.model.components();
   double const pad = grid.periodic ? 1 : 2, n = grid.size();
-  // tables of waves, half of the transforms, and what problem, state and solver keep of each point
-  double const numbers = n * (pad * D + (D == 1 ? 1 : 2 * D) * (grid.periodic ? 0.25 : 1) + 12.0 * D + 16);
+  // tables of waves, half of the transforms, and what state and solver keep of each point
+  double const kept = (facts.model.law.adhesion ? 31.0 : 18.0) * D + (D > 1 ? D * D : 0);
+  double const numbers = n * (pad * D + (D == 1 ? 1 : 2 * D) * (grid.periodic ? 0.25 : 1) + kept);
   count(section, "memory", program_bytes + 8 * numbers, "B", "about");
-  count(section, "product", halfspace::product_operations(grid, D), "1",
-        "operations of one with the surface's compliance; a step takes some ten to some hundred");
+  if (facts.scene.formula)
+    return section;
+  double const products = facts.steps() * products_in_step(facts.model);
+  count(section, "operations", products * halfspace::product_operations(grid, D), "1",
+        fmt::format("of about {:.0f} products with the surface's compliance, or its inverse, a step",
+                    products_in_step(facts.model)));
+  count(section, "time", products * seconds_of_product(facts.model), "s",
+        "at the speed of this machine as busy as it is; several times as long where much snaps");
   return section;
 }
 

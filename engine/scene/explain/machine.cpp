@@ -83,6 +83,12 @@ Machine measure_machine() {
   return sum > 0 ? machine : Machine{}; // what is summed is used
 }
 
+double measure_product(halfspace::Surface const& surface) {
+  Vector const one = Vector::Ones(surface.rows());
+  Vector other = one;
+  return seconds_of([&] { surface.add_product(one, other); });
+}
+
 PassSeconds measure_passes(dynamics::Model const& model) {
   PassSeconds all;
   for (auto const& body : model.bodies)

@@ -1,6 +1,7 @@
 // How fast this machine is now: what seconds of a forecast are made of.
 #pragma once
 #include "dynamics/model/model.hpp"
+#include "halfspace/surface.hpp"
 
 namespace stiction::scene {
 
@@ -17,5 +18,8 @@ struct PassSeconds {
 };
 /// From some cells of each block.
 [[nodiscard]] PassSeconds measure_passes(dynamics::Model const& model);
+
+/// Seconds of one product with the compliance.
+[[nodiscard]] double measure_product(halfspace::Surface const& surface);
 
 } // namespace stiction::scene

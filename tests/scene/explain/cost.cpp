@@ -6,6 +6,7 @@
 #include "folder.hpp"
 #include "scene/explain/explain.hpp"
 #include "scene/explain/fill.hpp"
+#include "scene/half_spaces.hpp"
 #include "scene/run/run.hpp"
 #include "scene/scenes.hpp"
 
@@ -197,5 +198,31 @@ TEST_CASE("the operations of a run are told before it") {
     CHECK(cost(said, "unknowns") == counted.counters.at("unknowns"));
     CHECK(cost(said, "contact unknowns") == counted.counters.at("contact_unknowns"));
     check_near(cost(said, "operations"), counted.counters.at("work"));
+  }
+}
+
+TEST_CASE("the operations of a half space are told before its run") {
+  auto const on_grid = [](Input table, std::vector<double> const& points, char const* boundary) {
+    at(table, "bodies.base.points") = values(points);
+    at(table, "bodies.base.boundary") = text(boundary);
+    at(table, "schedule") = schedule({{1, 4}});
+    return table;
+  };
+  struct Known {
+    std::string name;
+    Input table;
+  };
+  auto const space = half_space_scene(), line = half_line_scene();
+  auto const pull = make("adhesion.potential", {{"w", value(0.02, "J/m^2")}, {"delta", value(1e-3, "m")}});
+  for (auto const& [name, table] :
+       {Known{"space", on_grid(space, {48, 48}, "free")},
+        Known{"space, periodic", on_grid(space, {96, 96}, "periodic")},
+        Known{"space, friction",
+              with(on_grid(space, {40, 40}, "free"), "pairs.joint.friction", coulomb(0.3))},
+        Known{"space, adhesion", with(on_grid(space, {80, 80}, "free"), "pairs.joint.adhesion", pull)},
+        Known{"line", on_grid(line, {200}, "free")},
+        Known{"line, friction", with(on_grid(line, {100}, "free"), "pairs.joint.friction", coulomb(0.3))}}) {
+    CAPTURE(name);
+    check_near(cost(scene::explain(table), "operations"), run(table).counters.at("work"));
   }
 }
