@@ -270,6 +270,9 @@ function figure.field(t)
   result.sphere = t.sphere and sphere(t.sphere, metres)
   result.obstacles = obstacle_list(t, metres)
   result.component = component(t.component, t.array)
+  if type(t.component) == "string" and result.component and not t.label then
+    result.label = ("%s, %s"):format(tostring(t.array), tostring(t.component))
+  end
   result.scale_bar = t.scale_bar and scale_bar(t.scale_bar)
   if t.film then
     result.film = copy(t.film == true and {} or t.film, known.film, "film")

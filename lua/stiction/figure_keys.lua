@@ -70,11 +70,11 @@ keys.tables = {
     { "component", "of a vector \"x\", \"y\" or \"z\", of a tensor \"xx\", \"yy\", \"zz\", \"xy\", \"yz\" or \"xz\", or their number "
       .. "from 1; default: \"magnitude\"" },
     { "unit", "of the colour bar" },
-    { "label", "of the colour bar; default: the array's name" },
+    { "label", "of the colour bar; default: the array's name and component" },
     { "deformed", "true: at the displaced nodes" },
     { "range", "{low, high} of the colours" },
     { "window", "{xmin, xmax, ymin, ymax}: what is shown" },
-    { "window_unit", "of window, crop, sphere and obstacles where they are plain numbers; default m" },
+    { "window_unit", "of the picture's axes; default m, in which plain numbers of window, crop, sphere and obstacles always are" },
     { "mesh", "true: with the edges of cells" },
     { "scale_bar", "a length, e.g. 1*mm" },
     { "view", "of a solid: {azimuth =, elevation =} in degrees, default 30 and 25" },

@@ -31,6 +31,9 @@ test("components of fields have names, numbers from 1, or are the magnitude", fu
   equal(field { array = "my_own", component = "xz" }.component, 5)
   equal(field { component = "magnitude" }.component, nil)
   equal(field {}.component, nil)
+  equal(field { component = "yy" }.label, "cauchy_stress, yy")
+  equal(field { component = "yy", label = "own" }.label, "own")
+  equal(field { component = "magnitude" }.label, nil)
   fails('component = "x"; of cauchy_stress it is "xx", "yy", "zz", "xy", "yz", "xz", or "magnitude"',
     field, { component = "x" })
   fails('component = "yy"; of displacement it is "x", "y", "z", or "magnitude"', field,

@@ -202,7 +202,7 @@ void Builder::check_half_space_probe(std::string const& name, ProbePart const& p
   } else if (auto const* line = std::get_if<LineProbe>(&part)) {
     check_pair(line->pair);
     refuse({"probes", name}, !grid.line,
-           fmt::format("would record {} points a step; take fields, or points", grid.size()));
+           "is for lines, in plane strain; in space take the fields of frames, or contact_point");
   } else if (auto const* rigid = std::get_if<RigidProbe>(&part)) {
     if (rigid->obstacle != scene_.part.height_maps.begin()->first)
       unknown_name({"probes", name, "obstacle"}, "obstacle", rigid->obstacle,

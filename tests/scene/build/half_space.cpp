@@ -48,7 +48,8 @@ TEST_CASE("what does not go with a half space is refused") {
   check_refused("probes.joint.set", text("base.surface"), "is not for half spaces");
   check_refused("probes.force", make("probe.force", {{"set", text("base.surface")}}),
                 "contact_line, rigid and energy");
-  check_refused("probes.line", make("probe.contact_line", {{"pair", text("joint")}}), "192 points a step");
+  check_refused("probes.line", make("probe.contact_line", {{"pair", text("joint")}}),
+                "is for lines, in plane strain");
   check_refused("probes.energy.audit", test::flag(true), "is not for half spaces");
 }
 
