@@ -45,4 +45,41 @@ done
 kill -INT "$id"
 wait "$id"
 holds "no word of the endless loop: $(cat output)" grep -q "endless.lua:2 is still running after .* s of the script's own work" output
+
+# a half space keeps so many numbers of each point at its peak
+cat >grid.lua <<'L'
+local stiction = require "stiction"
+local u = stiction.units
+local mm, um, s = u.mm, u.um, u.s
+return stiction.study {
+  title = "grid", given = { n = 256, w = 0*u.J/u.m^2 },
+  scene = function(p)
+    return stiction.scene { kinematics = "three_dimensional", scheme = stiction.scheme.quasi_static {},
+      bodies = { base = stiction.body.half_space { young = 1*u.MPa, poisson = 0.3, size = { 2*mm, 2*mm }, points = { p.n, p.n },
+        boundary = "free" } },
+      obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = 10*mm },
+        times = { 0*s, 1*s }, z = { 0*um, -10*um } } },
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball",
+        adhesion = p.w.si > 0 and stiction.adhesion.potential { w = p.w, delta = 10*um } or nil } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 1 } } },
+      probes = { touch = stiction.probe.contact { pair = "touch" } } }
+  end,
+}
+L
+peak() { # OPTION...: kB at the peak
+  rm -rf grid
+  "$stiction" run grid.lua --no-figures --out grid "$@" >output 2>&1 || complain "grid: $(cat output)"
+  sed -n 's/.*"peak_memory":\([0-9]*\)[0-9][0-9][0-9]\..*/\1/p' grid/case/manifest.json
+}
+arrays() { # OPTION...
+  small=$(peak "$@" --set n=256)
+  large=$(peak "$@" --set n=512)
+  echo $(((large - small) / (8 * (512 * 512 - 256 * 256) / 1000)))
+}
+if ! grep -q __asan_init "$stiction"; then # which pads what it keeps
+  dry=$(arrays)
+  pulled=$(arrays --set 'w=0.05 J/m^2')
+  holds "$dry numbers of a dry point, fewer than 26" [ "${dry:-99}" -lt 26 ]
+  holds "$pulled numbers of a point that is pulled, fewer than 40" [ "${pulled:-99}" -lt 40 ]
+fi
 finish
