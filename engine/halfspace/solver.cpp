@@ -95,33 +95,34 @@ private:
   }
   [[nodiscard]] Station here() const { return {answer_.force, answer_.x, answer_.lift}; }
   /// With what holds have, and the work that a force has still to do.
-  [[nodiscard]] Standing standing(Station const& at) const {
-    auto now = halfspace::standing<D>(problem_, at.force, at.x);
-    now.potential += 0.5 * held_lift() * std::pow(at.lift - lift_near_, 2);
+  template<class At> [[nodiscard]] Standing standing(At const& at, double lift) const {
+    auto now = halfspace::standing<D>(problem_, at);
+    now.potential += 0.5 * held_lift() * std::pow(lift - lift_near_, 2);
     if (wanted_.force)
-      now.potential += (*wanted_.force - 0.5 * now.force) * at.lift;
+      now.potential += (*wanted_.force - 0.5 * now.force) * lift;
     for (Index i = 0; hold_ > 0 && i < n_; ++i)
-      now.potential +=
-          0.5 * held(i) * (at.x.template segment<D>(D * i) - near_.segment<D>(D * i)).squaredNorm();
+      now.potential += 0.5 * held(i) * (at(i).x - near_.segment<D>(D * i)).squaredNorm();
     return now;
   }
-  [[nodiscard]] Standing standing() const { return tells() ? standing(here()) : Standing{}; }
+  /// On the way from a station to here.
+  [[nodiscard]] Standing standing_on_way(Station const& from, double part) const {
+    return standing(on_way<D>(from, answer_, part), from.lift + part * (answer_.lift - from.lift));
+  }
+  [[nodiscard]] Standing standing() const {
+    return tells() ? standing(on_way<D>(answer_, answer_, 0), answer_.lift) : Standing{};
+  }
   /// Does energy rise on the straight way from there to here? Then nothing leads down it, and a state between
   /// the two may hold. Friction has no potential: where it acts only lost bonds are asked for.
   [[nodiscard]] bool over_a_rise(Station const& from) {
     if (!tells() || torn_ || (D > 1 && standing().bonds >= bonds_at_start(problem_)))
       return false;
-    Station const to = here();
-    if ((to.x - from.x).cwiseAbs().maxCoeff() < little * opening_)
+    if ((answer_.x - from.x).cwiseAbs().maxCoeff() < little * opening_)
       return false;
-    Standing const before = standing(from);
-    double const most =
-        before.potential + work_of_pressing<D>(problem_, from, to) + rounding * std::abs(before.potential);
-    return std::ranges::any_of(looks, [&](double part) {
-      return standing({from.force + part * (to.force - from.force), from.x + part * (to.x - from.x),
-                       from.lift + part * (to.lift - from.lift)})
-                 .potential > most;
-    });
+    double const before = standing_on_way(from, 0).potential;
+    double const most = before + work_of_pressing<D>(problem_, from.x, from.force, answer_.force) +
+                        rounding * std::abs(before);
+    return std::ranges::any_of(looks,
+                               [&](double part) { return standing_on_way(from, part).potential > most; });
   }
 
   /// Where a displacement tears bonds before any force changes, an answer without them is compared with what

@@ -2,6 +2,7 @@
 // made any.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/threads.hpp"
@@ -62,28 +63,51 @@ template<int D> void add_bond(Problem const& problem, Index i, contact::Local<D>
       problem.area * (interface::bond_energy(law, bond, x[0]) + interface::dissipation<D>(law, before, x));
 }
 
-/// Forces and x of every point, [D points], N and m.
-template<int D>
-[[nodiscard]] Standing standing(Problem const& problem, Vector const& force, Vector const& x) {
+/// Force and x of a point, N and m.
+template<int D> struct PointStation { contact::Local<D> force, x; };
+
+/// Where points are so far on the straight way between two, 0 to 1: what has `force` and `x`. Both have to
+/// stay.
+template<int D> [[nodiscard]] auto on_way(auto const& from, auto const& to, double part) {
+  return [&from, &to, part](Index i) {
+    contact::Local<D> const f = from.force.template segment<D>(D * i), x = from.x.template segment<D>(D * i);
+    return PointStation<D>{f + part * (to.force.template segment<D>(D * i) - f),
+                           x + part * (to.x.template segment<D>(D * i) - x)};
+  };
+}
+
+/// at(i): PointStation of each point. Shared by threads, with the same sums however many there are.
+template<int D, class At> [[nodiscard]] Standing standing(Problem const& problem, At const& at) {
+  std::array<Standing, core::most_pieces> parts;
+  core::each_piece(problem.size(), least_points, [&](Index first, Index last) {
+    auto& part = parts[ix(core::piece_of(problem.size(), least_points, first))];
+    for (Index i = first; i < last; ++i) {
+      PointStation<D> const here = at(i);
+      part.deepest = std::max(part.deepest, -here.x[0]);
+      part.force += here.force[0];
+      part.potential += 0.5 * here.force.dot(here.x - problem.free<D>(i));
+      add_bond<D>(problem, i, here.x, part);
+    }
+  });
   Standing sum;
-  for (Index i = 0; i < problem.size(); ++i) {
-    contact::Local<D> const at = x.segment<D>(D * i), f = force.segment<D>(D * i);
-    sum.deepest = std::max(sum.deepest, -at[0]);
-    sum.force += f[0];
-    sum.potential += 0.5 * f.dot(at - problem.free<D>(i));
-    add_bond<D>(problem, i, at, sum);
+  for (auto const& part : parts) {
+    sum.potential += part.potential;
+    sum.force += part.force;
+    sum.deepest = std::max(sum.deepest, part.deepest);
+    sum.bonds += part.bonds;
   }
   return sum;
 }
 
 /// What pushes points out of each other that are pressed in at the start, at most, J.
 template<int D>
-[[nodiscard]] double work_of_pressing(Problem const& problem, Station const& from, Station const& to) {
+[[nodiscard]] double work_of_pressing(Problem const& problem, Vector const& x, Vector const& from,
+                                      Vector const& to) {
   double sum = 0;
   for (Index i = 0; i < problem.size(); ++i) {
-    double const depth = -from.x[D * i];
+    double const depth = -x[D * i];
     if (depth > 0)
-      sum += depth * std::max({0.0, from.force[D * i], to.force[D * i]});
+      sum += depth * std::max({0.0, from[D * i], to[D * i]});
   }
   return sum;
 }
