@@ -19,8 +19,19 @@ end
 
 local most_changes = 4 -- told of a group
 
---- Warnings of one wording whatever their numbers, in the order of their first: {text =, changes = (what each of them asks for, once:
---- {words =, ids =}), ids =}.
+--- The first number of per cent in a text.
+local function per_cent(text)
+  return tonumber(text:match "([%d.][%d.e+-]*) %%")
+end
+
+--- Is more told of in the one text than in the other?
+local function is_worse(text, other)
+  local own, least = per_cent(text), per_cent(other)
+  return own ~= nil and least ~= nil and own > least
+end
+
+--- Warnings of one wording whatever their numbers, in the order of their first: {text = of the most per cent, changes = (what
+--- each of them asks for, once: {words =, ids =}), ids =}.
 function warnings.groups(told)
   local groups, by_words = {}, {}
   for _, entry in ipairs(told) do
@@ -30,6 +41,8 @@ function warnings.groups(told)
       if not group then
         group = { text = warning.text, changes = {}, ids = {} }
         groups[#groups + 1], by_words[words] = group, group
+      elseif is_worse(warning.text, group.text) then
+        group.text = warning.text
       end
       add_change(group, warning.change, entry.id)
       if group.ids[#group.ids] ~= entry.id then

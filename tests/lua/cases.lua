@@ -219,3 +219,13 @@ test("cases that are warned alike tell each what it asks for", function()
   end
   equal(table.concat(told_changes, ", "), "400 steps for a c, 3000 steps for b")
 end)
+
+test("of warnings alike the one of the most per cent is told", function()
+  local function told(id, share)
+    return { id = id, warnings = { { text = ("time steps made %g %% of 3 J"):format(share) } } }
+  end
+  local groups = warnings.groups { told("a", 2.5), told("b", 1580), told("c", 31) }
+  equal(#groups, 1)
+  equal(groups[1].text, "time steps made 1580 % of 3 J")
+  equal(#groups[1].ids, 3)
+end)
