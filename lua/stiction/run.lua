@@ -110,7 +110,9 @@ local function judge(plan, rows)
   end
   local held, checks = engine.call(check.run, plan.study, cases, plan.accuracy)
   local good = false
-  if held then
+  if not held and checks.kind == "stopped" then
+    error(checks, 0)
+  elseif held then
     output.write_checks(plan.folder, checks)
     good = report.checks(checks) == 0
   end
