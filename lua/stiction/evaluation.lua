@@ -94,7 +94,7 @@ function evaluation.anew(study, folder, row, options)
   else
     result.results, result.verdict = {}, "result failed"
     result.reason = ("%s; 'stiction run STUDY --case %s --force' runs the case anew"):format(tostring(reason), row.case.id)
-    result.sources = nil -- look again next time
+    options = nil -- what its folder holds cannot be made again
   end
   row.stale, row.done = false, result.verdict == "finished"
   if options then

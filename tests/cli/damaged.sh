@@ -57,6 +57,10 @@ expect 0 "cut/mu0/manifest.json is damaged: mu0 runs anew|cut/mu0.2/series.h5 is
 holds "others run again" [ "$(grep -c started output)" = 1 ]
 expect 0 "3 cases: 3 reused" "$stiction" why drag --out cut
 expect 0 "9 of 9 results" "$stiction" compare cut good/drag
+cp cut/mu0.2/manifest.json kept.json
+truncate -s -1000 cut/mu0.2/series.h5
+expect 1 "mu0.2|result failed|--force" "$stiction" results drag --out cut
+holds "what was had of it" cmp kept.json cut/mu0.2/manifest.json
 
 # a sweep over what no scene reads is told, that of one it reads is not
 changed slip 's/sweep = { mu = { 0, 0.2, 0.4 } }/sweep = stiction.sample.sobol { count = 2, seed = 1, of = { youn = { 1e6, 2e6 } } }/
