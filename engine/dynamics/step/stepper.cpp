@@ -271,7 +271,7 @@ bool Stepper::correct(State const& old, double dt, Outcome& outcome) {
                          {old.t + dt, bulk_.surface_loads().steady(gas_, gas_old_)})) {
       outcome.verdict = StepVerdict::indefinite;
       outcome.reason = "the effective stiffness is not positive definite: what is not held, buckles or "
-                       "softens needs a density or shorter steps";
+                       "softens needs inertia or shorter steps";
       return false;
     }
     if (apply_factor())
