@@ -12,4 +12,6 @@ expect 0 "law-base-all  to run" "$stiction" extremes --quick --list
 expect 2 "there is no case 'nothing'" "$stiction" extremes --quick --case nothing
 expect 0 "1 cells: 1 converged|output: out/extremes" "$stiction" extremes --quick --case law-base-all --no-figures
 expect 0 "law-base-all  converged" "$stiction" extremes --quick --list
+# a pressure that follows, beside points that come and go before they settle
+expect 0 "1 cells: 1 converged" "$stiction" extremes --quick --case cup-seal-bonds --no-figures
 finish

@@ -64,12 +64,12 @@ bool Stepper::converged(Outcome& outcome) {
 /// Where corrections in a row hardly contract, the matrix lacks what matters: the turn of normals, if it was
 /// left out, is put in; where that is not it, corrections are mixed, after enough that points have settled.
 /// What pressures that follow a free end lack shows in two corrections together: one makes good what the
-/// other one spoils.
+/// other one spoils; where points bear something they may, and settle first.
 void Stepper::watch(Outcome const& outcome) {
   constexpr double hardly = 0.5;
   constexpr int some = 2, several = 3;
   double const of_two = contraction_ * std::exchange(contraction_before_, contraction_);
-  bool const to_and_fro = bulk_.surface_loads().pressed() && of_two > 1; // as following pressures drive it
+  bool const to_and_fro = bulk_.surface_loads().pressed() && of_two > 1 && contact_->force_scale() == 0;
   slow_ = contraction_ > hardly || to_and_fro ? slow_ + 1 : 0;
   if (slow_ >= some && contact_->insist())
     slow_ = 0;
