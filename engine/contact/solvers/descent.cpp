@@ -16,11 +16,10 @@ constexpr double enough = 1e-11;          // projected gradient over the largest
 constexpr double least_descent = 1e-4;    // of the descent that the gradient foretells
 constexpr double longest_descent = 0.5;   // stride of a step, see `stride`
 constexpr double harmless_descent = 1e-5; // step over the least opening of a law
-constexpr double touching = 1e-10;        // over the least opening of a law
 constexpr double quick = 0.1;             // contraction of the gradient
 constexpr double symmetric = 1e-12;       // difference across the diagonal over the largest entry
 constexpr long most_in_vain = 100;        // iterations without a smaller gradient: bonds that mix modes cycle
-constexpr double slight = 0.1;            // stride of a step after which one is near the end
+constexpr double slight_stride = 0.1;     // stride of a step after which one is near the end
 constexpr int most_tries = 8;             // of which points are held, in a step
 constexpr int refinements = 10;           // of forces, each of which has to halve what is left at least
 constexpr double last_digits = 1e-15;     // of them
@@ -74,7 +73,7 @@ public:
       if (!gone && !take_whole())
         break;
       before = gone ? now : std::numeric_limits<double>::infinity();
-      near_ = gone && !astray_ && gone_whole_ && stride(direction_) < slight;
+      near_ = gone && !astray_ && gone_whole_ && stride(direction_) < slight_stride;
     }
     return {p_, k, work_, false};
   }

@@ -6,6 +6,10 @@
 
 namespace stiction::contact {
 
+/// A gap within which a bond touches, over the least opening of a law: there it can only open, with the slope
+/// on that side.
+inline constexpr double touching = 1e-10;
+
 /// May the problem have several answers of which a root finder takes any? No friction, and bonds that can
 /// soften faster than everything else gives way.
 [[nodiscard]] bool may_snap(Problem const& problem);

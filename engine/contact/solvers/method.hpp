@@ -15,15 +15,16 @@ enum class Method {
   uphill,       ///< Newton from other starts, on two maps, also where nothing descends
   descent,      ///< of the potential, in displacements
   minimisation, ///< of the potential, in generalised displacements
+  damping,      ///< bodies in a viscous medium, less and less of it
   gauss_seidel, ///< point after point
   uzawa,
   pivoting,   ///< Lemke's method
   enumeration ///< every status of every point
 };
 
-inline constexpr std::array<std::string_view, 11> method_names = {
-    "none",         "sweeps",       "newton", "proximal", "uphill",     "descent",
-    "minimisation", "gauss_seidel", "uzawa",  "pivoting", "enumeration"};
+inline constexpr std::array<std::string_view, 12> method_names = {
+    "none",         "sweeps",  "newton",       "proximal", "uphill",   "descent",
+    "minimisation", "damping", "gauss_seidel", "uzawa",    "pivoting", "enumeration"};
 
 [[nodiscard]] constexpr std::string_view name_of(Method method) {
   return method_names[static_cast<std::size_t>(method)];

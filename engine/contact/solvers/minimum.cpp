@@ -23,7 +23,6 @@ constexpr double slight_change = 1e-3; // of a bond's stiffness beside what else
 constexpr double downhill_part = 1e-4; // of the descent that the gradient foretells
 constexpr double longest_stride = 0.5; // of a law's opening
 constexpr double harmless_stride = 1e-5;
-constexpr double touching = 1e-10;
 constexpr int work_panels = 4; // of Simpson's rule for the work of a bond in one step
 
 /// F of W = F F^T, by Cholesky, with pivots where W is singular; W scaled to a diagonal of one. Rows of W

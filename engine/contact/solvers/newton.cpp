@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contact/solvers/coupled_newton.hpp"
+#include "contact/solvers/damping.hpp"
 #include "contact/solvers/minimum.hpp"
 #include "contact/solvers/mixed_sweeps.hpp"
 #include "contact/solvers/newton.hpp"
@@ -248,8 +249,10 @@ private:
     if (!solution.converged)
       if (auto beside = beside_bonds(problem, guess); beside.converged)
         return beside;
+    if (!solution.converged)
+      solution = damped(problem, guess, std::move(solution));
     solution = at_last(problem, std::move(solution));
-    if (!solution.converged && !approaches_)
+    if (!solution.converged && !on_the_way_)
       solution = projected(problem, std::move(solution));
     if (!solution.converged)
       solution = approached(problem, guess, std::move(solution));
@@ -272,25 +275,42 @@ private:
     return solution;
   }
 
+  /// Bonds that soften faster than bodies give way snap in a motion that is resisted.
+  [[nodiscard]] Solution damped(Problem const& problem, Vector const& guess, Solution solution) {
+    if (on_the_way_ || problem.free.size() > pivoting_rows || problem.adhesions.empty())
+      return solution;
+    auto settings = settings_;
+    settings.tolerance = std::max(settings.tolerance, 1e-9); // of problems on the way
+    auto found = come_to_rest(
+        problem, guess,
+        [&](Problem const& nearby, Vector const& from) { return on_the_way(settings, nearby, from); },
+        [&](Problem const& same, Vector const& from) { return polish(same, from, Stuck::give_up); });
+    return found.converged ? by(Method::damping, std::move(found)) : solution;
+  }
+
+  /// Newton's answer if it has one, else that of all methods but those that pose problems on the way.
+  [[nodiscard]] Solution on_the_way(BipotentialNewton const& settings, Problem const& nearby,
+                                    Vector const& from) {
+    auto answer = newton_from(nearby, from, settings.tolerance);
+    spend(answer.iterations, answer.work);
+    if (answer.converged)
+      return answer;
+    NewtonSolver whole(settings);
+    whole.on_the_way_ = true;
+    answer = whole.solve(nearby, from);
+    spend(answer.iterations, answer.work);
+    return answer;
+  }
+
   /// A plain problem that takes no energy has an answer, which may be far from all that was tried.
   [[nodiscard]] Solution approached(Problem const& problem, Vector const& guess, Solution solution) {
-    if (approaches_ || none_ || problem.free.size() > pivoting_rows || !plain(problem) || !monotone(problem))
+    if (on_the_way_ || none_ || problem.free.size() > pivoting_rows || !plain(problem) || !monotone(problem))
       return solution;
     auto settings = settings_;
     settings.tolerance *= 10; // of problems on the way
-    NewtonSolver whole(settings);
-    whole.approaches_ = true;
     auto found = approach(
         problem, guess,
-        [&](Problem const& nearby, Vector const& from) {
-          auto answer = newton_from(nearby, from, settings.tolerance);
-          spend(answer.iterations, answer.work);
-          if (answer.converged)
-            return answer;
-          answer = whole.solve(nearby, from);
-          spend(answer.iterations, answer.work);
-          return answer;
-        },
+        [&](Problem const& nearby, Vector const& from) { return on_the_way(settings, nearby, from); },
         [&](Problem const& same, Vector const& from) { return polish(same, from, Stuck::give_up); });
     return found.converged ? by(Method::proximal, std::move(found)) : solution;
   }
@@ -425,7 +445,7 @@ private:
   double there_ = std::numeric_limits<double>::infinity(); ///< Pa
   bool none_ = false;                                      ///< has pivoting shown that there is no answer?
   bool sharpens_ = false;   ///< does it solve to less than the tolerance asked for?
-  bool approaches_ = false; ///< is this a step on the way to another problem's answer?
+  bool on_the_way_ = false; ///< is this a step on the way to another problem's answer?
   BipotentialNewton settings_;
 };
 

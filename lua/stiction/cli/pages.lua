@@ -54,10 +54,10 @@ its column `contact` counts what answered the problems of that attempt ("sweeps 
 does for a whole case. The newton solver, the default, tries in this order: sweeps (Gauss-Seidel with Anderson's
 mixing; many points without bonds), newton, proximal (the proximal point method), uphill (newton from no forces and
 from those with which all points stick, on two maps, also where the residual rises); without friction descent and
-minimisation of the potential; with it gauss_seidel (plain sweeps), pivoting (Lemke's method) and enumeration (every
-status of every point). Fewer than 60 rows, or points with bonds, are newton's first; proximal and uphill are then
-tried late, without bonds, and where all that fails proximal comes again, each problem on its way answered by all of
-this. none: nothing did.
+minimisation of the potential; with it pivoting (Lemke's method), damping (bonds that snap: bodies in a viscous medium,
+less and less of it), uzawa, gauss_seidel (plain sweeps) and enumeration (every status of every point). Fewer than 60
+rows, or points with bonds, are newton's first; proximal and uphill are then tried late, without bonds, and where all
+that fails proximal comes again, each problem on its way answered by all of this. none: nothing did.
 
 A remark at the end of a case (also in its manifest.json) tells where theory promises no single
 answer to a step: W_nn <= mu |W_nt| at a point that presses (a rod jams: Painleve), or 1/W_nn <= the steepest fall

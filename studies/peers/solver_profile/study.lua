@@ -12,8 +12,8 @@ local stiction = require "stiction"
 local listed = require "problems"
 
 local solvers = { "newton", "uzawa", "gauss_seidel" }
-local methods = { "none", "sweeps", "newton", "proximal", "descent", "minimisation", "gauss_seidel", "uzawa", "pivoting",
-  "enumeration" }
+local methods = { "none", "sweeps", "newton", "proximal", "uphill", "descent", "minimisation", "damping", "gauss_seidel",
+  "uzawa", "pivoting", "enumeration" }
 local tolerance = 1e-8
 local profiles = require "../common/profile.lua"
 local profile = profiles.of { solvers = solvers, tolerance = tolerance, lines = stiction.figure.lines }

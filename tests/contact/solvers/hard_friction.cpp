@@ -101,4 +101,21 @@ TEST_SUITE("contact") {
     }
     CHECK(projected > 0); // what nothing else answers is among them
   }
+
+  TEST_CASE("bonds that soften much faster than bodies give way are answered beside friction") {
+    int damped = 0;
+    for (auto const& [dim, n, softness] : {std::tuple{2, 30, 300.0}, {3, 8, 3000.0}, {3, 30, 30.0}})
+      for (unsigned seed = 0; seed < 30; ++seed) {
+        auto problem = random_problem(dim, n, seed, 0.05);
+        add_adhesion(problem, softness, seed);
+        auto const answer = solve(BipotentialNewton{}, problem);
+        CAPTURE(dim);
+        CAPTURE(softness);
+        CAPTURE(seed);
+        CHECK(answer.converged);
+        CHECK(judge(problem, answer.force).relative() <= 1e-10);
+        damped += answer.method == Method::damping ? 1 : 0;
+      }
+    CHECK(damped > 0); // what nothing else answers is among them
+  }
 }
