@@ -51,6 +51,9 @@ struct Law {
   }
 };
 
+/// The same laws with the same parameters.
+[[nodiscard]] bool alike(Law const& a, Law const& b);
+
 // What each law defines for itself, dispatched; D = 1, 2, 3.
 
 template<int D> [[nodiscard]] Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at);

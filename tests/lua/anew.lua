@@ -227,6 +227,15 @@ test("points of several pairs, or of mortar and periodic sides, that share a nod
     scene.constraints = { stiction.constraint.periodic { set = "pad.left", to = "pad.right" } }
     equal(warns(scene, "nodes that move as one"), how == "mortar")
   end
+  for _, stiffer in ipairs { 1, 100 } do
+    local scene = two_soles("floor")
+    scene.bodies.base = block { origin = { -2*m, -1*m }, size = { 5*m, 1*m }, cells = { 5, 2 }, young = stiffer * (1*GPa) }
+    scene.pairs = { a = stiction.pair { secondary = "pad.bottom", primary = "base.top" } }
+    scene.obstacles = nil
+    scene.motions[2] = stiction.motion.fix { set = "base.bottom" }
+    scene.constraints = { stiction.constraint.periodic { set = "pad.left", to = "pad.right" } }
+    equal(warns(scene, "over different facets of a body that hardly gives way"), stiffer == 100)
+  end
 end)
 
 test("bonds hold past the border of their counterpart as far as one of its facets, and are let go with a remark", function()

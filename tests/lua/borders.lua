@@ -1,4 +1,4 @@
--- Pairs of one counterpart that border on each other: the node between them is a point of one of them.
+-- Points that are one: nodes between pairs of one counterpart that border on each other, and nodes that move as one.
 local test, equal, _, shared = ...
 local stiction = require "stiction"
 local u = stiction.units
@@ -91,4 +91,53 @@ test("borders that lie flush pass each other, whatever the steps", function()
     assert(math.abs(force(steps) / once - 1) < 1e-6, steps)
   end
   assert(force(60, "polyline") / once > 0.9)
+end)
+
+local follows = stiction.friction.pressure { mu_0 = 0.8, mu_inf = 0.1, p_ref = 50*u.kPa }
+
+--- Blocks of so many cells side by side, 1 mm high, pressed on a floor or what `more` gives, and dragged.
+local function dragged(blocks, more)
+  local bodies, pairs, motions, probes, from = {}, {}, {}, {}, 0
+  for i, cells in ipairs(blocks) do
+    local name = "b" .. i
+    bodies[name] = stiction.body { material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 }, density = 1000*u.kg/u.m^3,
+      mesh = stiction.mesh.block { origin = { from * 0.5*mm, 0*mm }, size = { cells * 0.5*mm, 1*mm }, cells = { cells, 2 } } }
+    from = from + cells
+    pairs[name] = stiction.pair { secondary = name .. ".bottom", primary = "floor", friction = follows }
+    probes[name] = stiction.probe.contact { pair = name }
+    motions[i] = stiction.motion.drive { set = name .. ".top", times = { 0*s, 1*s }, x = { 0*mm, 0.2*mm }, y = { 0*mm, -0.05*mm } }
+  end
+  local scene = { bodies = bodies, pairs = pairs, motions = motions, probes = probes,
+    obstacles = { floor = stiction.obstacle { shape = stiction.rigid.circle { centre = { 0.8*mm, -5*mm }, radius = 5*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 8 } } } }
+  for key, value in _G.pairs(more or {}) do
+    scene[key] = value
+  end
+  return scene
+end
+
+test("two bodies that are tied press and rub like one, whichever follows", function()
+  local function answer(blocks, more)
+    local case, force, most = run(stiction.scene(dragged(blocks, more))), 0, 0
+    for i in ipairs(blocks) do
+      force, most = force + case:last("b" .. i, "force_x"), math.max(most, case:last("b" .. i, "pressure_max"))
+    end
+    return force, most
+  end
+  local force, most = answer { 8 }
+  for _, sides in ipairs { { "b1.right", "b2.left" }, { "b2.left", "b1.right" } } do
+    local of_two, at_most = answer({ 4, 4 }, { constraints = { stiction.constraint.tied { set = sides[1], to = sides[2] } } })
+    assert(math.abs(of_two / force - 1) < 1e-7, of_two / force)
+    assert(math.abs(at_most / most - 1) < 1e-7, at_most / most)
+  end
+end)
+
+test("the ends of a periodic side are one point also where motions hold them along it", function()
+  local floor = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } }
+  local scene = dragged({ 8 }, { obstacles = floor, constraints = { stiction.constraint.periodic { set = "b1.left", to = "b1.right" } } })
+  scene.motions = { stiction.motion.drive { set = "b1.top", times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -0.05*mm } },
+    stiction.motion.fix { set = "b1.left", x = true }, stiction.motion.fix { set = "b1.right", x = true } }
+  local case = run(stiction.scene(scene))
+  local mean = case:last("b1", "force_y") / 4e-3
+  assert(math.abs(case:last("b1", "pressure_max") / mean - 1) < 1e-7, case:last("b1", "pressure_max") / mean)
 end)

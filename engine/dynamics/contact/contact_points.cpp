@@ -118,15 +118,18 @@ template<int D, int C> void ContactPoints<D, C>::locate(Vector const& u, bool se
 
 /// Of twins that are alike the first has the area and the reaction of all.
 template<int D, int C> void ContactPoints<D, C>::pair_twins() {
-  for (auto const& [first, second] : twins_.all())
+  for (auto const& [first, second] : twins_.all()) {
     points_[ix(first)].data.area = own_area(points_[ix(first)]);
+    points_[ix(second)].lead = -1;
+  }
   for (auto const& [first, second] : twins_.all()) {
     auto &lead = points_[ix(first)], &point = points_[ix(second)];
     auto const &a = lead.data, &b = point.data;
-    point.led = lead.waits == point.waits && a.bond.old.beta == b.bond.old.beta && a.mu == b.mu &&
-                twins_.alike(lead.kinematics, point.kinematics, same_place * pair_of(point).reach);
-    if (!point.led)
+    if (point.lead >= 0 || lead.lead >= 0 || lead.waits != point.waits ||
+        a.bond.old.beta != b.bond.old.beta || a.mu != b.mu ||
+        !twins_.alike(lead.kinematics, point.kinematics, same_place * pair_of(point).reach))
       continue;
+    point.lead = first;
     lead.data.area += own_area(point);
     lead.force += point.force;
     point.force.setZero();
@@ -143,7 +146,7 @@ template<int D, int C> void ContactPoints<D, C>::choose_active(Point& point) con
   bool const near = gap < pair.reach && deepest > -contact::most_depth * pair.reach &&
                     !(point.waits && pair.law.range() == 0) && !geometry_.beneath(point.id, point.kinematics);
   bool const was = point.active;
-  point.active = point.kinematics.found && !point.led && (held || near);
+  point.active = point.kinematics.found && point.lead < 0 && (held || near);
   if (!point.active)
     point.force.setZero();
   if (!was)
@@ -239,10 +242,10 @@ template<int D, int C> void ContactPoints<D, C>::finish(State& next) const {
   }
   for (auto const& [first, second] : twins_.all()) {
     auto const &lead = points_[ix(first)], &point = points_[ix(second)];
-    auto& contacts = next.contacts[ix(lead.id.pair)];
-    auto &of_lead = contacts[ix(lead.id.index)], &of_point = contacts[ix(point.id.index)];
+    auto& of_lead = next.contacts[ix(lead.id.pair)][ix(lead.id.index)];
+    auto& of_point = next.contacts[ix(point.id.pair)][ix(point.id.index)];
     of_lead.area = own_area(lead);
-    if (!point.led)
+    if (point.lead != first)
       continue;
     auto const foot = of_point.foot;
     of_point = of_lead;

@@ -14,7 +14,7 @@ template<int D, int C> struct StepPoint {
   contact::ProblemPoint data;                          ///< area, mu, bond
   bool active = false;
   bool waits = false; ///< at the velocity level: its gap will not close in this step
-  bool led = false;   ///< its twin acts for both, see Twins
+  Index lead = -1;    ///< the point that acts for this one too, see Twins; -1: none
   bool apart = false; ///< there is no counterpart to look for in this step
   int lost = 0;       ///< times that it lost its counterpart in this step
   [[nodiscard]] contact::Local<C> x() const {

@@ -1,7 +1,9 @@
 // Which nodes move as one, by the constraints, and points on them.
 #include "dynamics/contact/twins.hpp"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace stiction::dynamics {
 
@@ -9,17 +11,32 @@ namespace {
 
 constexpr double same_rows = 1e-9;
 
-/// The node that every component of this one follows as it is; itself: none.
-Index followed(std::vector<Link const*> const& link_of, Index node, int dim) {
-  Index other = -1;
-  for (int c = 0; c < dim; ++c) {
-    auto const* link = link_of[ix(dim * node + c)];
-    if (link == nullptr || link->masters.size() != 1 || link->masters[0].second != 1 ||
-        link->masters[0].first % dim != c || (c > 0 && link->masters[0].first / dim != other))
-      return node;
-    other = link->masters[0].first / dim;
-  }
-  return other;
+constexpr Index by_motion = -1; ///< where a degree of freedom is one of a motion's
+
+/// What each degree of freedom follows as it is: another, itself, or a motion.
+Indices leaders(Model const& model) {
+  Indices lead(ix(model.dofs()));
+  std::iota(lead.begin(), lead.end(), Index{0});
+  for (auto const& link : model.links)
+    if (link.masters.size() == 1 && link.masters[0].second == 1)
+      lead[ix(link.dof)] = link.masters[0].first;
+  for (auto const& motion : model.motions)
+    for (Index const node : motion.nodes)
+      lead[ix(model.dim() * node + motion.component)] = by_motion;
+  for (auto& one : lead)
+    one = one == by_motion ? by_motion : lead[ix(one)];
+  return lead;
+}
+
+struct Seen {
+  Pair const* pair;
+  Index point; ///< numbered through all points
+};
+
+bool may_share(Pair const& a, Pair const& b) {
+  auto const *rigid = std::get_if<RigidSide>(&a.primary), *other = std::get_if<RigidSide>(&b.primary);
+  bool const one = rigid != nullptr && other != nullptr ? rigid->body == other->body : rigid == other;
+  return one && interface::alike(a.law, b.law);
 }
 
 } // namespace
@@ -27,20 +44,27 @@ Index followed(std::vector<Link const*> const& link_of, Index node, int dim) {
 Twins::Twins(Model const& model) {
   if (model.links.empty())
     return;
-  std::vector<Link const*> link_of(ix(model.dofs()), nullptr);
-  for (auto const& link : model.links)
-    link_of[ix(link.dof)] = &link;
-  moves_as_.resize(ix(model.node_count()));
-  for (Index node = 0; node < model.node_count(); ++node)
-    moves_as_[ix(node)] = followed(link_of, node, model.dim());
-  Index start = 0;
-  for (auto const& pair : model.pairs) {
-    std::map<Index, Index> first;
-    for (Index i = 0; i < pair.size() && !pair.shared(); ++i)
-      if (auto const [at, fresh] = first.try_emplace(moves_as_[ix(pair.secondary[ix(i)])], start + i); !fresh)
-        all_.push_back({at->second, start + i});
-    start += pair.size();
+  auto const lead = leaders(model);
+  std::map<Indices, Index> of_components;
+  auto const dim = static_cast<std::ptrdiff_t>(model.dim());
+  for (Index node = 0; node < model.node_count(); ++node) {
+    auto const first = lead.begin() + dim * node;
+    Indices const key(first, first + dim);
+    bool const moves = std::ranges::any_of(key, [](Index one) { return one != by_motion; });
+    moves_as_.push_back(moves ? of_components.try_emplace(key, node).first->second : node);
   }
+  std::map<Index, std::vector<Seen>> of_node;
+  Index count = 0;
+  for (auto const& pair : model.pairs)
+    for (Index i = 0; i < pair.size(); ++i, ++count) {
+      if (pair.shared())
+        continue;
+      auto& seen = of_node[moves_as_[ix(pair.secondary[ix(i)])]];
+      for (auto const& [before, point] : seen)
+        if (before == &pair || may_share(*before, pair))
+          all_.push_back({point, count});
+      seen.push_back({&pair, count});
+    }
 }
 
 template<int D>

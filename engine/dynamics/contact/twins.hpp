@@ -5,7 +5,8 @@
 
 namespace stiction::dynamics {
 
-/// A point and a later one of the same pair, both numbered through all points of the model.
+/// A point and a later one of the same pair, or of one with the same law and counterpart, both numbered
+/// through all points of the model.
 struct Twin {
   Index first, second;
 };
@@ -15,8 +16,10 @@ struct Twin {
 class Twins {
 public:
   explicit Twins(Model const& model);
+  /// By the later one, then by the first.
   [[nodiscard]] std::vector<Twin> const& all() const { return all_; }
-  /// The node that this one follows in all components by the constraints; itself: none.
+  /// The first node that moves as this one does, each component by constraints or, of both, by motions, which
+  /// may be unlike; not all by motions.
   [[nodiscard]] Index moves_as(Index node) const { return moves_as_.empty() ? node : moves_as_[ix(node)]; }
   /// Do the same unknowns move gap and slip of both, by the same rows H, and are these equal to `off`, m?
   template<int D>
@@ -24,7 +27,7 @@ public:
                            double off) const;
 
 private:
-  Indices moves_as_; ///< [nodes] the one that each follows, itself where it follows none
+  Indices moves_as_; ///< [nodes] the first that moves as each; empty: none but itself
   std::vector<Twin> all_;
 };
 

@@ -189,8 +189,8 @@ void Builder::follow(Index follower, std::map<Index, double> const& sum) {
   double const own = sum.at(follower);
   dynamics::Link made{follower, {}};
   for (auto const& [dof, factor] : sum)
-    if (dof != follower)
-      made.masters.emplace_back(dof, -factor / own);
+    if (double const weight = -factor / own; dof != follower)
+      made.masters.emplace_back(dof, std::abs(weight - 1) < rounded ? 1 : weight);
   for (std::size_t k = 0; leads_[ix(made.dof)] && k < links.size(); ++k)
     replace(links[k], made);
   link_of_[ix(made.dof)] = static_cast<Index>(links.size());
