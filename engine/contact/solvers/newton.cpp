@@ -30,6 +30,7 @@ constexpr int few_proximals = 25; // of them, before another map is tried
 constexpr double near_answer = 1e-4, nearer = 0.1; // residuals at which proximal points are finished
 constexpr int last_steps = 10;                     // in which that succeeds or not
 constexpr int held_frictions = 4;                  // descents between which friction changes
+constexpr double all_but_monotone = 1e-2;          // of the mean of W's diagonal, that it may take
 constexpr int pivotings = 12;                      // with the bonds linear about the last answer
 
 /// The same as this method's, if it converged.
@@ -39,10 +40,10 @@ Solution by(Method method, Solution solution) {
   return solution;
 }
 
-/// Does W take no energy from any forces?
-bool monotone(Problem const& problem) {
+/// Does W take no energy from any forces, or this part of it at most?
+bool monotone(Problem const& problem, double part = 1e-10) {
   Dense const& W = problem.W.dense();
-  return linear::monotone(W, 1e-10 * W.diagonal().mean());
+  return linear::monotone(W, part * W.diagonal().mean());
 }
 
 /// What Newton may do where it stagnates; hand_over: where slow, too.
@@ -302,12 +303,13 @@ private:
     return answer;
   }
 
-  /// A plain problem that takes no energy has an answer, which may be far from all that was tried.
+  /// A problem that takes no energy has an answer, which may be far from all that was tried; of bodies that
+  /// hardly give way along the surface, where rows of W are as good as none, forces are all but undecided.
   [[nodiscard]] Solution approached(Problem const& problem, Vector const& guess, Solution solution) {
-    if (on_the_way_ || none_ || problem.free.size() > pivoting_rows || !plain(problem) || !monotone(problem))
+    if (on_the_way_ || none_ || problem.free.size() > pivoting_rows || !monotone(problem, all_but_monotone))
       return solution;
     auto settings = settings_;
-    settings.tolerance *= 10; // of problems on the way
+    settings.tolerance *= 0.1; // of problems on the way: at no less they would stay where they are
     auto found = approach(
         problem, guess,
         [&](Problem const& nearby, Vector const& from) { return on_the_way(settings, nearby, from); },

@@ -6,7 +6,7 @@ namespace stiction::contact {
 namespace {
 
 constexpr int most = 100, most_failures = 25, few_failures = 5;
-constexpr long patient_rows = 400;     // rows, up to which more failures cost little
+constexpr long patient_rows = 400;     // dry ones, up to which more failures cost little
 constexpr double less = 0.5, more = 4; // times the compliance after an answer, after none
 constexpr double least = 1e-12;        // of a point's own compliance
 
@@ -38,7 +38,8 @@ Problem const& Nearby::at(double a, Vector const& force) {
 Solution approach(Problem const& problem, Vector const& guess, Answering const& answer,
                   Answering const& polish) {
   Nearby nearby(problem, own_compliances(problem));
-  int const patience = problem.free.size() <= patient_rows ? most_failures : few_failures;
+  bool const patient = problem.free.size() <= patient_rows && problem.adhesions.empty();
+  int const patience = patient ? most_failures : few_failures;
   Solution reached;
   reached.force = guess;
   double part = 1;

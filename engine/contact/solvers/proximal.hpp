@@ -24,8 +24,8 @@ private:
 using Answering = std::function<Solution(Problem const&, Vector const&)>;
 
 /// By problems nearby, D the largest compliance of each point: each is answered by `answer`, and from there
-/// the problem itself by `polish`. For problems that nothing answers at once; W must take no energy from any
-/// forces. Converged, or where it was given up: sooner where there are many rows.
+/// the problem itself by `polish`. For problems that nothing answers at once; W must take all but no energy
+/// from any forces. Converged, or where it was given up: sooner where there are many rows, or bonds.
 [[nodiscard]] Solution approach(Problem const& problem, Vector const& guess, Answering const& answer,
                                 Answering const& polish);
 

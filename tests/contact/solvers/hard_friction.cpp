@@ -2,6 +2,7 @@
 // answer.
 #include <doctest/doctest.h>
 
+#include "contact/saved.hpp"
 #include "contact/solvers.hpp"
 
 using namespace stiction;
@@ -117,5 +118,11 @@ TEST_SUITE("contact") {
         damped += answer.method == Method::damping ? 1 : 0;
       }
     CHECK(damped > 0); // what nothing else answers is among them
+  }
+
+  TEST_CASE("bodies that give way next to nothing along the surface are answered") {
+    auto const answer = solve(BipotentialNewton{1e-10}, saved("slab_held_along"));
+    CHECK(answer.converged);
+    CHECK(answer.verdict.relative() <= 1e-10);
   }
 }
