@@ -1,7 +1,6 @@
 // What each law defines for itself, dispatched: compiled once, since every law in every dimension takes long.
 #include "interface/law.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace stiction::interface {
@@ -62,26 +61,7 @@ private:
   Scales scale_;
 };
 
-/// Of one kind with the same values?
-template<class Choice> bool alike(std::optional<Choice> const& a, std::optional<Choice> const& b) {
-  if (!a || !b)
-    return !a && !b;
-  return a->index() == b->index() &&
-         std::visit(
-             [&]<class Kind>(Kind const& one) {
-               auto const& other = std::get<Kind>(*b);
-               return std::ranges::all_of(Kind::schema().parameters, [&](core::Parameter const& p) {
-                 return p.get && p.get(&one) == p.get(&other);
-               });
-             },
-             *a);
-}
-
 } // namespace
-
-bool alike(Law const& a, Law const& b) {
-  return alike(a.friction, b.friction) && alike(a.adhesion, b.adhesion);
-}
 
 template<int D> Coefficient<D> coefficient(FrictionLaw const& friction, Sliding<D> const& at) {
   return std::visit([&](auto const& law) { return coefficient<D>(law, at); }, friction);

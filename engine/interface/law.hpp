@@ -1,6 +1,7 @@
 // The interface of one pair: friction and, where declared, adhesion. A new law is one header and one word
 // here.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -51,8 +52,21 @@ struct Law {
   }
 };
 
-/// The same laws with the same parameters.
-[[nodiscard]] bool alike(Law const& a, Law const& b);
+/// None of both, or of one kind with the same parameters.
+template<class Choice>
+[[nodiscard]] bool alike(std::optional<Choice> const& a, std::optional<Choice> const& b) {
+  auto const same = [&]<class Kind>(Kind const& one) {
+    auto const& other = std::get<Kind>(*b);
+    return std::ranges::all_of(Kind::schema().parameters, [&](core::Parameter const& p) {
+      return p.get && p.get(&one) == p.get(&other);
+    });
+  };
+  return a && b ? a->index() == b->index() && std::visit(same, *a) : !a && !b;
+}
+
+[[nodiscard]] inline bool alike(Law const& a, Law const& b) {
+  return alike(a.friction, b.friction) && alike(a.adhesion, b.adhesion);
+}
 
 // What each law defines for itself, dispatched; D = 1, 2, 3.
 
