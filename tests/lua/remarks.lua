@@ -126,3 +126,25 @@ test("what long steps lose of a blow is a share of what there was before it", fu
     assert(share > 50 and share <= 100, text)
   end
 end)
+
+test("what a free body on a spring loses is told with what helps it, which does", function()
+  local function swung(inertia)
+    return block { motions = { stiction.motion.fix { set = "a.all" } },
+      obstacles = { o = stiction.obstacle { shape = stiction.rigid.circle { centre = { 50*mm, 0*mm }, radius = 1*mm },
+        mass = 0.01*u.kg, velocity = { 0*u.m/s, 0.05*u.m/s } } },
+      pairs = { j = stiction.pair { secondary = "a.right", primary = "o" } },
+      springs = { k = stiction.spring { from = "o", anchor = { 40*mm, 0*mm }, stiffness = 2*u.N/u.m, along = "line", rest = 8*mm } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 400 } } },
+      scheme = stiction.scheme.theta_xi { contact_inertia = inertia } }
+  end
+  for _, inertia in ipairs { "implicit", "none" } do
+    local text = remark(swung(inertia), "backward Euler")
+    assert(text and text:find('contact_inertia = "full" hardly any', 1, true), text or "no remark")
+  end
+  equal(remark(swung "full", "lost"), nil)
+  local warned = shared("scenes").warned
+  equal(warned(swung "full", "backward Euler"), false)
+  for _, inertia in ipairs { "implicit", "none" } do
+    equal(warned(swung(inertia), "which takes 39"), true)
+  end
+end)

@@ -1,4 +1,6 @@
 // What springs couple, how fast they swing, and what they cost.
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -9,7 +11,8 @@ namespace stiction::scene {
 
 namespace {
 
-constexpr std::size_t many = 400; ///< nodes in a mean, whose matrix is a full one of that size
+constexpr std::size_t many = 400;     ///< nodes in a mean, whose matrix is a full one of that size
+constexpr double worth_telling = 0.1; ///< of a swing's energy
 
 /// Mass of the body or free obstacle that the node is of, kg.
 double mass_at(Facts const& all, Index node) {
@@ -29,6 +32,37 @@ double period(Facts const& all, dynamics::Spring const& spring) {
     rate += 1 / mass_at(all, spring.to.nodes.front());
   double const part = spring.along == dynamics::SpringAlong::axes ? spring.axes.maxCoeff() : 1;
   return 2 * std::numbers::pi / std::sqrt(part * spring.stiffness * rate);
+}
+
+/// What backward Euler, which moves free rigid bodies beside contact, takes of a swing's energy in the run,
+/// 1 - (1 + (omega dt)^2)^-steps.
+double taken(double period, double end, double steps) {
+  double const turn = 2 * std::numbers::pi / period * end / steps;
+  return 1 - std::pow(1 + turn * turn, -steps);
+}
+
+bool on_free_body(Facts const& all, dynamics::Spring const& spring) {
+  return std::ranges::any_of(all.scene->model->rigids, [&](auto const& rigid) {
+    auto const is = [&](dynamics::SpringEnd const& end) {
+      return !end.nodes.empty() && end.nodes.front() == rigid.node;
+    };
+    return rigid.free() && (is(spring.from) || is(spring.to));
+  });
+}
+
+void warn_of_free_body(Facts const& all, dynamics::Spring const& spring, std::vector<Warning>& warnings) {
+  double const T = period(all, spring), part = taken(T, all.end, static_cast<double>(all.steps));
+  if (part <= worth_telling)
+    return;
+  double const turns = 2 * std::numbers::pi * all.end / T;
+  double const steps = std::ceil(turns * turns / -std::log1p(-worth_telling));
+  warnings.push_back(
+      {fmt::format("spring {}: the free body on it goes by backward Euler, which takes {} of "
+                   "what swings in the run",
+                   spring.name, percent(part)),
+       fmt::format("contact_inertia = \"full\" where it hardly touches, or {:.0f} steps in all "
+                   "instead of {}, which take a tenth",
+                   steps, all.steps)});
 }
 
 std::string end_words(std::string const& name, dynamics::SpringEnd const& end) {
@@ -93,6 +127,9 @@ void warn_of_springs(Facts const& all, std::vector<Warning>& warnings) {
           {fmt::format("spring {}: a step of {} is more than a tenth of its period {}", spring.name,
                        human(all.longest_step, "s"), human(period(all, spring), "s")),
            "more steps show its swings; where they do not matter leave it"});
+    if (spring.stiffness > 0 && dynamics::weights(all.scene->model->scheme).surface_apart() &&
+        on_free_body(all, spring))
+      warn_of_free_body(all, spring, warnings);
   }
 }
 

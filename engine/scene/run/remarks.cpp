@@ -131,14 +131,17 @@ void Remarks::seek_met(dynamics::State const& state) {
 }
 
 /// Surfaces apart from the bodies go by backward Euler, which takes from what turns or swings.
-char const* Remarks::losing_less() const {
+std::string Remarks::losing_less() const {
   bool const unmet = std::ranges::all_of(nearest_, [](double gap) { return gap >= 0; });
   bool const apart = !nearest_.empty() && dynamics::weights(scene_->model->scheme).surface_apart();
-  return unmet && apart
-             ? "nothing touched, and contact surfaces and free rigid bodies go by backward Euler, which "
-               "takes energy and angular momentum from what turns or swings; smaller steps take "
-               "less, contact_inertia = \"full\" or \"none\" hardly any"
-             : "smaller steps and a finer mesh where bodies land lose less";
+  if (!unmet || !apart)
+    return "smaller steps and a finer mesh where bodies land lose less";
+  bool const free = std::ranges::any_of(scene_->model->rigids, &dynamics::RigidBody::free);
+  return fmt::format(
+      "nothing touched, and contact surfaces and free rigid bodies go by backward Euler, which "
+      "takes energy and angular momentum from what turns or swings; smaller steps take less, "
+      "contact_inertia = \"full\"{} hardly any",
+      free ? "" : " or \"none\"");
 }
 
 void Remarks::add_unmet(std::vector<std::string>& all) const {

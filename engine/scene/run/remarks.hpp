@@ -47,7 +47,7 @@ private:
   void note(dynamics::ContactSystem const& contact, double t, contact::Doubts const& found);
   void add_rounded(std::vector<std::string>& all) const;
   void add_unmet(std::vector<std::string>& all) const;
-  [[nodiscard]] char const* losing_less() const;
+  [[nodiscard]] std::string losing_less() const;
   struct Remark {
     std::string text;
     long steps = 0;
