@@ -1,5 +1,5 @@
--- A stub bonded to a base and twisted: a bond joins two material points, whose way apart is a chord, however the two turn.
-local test, _, _, shared = ...
+-- Bodies that turn. A stub bonded to a base: a bond joins two material points, whose way apart is a chord, however the two turn.
+local test, equal, _, shared = ...
 local stiction = require "stiction"
 local u = stiction.units
 local mm, s, N, m, J = u.mm, u.s, u.N, u.m, u.J
@@ -55,4 +55,23 @@ test("bonds of two that turn together feel nothing", function()
   local case = run(scene(math.pi / 2, 9, "both"))
   local energy = case:series("energy", "bond")
   assert(energy[#energy] - energy[1] < 1e-9, energy[#energy] - energy[1])
+end)
+
+test("a body that is carried about an axis is not stretched by the way, however long the steps", function()
+  for _, dim in ipairs { 2, 3 } do
+    local corner, size = { 1*mm, 2*mm, dim == 3 and 3*mm or nil }, { 2*mm, 3*mm, dim == 3 and 2*mm or nil }
+    local mesh = dim == 3 and stiction.mesh.box { origin = corner, size = size, cells = { 2, 2, 2 }, kind = "hex20" }
+      or stiction.mesh.block { origin = corner, size = size, cells = { 2, 3 }, kind = "quad8" }
+    local case = run(stiction.scene { kinematics = dim == 3 and "three_dimensional" or nil,
+      bodies = { b = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3,
+        material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4995 } } },
+      motions = { stiction.motion.turn { set = "b.bottom", times = { 0*s, 1*s }, angle = { 0, 2 },
+        axis = dim == 3 and { 1, 2, -0.7 } or nil, centre = { 10*mm, -3*mm, dim == 3 and 4*mm or nil },
+        x = { 0*mm, 5*mm }, y = { 0*mm, 1*mm } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 8 } } },
+      probes = { e = stiction.probe.energy {} } })
+    equal(case.result.steps, 8)
+    assert(case.result.iterations <= 40, case.result.iterations)
+    assert(case:max("e", "strain") < 1e-12, case:max("e", "strain")) -- of 1e6 Pa 1e-8 m^3
+  end
 end)

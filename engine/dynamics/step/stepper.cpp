@@ -44,8 +44,8 @@ core::Schema const& StepControl::schema() {
 
 Stepper::Stepper(Model const& model, Purpose purpose)
     : model_(&model), weights_(weights(model.scheme)), bulk_(model, weights_, purpose),
-      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
-      arms_(arms(model)) {
+      contact_(make_contact_system(model, bulk_)), tunnelling_(model), carried_(model),
+      driver_(ix(model.dofs()), nullptr), arms_(arms(model)) {
   learn_of_model();
 }
 
@@ -142,12 +142,12 @@ void Stepper::start_rates(State& state) {
   state.a = bulk_.mass().solve(force, held);
 }
 
-/// First guess: on with the old rates, or at rest, with driven unknowns where they are driven. Where they
-/// would leap out of bodies that are not linear, they first go on like these, and the first correction takes
-/// both there along the tangent.
+/// First guess: on with the old rates, at rest or as a rigid body, driven unknowns where they are driven.
+/// Where those leap out of bodies that are not linear, the first correction takes both there by the tangent.
 void Stepper::predict(State const& old, double dt, Start start) {
   double const t1 = old.t + dt;
   d_ = (start == Start::onward ? dt : 0.0) * old.v;
+  carried_.guess(old.u, t1, d_);
   lead_.setZero(d_.size());
   each_driven([&](Motion const& motion) { return motion.value(t1); },
               [&](Index dof, double value) { lead_[dof] = value - old.u[dof] - d_[dof]; });

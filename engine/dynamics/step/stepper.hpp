@@ -10,6 +10,7 @@
 #include "dynamics/contact/contact_system.hpp"
 #include "dynamics/contact/tunnelling.hpp"
 #include "dynamics/model/state.hpp"
+#include "dynamics/step/carried.hpp"
 #include "dynamics/step/mixing.hpp"
 
 namespace stiction::dynamics {
@@ -186,6 +187,7 @@ private:
   std::unique_ptr<ContactSystem> contact_;
   std::optional<Skin> rim_; ///< of one that follows: the cells of driven nodes, where others need no look
   Tunnelling tunnelling_;
+  Carried carried_;
   Cost cost_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null if free
   Indices driven_;                    ///< degrees of freedom, motion by motion

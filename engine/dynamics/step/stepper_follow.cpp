@@ -32,8 +32,8 @@ std::vector<bool> nodes_of(std::vector<Motion> const& motions, Index count) {
 
 Stepper::Stepper(Model const& model, Stepper const& lead)
     : model_(&model), follows_(true), weights_(weights(model.scheme)), bulk_(model, weights_, lead.bulk_),
-      contact_(make_contact_system(model, bulk_)), tunnelling_(model), driver_(ix(model.dofs()), nullptr),
-      arms_(arms(model)) {
+      contact_(make_contact_system(model, bulk_)), tunnelling_(model), carried_(model),
+      driver_(ix(model.dofs()), nullptr), arms_(arms(model)) {
   learn_of_model();
   bool const rigid = std::ranges::any_of(model.rigids, [](auto const& one) { return one.free(); });
   bool const plain = !rigid && !bulk_.relaxing() && !bulk_.damped() && bulk_.springs().empty() &&
