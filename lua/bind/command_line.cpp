@@ -293,6 +293,7 @@ void Commands::add_others() {
   value<std::string>(solve, "file", "FILE", "Contact problem saved by a run (HDF5)")->required();
   value<std::string>(solve, "--with", "SOLVER", "A solver of 'stiction help solver' (default: all)");
   value<double>(solve, "--tolerance", "NUMBER", "Natural-map residual to reach");
+  flag(solve, "json", "Print JSON instead of text, with forces (N) and displacements (m)");
   auto& bench = command("bench", "Time one case of a study (default: the first), phase by phase, beside the "
                                  "work that it cannot do without");
   study(bench);

@@ -41,6 +41,8 @@ holds "the checks of an earlier run are left as if of this" [ ! -e one/checks.js
 expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --problems 10 --out kept --no-figures
 holds "of every tenth step" [ -s kept/mu0.2/problems/000010.h5 ] && holds "of others" [ ! -e kept/mu0.2/problems/000005.h5 ]
 expect 0 "converged by    newton" "$stiction" solve kept/mu0.2/problems/000010.h5 --with newton
+expect 0 '"converged": true|"method": "newton"|"force": [|"displacement": [|"free": [' \
+  "$stiction" solve kept/mu0.2/problems/000010.h5 --with newton --json
 expect 0 "checks held" "$stiction" run "$tiny" --quick --problems 10 --out kept --no-figures
 holds "kept once" [ "$(grep -c started output)" = 0 ]
 expect 0 "mu0.2  started (1 of 1)" "$stiction" run "$tiny" --quick --problems 4 --out kept --no-figures

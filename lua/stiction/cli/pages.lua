@@ -218,7 +218,7 @@ Six of them beside the paper's sliding plate take 15 to 19 % of the case each, o
 for all of them together; those may take more than the case itself of a block in space whose factor would have served for several steps.]]
 
 pages.solve = [[
-stiction solve FILE [--with SOLVER] [--tolerance NUMBER]
+stiction solve FILE [--with SOLVER] [--tolerance NUMBER] [--json]
 
 FILE is a contact problem in HDF5: a run that fails to converge leaves problems/failed.h5 in its case's folder;
 output{problems_every = n} in a scene, or 'stiction run STUDY --problems n', saves that of every n-th step there. It is
@@ -228,8 +228,8 @@ measure stands beside it, |r - P(r - (u + mu |u_t| n))| / |q| over all points, i
 largest component of q are 1. Each line tells whether the solver converged, by which method ('stiction help commands' lists
 them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
 single answer at a point that presses or is pulled ('stiction help commands' on remarks), and which solvers answer
-differently. Exit code 0: all converged; 1: one did not; 2: no such file or
-solver. A study may do the same in place of a scene: problem = function(p) return { file =
+differently. --json gives all that, with free gaps and slips, forces and displacements, contact by contact (n, t1, t2).
+Exit code 0: all converged; 1: one did not; 2: no such file or solver. A study may do the same in place of a scene: problem = function(p) return { file =
 "...h5", solver = "newton", tolerance = 1e-8 } end.]]
 
 pages.peers = [[

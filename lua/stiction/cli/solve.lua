@@ -10,6 +10,11 @@ return function(options)
     fault.input("solve: there is no file '%s'", options.file)
   end
   local answer = engine.solve(options.file, options.with or "all", options.tolerance or default_tolerance)
-  report.line("%s", (answer.text:gsub("%s+$", "")))
+  if options.json then
+    answer.text = nil
+    engine.write(engine.encode_json(answer, 2) .. "\n")
+  else
+    report.line("%s", (answer.text:gsub("%s+$", "")))
+  end
   return answer.converged and 0 or 1
 end
