@@ -41,34 +41,48 @@ test("a crack whose faces are a pair opens as without it, and its problems are a
   end
 end)
 
-test("two soles that border on each other press like one", function()
+test("two soles that border on each other press like one, on one floor or on two of one height", function()
   local e = stiction.edge
-  local function pressed(parts)
+  local function pressed(parts, second)
     local mesh = stiction.mesh.gmsh { size = 1*mm, start = { 0*mm, 0*mm }, edges = {
       e { to = { 4*mm, 0*mm }, name = parts and "a" or "sole" }, e { to = { 10*mm, 0*mm }, name = parts and "b" or "sole" },
       e { to = { 10*mm, 5*mm }, name = "right" }, e { to = { 0*mm, 5*mm }, name = "top" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
     local pairs, probes = {}, {}
     for _, name in ipairs(parts or { "sole" }) do
-      pairs[name] = stiction.pair { secondary = "pad." .. name, primary = "floor", friction = stiction.friction.coulomb { mu = 0.4 } }
+      pairs[name] = stiction.pair { secondary = "pad." .. name, primary = name == "b" and second or "floor",
+        friction = stiction.friction.pressure { mu_0 = 0.8, mu_inf = 0.1, p_ref = 20*u.kPa } }
       probes[name] = stiction.probe.contact { pair = name }
+    end
+    if second then
+      probes.on_floor, probes.on_other = stiction.probe.rigid { obstacle = "floor" }, stiction.probe.rigid { obstacle = "other" }
     end
     local case = run(stiction.scene {
       bodies = { pad = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3,
         material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } } },
-      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} } }, pairs = pairs, probes = probes,
+      obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane {} },
+        other = second and stiction.obstacle { shape = stiction.rigid.plane { point = { 7*mm, 0*mm } } } }, pairs = pairs, probes = probes,
       motions = { stiction.motion.drive { set = "pad.top", times = { 0*s, 1*s }, x = { 0*mm, 0.3*mm }, y = { 0*mm, -0.2*mm } } },
       schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 5 } } } })
-    local sums = { 0, 0, 0 }
-    for name in next, probes do
+    local sums = { 0, 0, 0, 0 }
+    for name in next, pairs do
       for k, column in ipairs { "force_x", "force_y", "closed_area" } do
         sums[k] = sums[k] + case:last(name, column)
       end
+      sums[4] = math.max(sums[4], case:last(name, "pressure_max"))
+    end
+    if second then
+      local on_floors = case:last("on_floor", "force_y") + case:last("on_other", "force_y")
+      assert(math.abs(on_floors / sums[2] + 1) < 1e-9, on_floors / sums[2])
+      local part = case:last("on_other", "force_y") / case:last("b", "force_y")
+      assert(math.abs(part + 1) < 1e-9, part)
     end
     return sums
   end
-  local whole, halves = pressed(), pressed { "a", "b" }
-  for k = 1, 3 do
-    assert(math.abs(halves[k] / whole[k] - 1) < 1e-7, ("%d: %.10g for %.10g"):format(k, halves[k], whole[k]))
+  local whole = pressed()
+  for _, halves in ipairs { pressed { "a", "b" }, pressed({ "a", "b" }, "other") } do
+    for k = 1, 4 do
+      assert(math.abs(halves[k] / whole[k] - 1) < 1e-7, ("%d: %.10g for %.10g"):format(k, halves[k], whole[k]))
+    end
   end
 end)
 

@@ -165,17 +165,33 @@ template<int D, int C> void ContactPoints<D, C>::settle_closing(Point& point) {
   point.data.bond.closed = closed;
 }
 
+template<int D, int C>
+void ContactPoints<D, C>::add_force(Point const& point, contact::Local<C> const& p, Vector& force) const {
+  auto const& kinematics = point.kinematics;
+  for (int a = 0; a < kinematics.count; ++a)
+    force.segment<D>(D * kinematics.nodes[ix(a)]) +=
+        kinematics.H.template block<C, D>(0, D * a).transpose() * p;
+}
+
 template<int D, int C> void ContactPoints<D, C>::reaction(Vector& force, int pair) const {
   force.setZero(static_cast<Index>(geometry_.positions().size()));
-  for (Index const k : active_) {
-    auto const& kinematics = points_[ix(k)].kinematics;
-    auto const& p = points_[ix(k)].force;
-    if (p.isZero(0) || (pair >= 0 && points_[ix(k)].id.pair != pair))
-      continue;
-    for (int a = 0; a < kinematics.count; ++a)
-      force.segment<D>(D * kinematics.nodes[ix(a)]) +=
-          kinematics.H.template block<C, D>(0, D * a).transpose() * p;
-  }
+  for (Index const k : active_)
+    if (auto const& point = points_[ix(k)]; !point.force.isZero(0) && (pair < 0 || point.id.pair == pair))
+      add_force(point, point.force, force);
+  for (auto const& [first, second] : twins_.all())
+    if (auto const& lead = points_[ix(first)], &point = points_[ix(second)];
+        pair >= 0 && point.lead == first && lead.id.pair != point.id.pair) {
+      if (lead.id.pair == pair)
+        add_force(lead, -part_of(point, lead), force);
+      else if (point.id.pair == pair)
+        add_force(point, part_of(point, lead), force);
+    }
+}
+
+/// What a point bears of the force of its lead.
+template<int D, int C>
+contact::Local<C> ContactPoints<D, C>::part_of(Point const& point, Point const& lead) const {
+  return own_area(point) / lead.data.area * lead.force;
 }
 
 template<int D, int C> void ContactPoints<D, C>::take(Vector const& forces) {
@@ -248,10 +264,26 @@ template<int D, int C> void ContactPoints<D, C>::finish(State& next) const {
     if (point.lead != first)
       continue;
     auto const foot = of_point.foot;
+    auto const tangent = of_point.tangent;
     of_point = of_lead;
     of_point.foot = foot;
+    of_point.tangent = tangent;
     of_point.area = own_area(point);
+    pass_load(lead, point, next);
   }
+}
+
+/// A part of what its lead bears is on the rigid body of a point, if that is another one.
+template<int D, int C>
+void ContactPoints<D, C>::pass_load(Point const& lead, Point const& point, State& next) const {
+  auto const *from = std::get_if<RigidSide>(&pair_of(lead).primary),
+             *to = std::get_if<RigidSide>(&pair_of(point).primary);
+  if (from == nullptr || to == nullptr || from->body == to->body)
+    return;
+  contact::Local<D> const part = full<D>(part_of(point, lead));
+  Index const rigids = model_->first_node.back();
+  add_load<D>(lead.kinematics, -part, geometry_.positions(), rigids, next.on_rigid[from->body]);
+  add_load<D>(point.kinematics, part, geometry_.positions(), rigids, next.on_rigid[to->body]);
 }
 
 /// What the force of an active point leaves.

@@ -49,6 +49,9 @@ private:
   void pair_twins();
   void choose_active(Point& point) const;
   void settle_closing(Point& point);
+  void add_force(Point const& point, contact::Local<C> const& p, Vector& force) const;
+  [[nodiscard]] contact::Local<C> part_of(Point const& point, Point const& lead) const;
+  void pass_load(Point const& lead, Point const& point, State& next) const;
   void finish(Point const& point, ContactState& after, State& next) const;
 
   Model const* model_;

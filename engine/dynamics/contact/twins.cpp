@@ -34,32 +34,39 @@ struct Seen {
 };
 
 bool may_share(Pair const& a, Pair const& b) {
-  auto const *rigid = std::get_if<RigidSide>(&a.primary), *other = std::get_if<RigidSide>(&b.primary);
-  bool const one = rigid != nullptr && other != nullptr ? rigid->body == other->body : rigid == other;
-  return one && interface::alike(a.law, b.law);
+  bool const rigid = std::holds_alternative<RigidSide>(a.primary);
+  return rigid == std::holds_alternative<RigidSide>(b.primary) && interface::alike(a.law, b.law);
+}
+
+/// The first node that moves as each, see Twins::moves_as.
+Indices groups(Model const& model) {
+  auto const lead = leaders(model);
+  std::map<Indices, Index> of_components;
+  auto const dim = static_cast<std::ptrdiff_t>(model.dim());
+  Indices first_alike;
+  for (Index node = 0; node < model.node_count(); ++node) {
+    auto const first = lead.begin() + dim * node;
+    Indices const key(first, first + dim);
+    bool const moves = std::ranges::any_of(key, [](Index one) { return one != by_motion; });
+    first_alike.push_back(moves ? of_components.try_emplace(key, node).first->second : node);
+  }
+  return first_alike;
 }
 
 } // namespace
 
 Twins::Twins(Model const& model) {
-  if (model.links.empty())
+  if (!model.links.empty())
+    moves_as_ = groups(model);
+  else if (model.pairs.size() < 2)
     return;
-  auto const lead = leaders(model);
-  std::map<Indices, Index> of_components;
-  auto const dim = static_cast<std::ptrdiff_t>(model.dim());
-  for (Index node = 0; node < model.node_count(); ++node) {
-    auto const first = lead.begin() + dim * node;
-    Indices const key(first, first + dim);
-    bool const moves = std::ranges::any_of(key, [](Index one) { return one != by_motion; });
-    moves_as_.push_back(moves ? of_components.try_emplace(key, node).first->second : node);
-  }
   std::map<Index, std::vector<Seen>> of_node;
   Index count = 0;
   for (auto const& pair : model.pairs)
     for (Index i = 0; i < pair.size(); ++i, ++count) {
       if (pair.shared())
         continue;
-      auto& seen = of_node[moves_as_[ix(pair.secondary[ix(i)])]];
+      auto& seen = of_node[moves_as(pair.secondary[ix(i)])];
       for (auto const& [before, point] : seen)
         if (before == &pair || may_share(*before, pair))
           all_.push_back({point, count});
@@ -74,7 +81,7 @@ bool Twins::alike(contact::PointKinematics<D> const& a, contact::PointKinematics
       (a.slip - b.slip).norm() > off)
     return false;
   for (int k = 0; k < a.count; ++k)
-    if (moves_as_[ix(a.nodes[ix(k)])] != moves_as_[ix(b.nodes[ix(k)])])
+    if (moves_as(a.nodes[ix(k)]) != moves_as(b.nodes[ix(k)]))
       return false;
   auto const rows = a.H.leftCols(a.unknowns());
   return (rows - b.H.leftCols(b.unknowns())).norm() <= same_rows * rows.norm();
