@@ -31,6 +31,7 @@ constexpr double near_answer = 1e-4, nearer = 0.1; // residuals at which proxima
 constexpr int last_steps = 10;                     // in which that succeeds or not
 constexpr int held_frictions = 4;                  // descents between which friction changes
 constexpr double all_but_monotone = 1e-2;          // of the mean of W's diagonal, that it may take
+constexpr Index bonded_rows = 400;                 // up to which problems on the way cost little
 constexpr int pivotings = 12;                      // with the bonds linear about the last answer
 
 /// The same as this method's, if it converged.
@@ -278,7 +279,7 @@ private:
 
   /// Bonds that soften faster than bodies give way snap in a motion that is resisted.
   [[nodiscard]] Solution damped(Problem const& problem, Vector const& guess, Solution solution) {
-    if (on_the_way_ || problem.free.size() > pivoting_rows || problem.adhesions.empty())
+    if (on_the_way_ || problem.free.size() > bonded_rows || problem.adhesions.empty())
       return solution;
     auto settings = settings_;
     settings.tolerance = std::max(settings.tolerance, 1e-9); // of problems on the way
@@ -306,7 +307,8 @@ private:
   /// A problem that takes no energy has an answer, which may be far from all that was tried; of bodies that
   /// hardly give way along the surface, where rows of W are as good as none, forces are all but undecided.
   [[nodiscard]] Solution approached(Problem const& problem, Vector const& guess, Solution solution) {
-    if (on_the_way_ || none_ || problem.free.size() > pivoting_rows || !monotone(problem, all_but_monotone))
+    Index const most = problem.adhesions.empty() ? pivoting_rows : bonded_rows;
+    if (on_the_way_ || none_ || problem.free.size() > most || !monotone(problem, all_but_monotone))
       return solution;
     auto settings = settings_;
     settings.tolerance *= 0.1; // of problems on the way: at no less they would stay where they are

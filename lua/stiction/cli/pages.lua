@@ -229,8 +229,8 @@ largest component of q are 1. Each line tells whether the solver converged, by w
 them), its iterations and the residual, which is judged apart from all solvers; below stands where theory promises no
 single answer at a point that presses or is pulled ('stiction help commands' on remarks), and which solvers answer
 differently. --json gives all that, with free gaps and slips, forces and displacements, contact by contact (n, t1, t2).
-Exit code 0: all converged; 1: one did not; 2: no such file or solver. A study may do the same in place of a scene: problem = function(p) return { file =
-"...h5", solver = "newton", tolerance = 1e-8 } end.]]
+Exit code 0: all converged; 1: one did not; 2: no such file or solver. A study may do the same in place of a scene:
+problem = function(p) return { file = "...h5", solver = "newton", tolerance = 1e-8 } end.]]
 
 pages.peers = [[
 stiction peers [CASE...] [--size SIZE] [--quick] [--stored] [--turns N] [--problems DIR] [--out DIR]
