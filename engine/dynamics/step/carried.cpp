@@ -2,6 +2,7 @@
 #include "dynamics/step/carried.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace stiction::dynamics {
 
@@ -38,16 +39,43 @@ bool fits(RigidWay const& way, NodePlaces const& from, NodePlaces const& to) {
          off.colwise().norm().maxCoeff() <= exact * extent;
 }
 
+/// [bodies] is it tied to others, which would stay behind, or guided by constraints?
+std::vector<bool> tied(Model const& model) {
+  std::vector<bool> is(model.bodies.size());
+  auto const body_of = [&](Index node) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(model.first_node, node) -
+                                    model.first_node.begin()) -
+           1;
+  };
+  auto const tie = [&](Index node) {
+    if (node < model.first_node.back())
+      is[body_of(node)] = true;
+  };
+  for (auto const& link : model.links) {
+    tie(link.dof / model.dim());
+    for (auto const& master : link.masters)
+      tie(master.first / model.dim());
+  }
+  return is;
+}
+
+bool bonds_bodies(Pair const& pair) {
+  return pair.law.adhesion && !std::holds_alternative<RigidSide>(pair.primary);
+}
+
 } // namespace
 
 Carried::Carried(Model const& model) : model_(&model), driver_(ix(model.dofs()), nullptr) {
-  if (weights(model.scheme).inertia)
+  if (weights(model.scheme).inertia || std::ranges::any_of(model.pairs, bonds_bodies))
     return;
   int const dim = model.dim();
   for (auto const& motion : model.motions)
     for (Index const node : motion.nodes)
       driver_[ix(dim * node + motion.component)] = &motion;
+  auto const stays = tied(model);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (stays[b])
+      continue;
     Body body{model.first_node[b], model.first_node[b + 1], {}};
     bool turns = false, whole = true;
     for (Index node = body.first; node < body.last; ++node) {

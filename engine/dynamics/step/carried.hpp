@@ -8,10 +8,12 @@ namespace stiction::dynamics {
 
 class Carried {
 public:
-  /// Of a model with inertia none: its rates are a better guess.
+  /// None of a model with inertia, whose rates are a better guess, or of one whose bodies are bonded to each
+  /// other.
   explicit Carried(Model const& model);
-  /// Of bodies whose driven nodes go from u [dofs] to time t1 as one rigid body that turns: its way for all
-  /// of their nodes, put into d [dofs], m. Along the tangent they would be stretched.
+  /// Of bodies that nothing ties to others and whose driven nodes go from u [dofs] to time t1 as one
+  /// rigid body that turns: its way for all of their nodes, put into d [dofs], m. Along the tangent they
+  /// would be stretched.
   void guess(Vector const& u, double t1, Vector& d) const;
 
 private:
