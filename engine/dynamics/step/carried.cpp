@@ -73,25 +73,30 @@ Carried::Carried(Model const& model) : model_(&model), driver_(ix(model.dofs()),
     for (Index const node : motion.nodes)
       driver_[ix(dim * node + motion.component)] = &motion;
   auto const stays = tied(model);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (stays[b])
-      continue;
-    Body body{model.first_node[b], model.first_node[b + 1], {}};
-    bool turns = false, whole = true;
-    for (Index node = body.first; node < body.last; ++node) {
-      int held = 0;
-      for (int c = 0; c < dim; ++c)
-        if (auto const* motion = driver_[ix(dim * node + c)]; motion != nullptr) {
-          ++held;
-          turns = turns || motion->turn;
-        }
-      whole = whole && (held == 0 || held == dim);
-      if (held == dim)
-        body.nodes.push_back(node);
-    }
-    if (turns && whole)
-      bodies_.push_back(std::move(body));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (!stays[b])
+      add_body(model.first_node[b], model.first_node[b + 1]);
+}
+
+/// If a motion turns it, and all of a node or nothing is driven.
+void Carried::add_body(Index first, Index last) {
+  int const dim = model_->dim();
+  Body body{first, last, {}};
+  bool turns = false;
+  for (Index node = first; node < last; ++node) {
+    int held = 0;
+    for (int c = 0; c < dim; ++c)
+      if (auto const* motion = driver_[ix(dim * node + c)]; motion != nullptr) {
+        ++held;
+        turns = turns || motion->turn;
+      }
+    if (held == dim)
+      body.nodes.push_back(node);
+    else if (held > 0)
+      return;
   }
+  if (turns)
+    bodies_.push_back(std::move(body));
 }
 
 void Carried::guess(Vector const& u, double t1, Vector& d) const {

@@ -21,6 +21,8 @@ private:
     Index first, last; ///< its nodes, the last one not
     Indices nodes;     ///< that motions drive: in all components, or the body is none of these
   };
+  void add_body(Index first, Index last);
+
   Model const* model_;
   std::vector<Motion const*> driver_; ///< [degrees of freedom], null where free
   std::vector<Body> bodies_;          ///< with a motion that turns
