@@ -155,3 +155,28 @@ test("the ends of a periodic side are one point also where motions hold them alo
   local mean = case:last("b1", "force_y") / 4e-3
   assert(math.abs(case:last("b1", "pressure_max") / mean - 1) < 1e-7, case:last("b1", "pressure_max") / mean)
 end)
+
+--- The way that one floor went is kept by its bonds, though both are at rest again, of one height, with intact bonds.
+test("points with bonds stretched by unlike ways do not become one", function()
+  local e = stiction.edge
+  local mesh = stiction.mesh.gmsh { size = 1*mm, start = { 0*mm, 0*mm }, edges = {
+    e { to = { 4*mm, 0*mm }, name = "a" }, e { to = { 10*mm, 0*mm }, name = "b" }, e { to = { 10*mm, 5*mm }, name = "right" },
+    e { to = { 0*mm, 5*mm }, name = "top" }, e { to = { 0*mm, 0*mm }, name = "left" } } }
+  local glue = stiction.adhesion.rcc { w = 1000*u.J/u.m^2, C_n = 1e8*u.N/u.m^3, C_t = 1e8*u.N/u.m^3, b = 0*u.N*s/u.m, beta0 = 1,
+    bonding = "never" }
+  local floor = stiction.rigid.plane {}
+  local case = run(stiction.scene {
+    bodies = { pad = stiction.body { mesh = mesh, density = 1000*u.kg/u.m^3,
+      material = stiction.material.neo_hookean { young = 1*u.MPa, poisson = 0.4 } } },
+    obstacles = { floor = stiction.obstacle { shape = floor },
+      other = stiction.obstacle { shape = floor, times = { 0*s, 0.5*s, 1*s }, x = { 0*mm, 0.3*mm, 0.3*mm } } },
+    pairs = { a = stiction.pair { secondary = "pad.a", primary = "floor", adhesion = glue },
+      b = stiction.pair { secondary = "pad.b", primary = "other", adhesion = glue } },
+    motions = { stiction.motion.drive { set = "pad.top", times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, 0*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 8 } } },
+    probes = { a = stiction.probe.contact { pair = "a" }, b = stiction.probe.contact { pair = "b" } } })
+  for _, pair in ipairs { "a", "b" } do
+    local moved, rested = case:at(0.5*s, pair, "force_x"), case:last(pair, "force_x")
+    assert(math.abs(rested / moved - 1) < 1e-6, pair .. ": " .. rested / moved)
+  end
+end)

@@ -16,6 +16,13 @@ namespace {
 constexpr Index few = 64;           // points that one thread does best
 constexpr double same_place = 1e-9; // of a pair's reach
 constexpr int most_lost = 1;        // times in a step that a point's counterpart may turn up again
+
+/// Do bonds and coefficients of both start the step alike, stretches to `off`, m?
+bool same_past(contact::ProblemPoint const& a, contact::ProblemPoint const& b, double off) {
+  return a.mu == b.mu && a.bond.old.beta == b.bond.old.beta &&
+         (a.bond.old.stretch - b.bond.old.stretch).norm() <= off;
+}
+
 } // namespace
 
 template<int D, int C>
@@ -124,10 +131,9 @@ template<int D, int C> void ContactPoints<D, C>::pair_twins() {
   }
   for (auto const& [first, second] : twins_.all()) {
     auto &lead = points_[ix(first)], &point = points_[ix(second)];
-    auto const &a = lead.data, &b = point.data;
+    double const off = same_place * pair_of(point).reach;
     if (point.lead >= 0 || lead.lead >= 0 || lead.waits != point.waits ||
-        a.bond.old.beta != b.bond.old.beta || a.mu != b.mu ||
-        !twins_.alike(lead.kinematics, point.kinematics, same_place * pair_of(point).reach))
+        !same_past(lead.data, point.data, off) || !twins_.alike(lead.kinematics, point.kinematics, off))
       continue;
     point.lead = first;
     lead.data.area += own_area(point);

@@ -5,8 +5,8 @@
 
 namespace stiction::dynamics {
 
-/// A point and a later one of the same pair, or of one with the same law and counterpart, both numbered
-/// through all points of the model.
+/// A point and a later one of the same pair, or of one with the same law, both numbered through all points of
+/// the model.
 struct Twin {
   Index first, second;
 };
