@@ -84,3 +84,34 @@ test("the end of a leg that touches the other one is borne whichever way up the 
     assert(math.abs(losses[k] / losses[1] - 1) < 1e-6, ("%d: %g, %g"):format(k, losses[k], losses[1]))
   end
 end)
+
+--- A block turned one way or the other, lifted, then pressed on a base of other cells by mortar in space and drawn aside.
+local function slab(way)
+  local function body(corner, size, cells)
+    return stiction.body { mesh = stiction.mesh.box { origin = corner, size = size, cells = cells }, density = 1000*kg/m^3,
+      material = stiction.material.neo_hookean { young = 1*MPa, poisson = 0.3 } }
+  end
+  local still, angle, aside = 0*mm, way * 0.4, way * 0.2*mm
+  return stiction.scene { kinematics = "three_dimensional",
+    bodies = { block = body({ -2*mm, -1.5*mm, 0*mm }, { 4*mm, 3*mm, 1*mm }, { 3, 2, 1 }),
+      base = body({ -3.2*mm, -2.5*mm, -1*mm }, { 6.4*mm, 5*mm, 1*mm }, { 4, 3, 1 }) },
+    pairs = { touch = stiction.pair { secondary = "block.bottom", primary = "base.top", discretisation = "mortar",
+      friction = stiction.friction.coulomb { mu = 0.3 } } },
+    motions = { stiction.motion.fix { set = "base.bottom" },
+      stiction.motion.turn { set = "block.top", times = { 0*s, 1*s, 2*s, 3*s }, centre = { still, still, still },
+        angle = { 0, angle, angle, angle }, x = { still, still, still, 0.1*mm }, y = { still, aside, aside, aside },
+        z = { still, 0.02*mm, -0.1*mm, -0.1*mm } } },
+    schedule = stiction.schedule { stages = { stiction.stage { to = 3*s, steps = 12 } } },
+    probes = { touch = stiction.probe.contact { pair = "touch" },
+      corner = stiction.probe.node { set = "base.top", near = { -3.2*mm, way * 2.5*mm, 0*mm } } } }
+end
+
+test("mortar in space presses and rubs mirrored surfaces alike", function()
+  local one, other = run(slab(1)), run(slab(-1))
+  for column, way in pairs { force_x = 1, force_y = -1, force_z = 1, pressure_max = 1, slip = 1 } do
+    local a, b = one:last("touch", column), other:last("touch", column)
+    assert(math.abs(a) > 1e-9 and math.abs(way * b / a - 1) < 1e-7, ("%s: %.9g, %.9g"):format(column, a, b))
+  end
+  local a, b = one:last("corner", "u_z"), other:last("corner", "u_z")
+  assert(math.abs(b / a - 1) < 1e-6, b / a)
+end)

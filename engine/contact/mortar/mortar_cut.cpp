@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stiction::contact {
@@ -114,22 +115,60 @@ template<int D> Part facing_part(Faced<D> const& faced, int number, Ground<D> co
   return part;
 }
 
-/// `fine`: so that the nodal forces of uniform tractions are exact for quadratic facets too.
+/// Without corners that rounding alone makes, so that a part and its mirror image have as many.
+std::vector<Vec2> without_flat_corners(std::vector<Vec2> const& polygon) {
+  std::vector<Vec2> apart, kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if ((polygon[(k + 1) % polygon.size()] - polygon[k]).norm() > sliver)
+      apart.push_back(polygon[k]);
+  for (std::size_t k = 0, n = apart.size(); k < n; ++k)
+    if (std::abs(cross(apart[k] - apart[(k + n - 1) % n], apart[(k + 1) % n] - apart[k])) > sliver)
+      kept.push_back(apart[k]);
+  return kept;
+}
+
+/// visit(point, weight) over the bilinear image of a square.
+template<class Visit>
+void visit_quadrilateral(std::vector<Vec2> const& polygon, bool fine, Visit const& visit) {
+  auto const& rule = facet_rule(4, fine);
+  Vec2 const middle = 0.25 * (polygon[0] + polygon[1] + polygon[2] + polygon[3]),
+             u = 0.25 * (polygon[1] + polygon[2] - polygon[0] - polygon[3]),
+             v = 0.25 * (polygon[2] + polygon[3] - polygon[0] - polygon[1]),
+             twist = 0.25 * (polygon[0] + polygon[2] - polygon[1] - polygon[3]);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    double const a = rule.points[q].x(), b = rule.points[q].y();
+    visit(Vec2(middle + a * u + b * v + a * b * twist),
+          rule.weights[q] * cross(u + b * twist, v + a * twist));
+  }
+}
+
+template<class Visit> void visit_triangle(std::array<Vec2, 3> const& corners, bool fine, Visit const& visit) {
+  auto const& rule = facet_rule(3, fine);
+  Vec2 const u = corners[1] - corners[0], v = corners[2] - corners[0];
+  for (std::size_t q = 0; q < rule.points.size(); ++q)
+    visit(Vec2(corners[0] + rule.points[q].x() * u + rule.points[q].y() * v), rule.weights[q] * cross(u, v));
+}
+
+/// `fine`: so that the nodal forces of uniform tractions are exact for quadratic facets too. No corner of a
+/// polygon counts for more than another: mirrored surfaces have mirrored points.
 void add_points(Part const& part, bool fine, std::vector<CutPoint>& points) {
-  auto const& polygon = part.polygon;
-  auto const& rule = facet_rule(polygon.size() == 2 ? 2 : 3, fine);
-  if (polygon.size() == 2) {
-    Vec2 const centre = 0.5 * (polygon[0] + polygon[1]), half = 0.5 * (polygon[1] - polygon[0]);
+  auto const add = [&](Vec2 const& at, double weight) { points.push_back({at, weight, part.primary}); };
+  if (part.polygon.size() == 2) {
+    auto const& rule = facet_rule(2, fine);
+    Vec2 const centre = 0.5 * (part.polygon[0] + part.polygon[1]),
+               half = 0.5 * (part.polygon[1] - part.polygon[0]);
     for (std::size_t q = 0; q < rule.points.size(); ++q)
-      points.push_back({centre + rule.points[q].x() * half, rule.weights[q] * half.x(), part.primary});
+      add(centre + rule.points[q].x() * half, rule.weights[q] * half.x());
     return;
   }
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    Vec2 const u = polygon[k] - polygon[0], v = polygon[k + 1] - polygon[0];
-    for (std::size_t q = 0; q < rule.points.size(); ++q)
-      points.push_back({polygon[0] + rule.points[q].x() * u + rule.points[q].y() * v,
-                        rule.weights[q] * cross(u, v), part.primary});
-  }
+  auto const polygon = without_flat_corners(part.polygon);
+  if (polygon.size() == 4)
+    return visit_quadrilateral(polygon, fine, add);
+  if (polygon.size() == 3)
+    return visit_triangle({polygon[0], polygon[1], polygon[2]}, fine, add);
+  Vec2 const centre = middle(polygon);
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    visit_triangle({centre, polygon[k], polygon[(k + 1) % polygon.size()]}, fine, add);
 }
 
 } // namespace
