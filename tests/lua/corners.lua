@@ -50,3 +50,50 @@ test("where no step is found, what spreads a corner's force is named, and goes o
   end
   assert(failed > 0)
 end)
+
+test("corners of the primary that dig in between points of the secondary are told, with where and how deep", function()
+  local function remarks(secondary, primary, discretisation)
+    local case = run(stiction.scene {
+      bodies = { low = body(0, 0, 12, 12, 3), stamp = body(4.3, 3, 2.4, 8, 30) },
+      pairs = { joint = stiction.pair { secondary = secondary, primary = primary, discretisation = discretisation } },
+      motions = { stiction.motion.fix { set = "low.bottom" }, stiction.motion.fix { set = "stamp.top", y = false },
+        stiction.motion.drive { set = "stamp.top", times = { 0*s, 1*s }, y = { 0*mm, -0.3*mm } } },
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 6 } } },
+    })
+    return table.concat(case.result.remarks, "\n")
+  end
+  local told = remarks("low.top", "stamp.bottom")
+  local x, depth, part = told:match "of the primary of pair joint, at %(([%d.]+), [%d.]+%) m, lies ([%d.]+) um within.* ([%d.]+) of a facet"
+  x, depth, part = tonumber(x), tonumber(depth), tonumber(part)
+  assert(x and (math.abs(x - 4.3e-3) < 2e-4 or math.abs(x - 6.7e-3) < 2e-4), told)
+  assert(depth > 100 and depth < 300 and math.abs(part - depth / 1000) < 0.05, told)
+  equal(remarks("stamp.bottom", "low.top"):find("digs in", 1, true), nil)
+  equal(remarks("low.top", "stamp.bottom", "mortar"):find("digs in", 1, true), nil)
+end)
+
+test("a run that ends as a pressed corner slides off the border of its counterpart says so", function()
+  local function shape(size, start, ...)
+    local edges = {}
+    for i, to in ipairs { ... } do
+      edges[i] = stiction.edge { to = { to[1]*mm, to[2]*mm }, name = to[3] }
+    end
+    return stiction.mesh.gmsh { size = size*mm, start = { start[1]*mm, start[2]*mm }, edges = edges }
+  end
+  local function rubber(mesh, young, poisson)
+    return stiction.body { mesh = mesh, density = 1000*kg/m^3, interpolation = "mean_dilatation",
+      material = stiction.material.neo_hookean { young = young*MPa, poisson = poisson } }
+  end
+  local wedge = shape(0.5, { -1, 6 }, { -0.2, 0, "flank" }, { 0.2, 0, "flank" }, { 1, 6, "flank" }, { -1, 6, "top" })
+  local left = shape(0.5, { -4, -6 }, { -0.3, -6 }, { -0.3, 1, "face" }, { -4, 1, "face" }, { -4, -6, "back" })
+  local right = shape(0.5, { 4, -6 }, { 4, 1, "back" }, { 0.3, 1, "face" }, { 0.3, -6, "face" }, { 4, -6 })
+  local result = attempt(stiction.scene {
+    bodies = { wedge = rubber(wedge, 50, 0.3), left = rubber(left, 2, 0.45), right = rubber(right, 2, 0.45) },
+    pairs = { a = stiction.pair { secondary = "left.face", primary = "wedge.flank" },
+      b = stiction.pair { secondary = "right.face", primary = "wedge.flank" } },
+    motions = { stiction.motion.fix { set = "left.back" }, stiction.motion.fix { set = "right.back" },
+      stiction.motion.drive { set = "wedge.top", times = { 0*s, 1*s }, x = { 0*mm, 0*mm }, y = { 0*mm, -5*mm } } },
+    scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 50 } } },
+  }).result
+  equal(result.verdict, "not converged")
+  assert(result.reason:find("slides off the border of its counterpart", 1, true), result.reason)
+end)

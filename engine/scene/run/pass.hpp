@@ -16,6 +16,7 @@
 #include "scene/explain/preview.hpp"
 #include "scene/run/all_ranks.hpp"
 #include "scene/run/alone.hpp"
+#include "scene/run/at_border.hpp"
 #include "scene/run/beside.hpp"
 #include "scene/run/checkpoint.hpp"
 #include "scene/run/course.hpp"
@@ -195,6 +196,7 @@ private:
   void stage_ended() {
     meshes_.examine(state_);
     remarks_.seek_large_strain(state_);
+    remarks_.seek_dug_in(state_);
   }
   void change(record::StepChange change) {
     bool const cut = change.what == "cut";
@@ -301,8 +303,11 @@ private:
   /// Always false. enough: which limit has been passed, if one has.
   bool give_up(dynamics::Outcome const& outcome, double dt, std::string const& enough) {
     result_.verdict = "not converged";
+    remarks_.seek_dug_in(state_);
     result_.reason =
         fmt::format("at t = {:g} s no step down to {:g} s converged: {}", state_.t, dt, outcome.reason);
+    if (auto const words = slid_off(*scene_, state_, stepper_.contact()); !words.empty())
+      result_.reason += "; " + words;
     if (!enough.empty())
       result_.reason += "; gave up, as " + enough;
     if (outcome.verdict == dynamics::StepVerdict::contact_failed)
@@ -327,8 +332,10 @@ private:
     remarks_.seek_beneath(state_);
     remarks_.weigh(before, state_.ledger, stepper_.rounding_energy(state_));
     remarks_.balance(outcome);
-    if (result_.steps % 16 == 0) // beside the ends of stages: a blow is over by then
+    if (result_.steps % 16 == 0) { // beside the ends of stages: a blow is over by then
       remarks_.seek_large_strain(state_);
+      remarks_.seek_dug_in(state_);
+    }
     Timed const timed(*this);
     recorder_->step(state_, dt, outcome.iterations, error);
     int const every = scene_->part.output.problems_every;

@@ -9,6 +9,7 @@
 
 #include "contact/solvers/answers.hpp"
 #include "scene/description/human.hpp"
+#include "scene/run/dug_in.hpp"
 #include "solid/responses.hpp"
 
 namespace stiction::scene {
@@ -22,6 +23,8 @@ constexpr double leapt = 0.01;
 /// Change of a cell's edge over its length from which on a law for small strains is far off, and the part of
 /// a body's cells from which on that is told: peaks at corners are not.
 constexpr double large_strain = 0.1, worth_telling_cells = 0.1;
+/// Part of a facet from which on is told how deep the other side has dug in: chords of arcs take less.
+constexpr double worth_telling_dug = 0.1;
 
 /// Largest change of a way from the first node to another one of a cell, over its length.
 double largest_change(dynamics::Model const& model, std::span<Index const> nodes, Index first_node,
@@ -206,6 +209,26 @@ void Remarks::seek_large_strain(dynamics::State const& state) {
   }
 }
 
+void Remarks::seek_dug_in(dynamics::State const& state) {
+  auto const& model = *scene_->model;
+  for (std::size_t pair = 0; pair < state.contacts.size(); ++pair) {
+    auto const found =
+        deepest_dug_in(model, model.pairs[pair], state.u, std::max(worth_telling_dug, dug_part_));
+    if (found.node < 0)
+      continue;
+    dug_part_ = found.part;
+    Vector const at =
+        model.reference.row(found.node).transpose() + state.u.segment(model.dim() * found.node, model.dim());
+    dug_in_ = fmt::format(
+        "at t = {}, a node of the primary of pair {}, at ({:.4g}) m, lies {} within the body of the "
+        "secondary, "
+        "{:.2g} of a facet: it digs in between points that do not see it, and forces there are missing; make "
+        "the side with sharp corners or the finer mesh the secondary one, or give discretisation = "
+        "\"mortar\"",
+        human(state.t, "s"), scene_->pairs[pair], fmt::join(at, ", "), human(found.depth, "m"), found.part);
+  }
+}
+
 /// What a snap of quasi-static steps loses is no fault of a scheme.
 void Remarks::weigh(dynamics::Ledger const& old, dynamics::Ledger const& ledger, double rounded) {
   if (!std::exchange(weighed_, true)) {
@@ -257,8 +280,9 @@ std::vector<std::string> Remarks::texts() const {
   for (auto const* remark : {&friction_, &softening_, &weakening_, &beneath_, &let_go_})
     if (remark->steps > 0)
       all.push_back(fmt::format("{} ({} of {} steps)", remark->text, remark->steps, steps_));
-  if (!strained_.empty())
-    all.push_back(strained_);
+  for (auto const* text : {&strained_, &dug_in_})
+    if (!text->empty())
+      all.push_back(*text);
   add_unmet(all);
   add_rounded(all);
   bool const inertia = dynamics::weights(scene_->model->scheme).inertia;

@@ -29,6 +29,8 @@ public:
   void seek_beneath(dynamics::State const& state);
   /// Bonds that a step takes from points that leave their counterpart past its border.
   void seek_let_go(dynamics::State const& old, dynamics::State const& next);
+  /// Nodes of a primary that lie within the body of its secondary by a good part of a facet.
+  void seek_dug_in(dynamics::State const& state);
   /// Bodies of a law for small strains that are strained or turned by more at a stage's end.
   void seek_large_strain(dynamics::State const& state);
   /// residual: the largest that rounding kept the contact solver at.
@@ -37,10 +39,11 @@ public:
   [[nodiscard]] std::vector<std::string> texts() const;
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [scene, friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact,
-           weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest] = *this;
-    archive(friction, softening, weakening, beneath, let_go, strained, steps, force, unmet, contact, weighed,
-            surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest);
+    auto& [scene, friction, softening, weakening, beneath, let_go, strained, dug_in, dug_part, steps, force,
+           unmet, contact, weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free,
+           nearest] = *this;
+    archive(friction, softening, weakening, beneath, let_go, strained, dug_in, dug_part, steps, force, unmet,
+            contact, weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest);
   }
 
 private:
@@ -55,7 +58,8 @@ private:
   };
   Scene const* scene_;
   Remark friction_, softening_, weakening_, beneath_, let_go_;
-  std::string strained_;
+  std::string strained_, dug_in_;
+  double dug_part_ = 0; ///< depth of that, over the size of a facet
   long steps_ = 0;
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick
