@@ -3,6 +3,7 @@
 
 #include <array>
 #include <numeric>
+#include <set>
 
 namespace stiction::mesh {
 
@@ -61,6 +62,29 @@ Index Mesh::cell_count() const {
   for (auto const& block : blocks)
     count += static_cast<Index>(block.nodes.size()) / info(block.kind).nodes;
   return count;
+}
+
+Set join(std::vector<Set const*> const& sets) {
+  auto const once = [](Indices& all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  };
+  Set joined;
+  std::set<Indices> seen;
+  bool bare = false;
+  for (auto const* set : sets) {
+    joined.nodes.insert(joined.nodes.end(), set->nodes.begin(), set->nodes.end());
+    joined.cells.insert(joined.cells.end(), set->cells.begin(), set->cells.end());
+    bare = bare || set->facets.empty();
+    for (auto const& facet : set->facets)
+      if (seen.insert(facet.nodes).second)
+        joined.facets.push_back(facet);
+  }
+  once(joined.nodes);
+  once(joined.cells);
+  if (bare)
+    joined.facets.clear();
+  return joined;
 }
 
 std::vector<Facet> boundary(Mesh const& mesh) {

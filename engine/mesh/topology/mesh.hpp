@@ -40,6 +40,9 @@ struct Mesh {
   [[nodiscard]] Index cell_count() const;
 };
 
+/// What is in any of the sets, each once; a boundary where all of them are.
+[[nodiscard]] Set join(std::vector<Set const*> const& sets);
+
 /// Boundary facets of all cells: those that belong to one cell only.
 [[nodiscard]] std::vector<Facet> boundary(Mesh const& mesh);
 

@@ -150,6 +150,28 @@ void Builder::unknown_name(Where const& where, char const* what, std::string con
                               meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant)));
 }
 
+void Builder::join_sets(std::string const& name, BodyPart const& part, mesh::Mesh& mesh) {
+  std::vector<std::string> known;
+  for (auto const& [set, members] : mesh.sets)
+    known.push_back(set);
+  std::map<std::string, mesh::Set> joined;
+  for (auto const& [made, names] : part.joined) {
+    Where const where{"bodies", name, "joined", made};
+    if (mesh.sets.contains(made))
+      complain(where, "is a set of the mesh; give what is joined a name of its own");
+    if (names.empty())
+      complain(where, "joins no sets; name at least one");
+    std::vector<mesh::Set const*> sets;
+    for (auto const& one : names)
+      if (auto const found = mesh.sets.find(one); found != mesh.sets.end())
+        sets.push_back(&found->second);
+      else
+        unknown_name(where, "set", one, known);
+    joined.emplace(made, mesh::join(sets));
+  }
+  mesh.sets.merge(joined);
+}
+
 void Builder::make_body(std::string const& name, BodyPart const& part) {
   auto& model = *scene_.model;
   auto body = std::make_unique<solid::Body>(solid::Body{name, mesh::make(part.mesh), part.material,
@@ -162,6 +184,7 @@ void Builder::make_body(std::string const& name, BodyPart const& part) {
   mesh::check(body->mesh, name);
   if (part.relief)
     take_relief(name, *part.relief, body->mesh);
+  join_sets(name, part, body->mesh);
   give_laws(*body, part.laws_by_set);
   body->plane_stress = part.plane_stress;
   body->relaxing = part.relaxing;

@@ -76,6 +76,7 @@ private:
 
   void add_bodies();
   void make_body(std::string const& name, BodyPart const& part);
+  void join_sets(std::string const& name, BodyPart const& part, mesh::Mesh& mesh);
   void check_radius(std::string const& name, mesh::Mesh const& mesh);
   void check_spin(Where const& where, Numbers const& spin);
   void check_velocities(std::string const& name, BodyPart const& part);

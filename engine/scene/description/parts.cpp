@@ -136,6 +136,9 @@ core::Schema const& BodyPart::schema() {
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .nested("relief", "relief", Need::optional,
                   "heights of one of its boundaries; none: as the mesh is")
+          .nested("joined", "table", Need::optional,
+                  "sets of its mesh under one new name, { NAME = { \"SET\", \"SET\", ... }, ... }: a surface "
+                  "that goes round an edge of a box")
           .build();
   return made;
 }
@@ -161,6 +164,28 @@ void BodyPart::read_nested(Reader& reader) {
   if (reader.has("relief"))
     relief = reader.child("relief", Need::optional).record<ReliefPart>();
   static_cast<void>(reader.at("relief", Need::optional));
+  read_joined(reader);
+}
+
+void BodyPart::read_joined(Reader& reader) {
+  auto const& given = reader.at("joined", Need::optional);
+  if (!reader.has("joined"))
+    return;
+  auto const refuse = [&](std::string const& key) {
+    reader.complain_at(key, "is no list of names of sets; give { NAME = { \"SET\", \"SET\", ... }, ... }");
+  };
+  if (given.table() == nullptr)
+    return refuse("joined");
+  for (auto const& [name, names] : *given.table()) {
+    auto& own = joined[name];
+    auto const* list = names.list();
+    if (list == nullptr || !std::ranges::all_of(*list, [](auto const& one) { return one.text() != nullptr; }))
+      refuse("joined." + name);
+    else
+      for (auto const& one : *list)
+        own.push_back(*one.text());
+  }
+  check_names(reader, "joined", joined);
 }
 
 void BodyPart::read_relaxing(Reader& reader) {

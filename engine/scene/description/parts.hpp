@@ -54,14 +54,16 @@ struct BodyPart {
   solid::Interpolation interpolation = solid::Interpolation::plain;
   bool plane_stress = false; ///< in a plane scene: a thin sheet
   std::optional<material::KelvinVoigt> damping;
-  std::vector<material::PronyTerm> relaxing; ///< empty: it does not
-  std::optional<RemeshPart> remesh;          ///< only with mesh.gmsh
-  std::optional<ReliefPart> relief;          ///< none: boundaries are those of the mesh
+  std::vector<material::PronyTerm> relaxing;              ///< empty: it does not
+  std::optional<RemeshPart> remesh;                       ///< only with mesh.gmsh
+  std::optional<ReliefPart> relief;                       ///< none: boundaries are those of the mesh
+  std::map<std::string, std::vector<std::string>> joined; ///< new sets, by the names of those they are of
   static core::Schema const& schema();
   void read_nested(core::Reader& reader);
 
 private:
   void read_relaxing(core::Reader& reader);
+  void read_joined(core::Reader& reader);
 };
 
 enum class Boundary { periodic, free };

@@ -14,6 +14,9 @@ namespace {
 
 using nlohmann::json;
 
+/// The category of nested parts that are no parts by constructors, but names of the script's own.
+constexpr char const* plain_table = "table";
+
 Category const& category_of(std::string const& name) {
   auto const found =
       std::ranges::find_if(catalog(), [&](Category const& category) { return category.name == name; });
@@ -73,9 +76,12 @@ json describe_part(core::Input const& part, Category const& category) {
     auto const& parameter = schema.parameters[i];
     auto const found = table.find(parameter.name);
     bool const given = found != table.end();
-    if (parameter.kind == core::Parameter::Kind::nested)
-      result[parameter.name] =
-          given ? describe_nested(found->second, category_of(parameter.unit)) : json(nullptr);
+    if (parameter.kind == core::Parameter::Kind::nested && !given)
+      result[parameter.name] = nullptr;
+    else if (parameter.kind == core::Parameter::Kind::nested)
+      result[parameter.name] = parameter.unit == plain_table
+                                   ? record::to_json(found->second)
+                                   : describe_nested(found->second, category_of(parameter.unit));
     else
       result[parameter.name] = {{"value", given ? plain(found->second) : record::to_json(schema.fallback(i))},
                                 {"unit", parameter.unit},
