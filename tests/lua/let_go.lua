@@ -153,3 +153,47 @@ test("bonds that grow as long as they are closed are told where the step in whic
   assert(math.abs(pull(advised, 0.1*s) / fine - 1) < 0.03, pull(advised, 0.1*s) / fine)
   assert(pull(20, 0.1*s) < 0.9 * fine, pull(20, 0.1*s) / fine)
 end)
+
+test("a ball that leaves a half space in long steps is told, and in as many as advised its pull is known", function()
+  local function lifted(steps, t)
+    local balls = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = 6*mm },
+      times = { 0*s, 1*s, 2*s }, z = { 0*mm, -t.depth*mm, t.lift*mm } } }
+    return stiction.scene { kinematics = "three_dimensional",
+      bodies = { base = stiction.body.half_space { young = 3*MPa, poisson = 0.45, size = { t.size*mm, t.size*mm }, points = { 48, 48 },
+        boundary = "free" } }, obstacles = balls,
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball",
+        adhesion = stiction.adhesion.potential { w = t.w * (1*J/m^2), delta = t.delta * (1*mm) } } },
+      scheme = stiction.scheme.quasi_static {},
+      schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 3 }, stiction.stage { to = 2*s, steps = steps } } },
+      probes = { ball = stiction.probe.rigid { obstacle = "ball" } }, output = stiction.output { frames = 0 } }
+  end
+  local scenes_ = { { w = 0.1, delta = 0.004, depth = 0.02, lift = 0.05, size = 2.2 },
+    { w = 0.03, delta = 0.01, depth = 0.013, lift = 0.04, size = 1.6 } }
+  local worst = 1
+  for _, t in ipairs(scenes_) do
+    local told = scenes.warning(lifted(7, t), "over which its pull is largest")
+    local advised = tonumber(told.change:match("^(%d+) steps instead of 7"))
+    equal(scenes.warning(lifted(advised, t), "over which its pull is largest"), nil)
+    local function pull(steps) return -run(lifted(steps, t)):min("ball", "force_z") end
+    local fine = pull(3 * advised + 17)
+    assert(math.abs(pull(advised) / fine - 1) < 0.1, pull(advised) / fine)
+    worst = math.min(worst, pull(7) / fine)
+  end
+  assert(worst < 0.9, worst)
+end)
+
+test("a contact that outgrows the points of a half space is foretold", function()
+  local function pressed(size)
+    return stiction.scene { kinematics = "three_dimensional",
+      bodies = { base = stiction.body.half_space { young = 3*MPa, poisson = 0.45, size = { size*mm, size*mm }, points = { 32, 32 },
+        boundary = "free" } },
+      obstacles = { ball = stiction.obstacle.height_map { surface = stiction.surface.sphere { radius = 6*mm },
+        times = { 0*s, 1*s }, z = { 0*mm, -0.1*mm } } },
+      pairs = { touch = stiction.pair { secondary = "base.surface", primary = "ball" } },
+      scheme = stiction.scheme.quasi_static {}, schedule = stiction.schedule { stages = { stiction.stage { to = 1*s, steps = 3 } } },
+      probes = { ball = stiction.probe.rigid { obstacle = "ball" } } }
+  end
+  local told = scenes.warning(pressed(1.4), "past the last points")
+  assert(told and told.text:find("radius of 775 um", 1, true), told and told.text)
+  equal(scenes.warning(pressed(1.6), "past the last points"), nil)
+end)

@@ -157,3 +157,30 @@ test("sides that begin within each other are told, by how much, those that touch
   assert(told and told.text:find("a.top begins 50 um within p", 1, true), told and told.text)
   equal(scenes.warning(beneath(plane(5, -1), held), "within"), nil)
 end)
+
+test("a blow on a nearly incompressible block that is free at its sides is foretold as long as it is", function()
+  for _, poisson in ipairs { 0.1, 0.45, 0.499 } do
+    local function thrown(steps)
+      return stiction.scene { bodies = { b = stiction.body { mesh = stiction.mesh.block { size = { 3*mm, 3*mm }, cells = { 8, 8 } },
+          material = stiction.material.neo_hookean { young = 2*u.MPa, poisson = poisson }, density = 1200*u.kg/u.m^3,
+          interpolation = "mean_dilatation", velocity = { 0*u.m/s, -0.5*u.m/s } } },
+        obstacles = { floor = stiction.obstacle { shape = stiction.rigid.plane { point = { 0*mm, -0.02*mm } } } },
+        pairs = { j = stiction.pair { secondary = "b.bottom", primary = "floor" } },
+        schedule = stiction.schedule { stages = { stiction.stage { to = 0.4*u.ms, steps = steps } } },
+        probes = { j = stiction.probe.contact { pair = "j" } } }
+    end
+    local told = scenes.warning(thrown(4), "what it keeps of its speed")
+    local foretold = tonumber(told.text:match("touches for about ([%d.]+) us")) * 1e-6
+    local case = run(thrown(400))
+    local force, all, passed, first, last = case:series("j", "force_y"), 0, 0, nil, nil
+    for i = 1, #force do
+      all = all + force[i]
+    end
+    for i, t in ipairs(case.time) do
+      passed = passed + force[i]
+      first = first or (passed > 0.02 * all and t or nil)
+      last = passed < 0.98 * all and t or last
+    end
+    assert(math.abs(foretold / (last - first) - 1) < 0.3, ("%g: %g for %g s"):format(poisson, foretold, last - first))
+  end
+end)

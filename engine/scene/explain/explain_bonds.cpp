@@ -8,10 +8,14 @@
 
 namespace stiction::scene {
 
-std::string more_steps(Facts const& all, std::size_t stage, double factor) {
-  auto const& part = all.scene->part.schedule.stages[stage];
+std::string more_steps(SchedulePart const& schedule, std::size_t stage, double factor) {
+  auto const& part = schedule.stages[stage];
   return fmt::format("{:.0f} steps instead of {} in the stage to {}", std::ceil(part.steps * factor - 1e-6),
                      part.steps, human(part.until, "s"));
+}
+
+std::string more_steps(Facts const& all, std::size_t stage, double factor) {
+  return more_steps(all.scene->part.schedule, stage, factor);
 }
 
 namespace {

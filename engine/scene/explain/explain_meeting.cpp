@@ -123,21 +123,28 @@ struct Flight {
   std::string name;
 };
 
-double wave_in(BodyFacts const& body) {
-  return 2 * body.extent() / body.pressure_speed();
+/// A wave along a body that is free to give way sideways is that of a bar, or of a plate in plane strain.
+double wave_in(Facts const& all, BodyFacts const& body, int along) {
+  bool held = false;
+  for (int c = 0; c < all.scene->model->dim(); ++c)
+    held = held || (c != along && body.held[ix(c)]);
+  bool const plane = all.scene->part.kinematics == solid::Kinematics::plane_strain;
+  double const stiffness = plane ? body.plane_modulus() : body.moduli.young;
+  return 2 * body.extent() / (held ? body.pressure_speed() : std::sqrt(stiffness / body.body->density));
 }
 
 /// No mass: neither side flies.
 Flight flight_of(Facts const& all, PairFacts const& pair) {
   auto const& model = *all.scene->model;
-  if (!pair.primary && model.rigids[pair.rigid].free())
-    return {model.rigids[pair.rigid].mass, wave_in(all.bodies[pair.secondary]), pair.part->primary};
   int along = model.dim() - 1;
   if (!pair.normal.isZero(0))
     pair.normal.cwiseAbs().maxCoeff(&along);
+  if (!pair.primary && model.rigids[pair.rigid].free())
+    return {model.rigids[pair.rigid].mass, wave_in(all, all.bodies[pair.secondary], along),
+            pair.part->primary};
   for (auto const number : {pair.secondary, pair.primary.value_or(pair.secondary)})
     if (auto const& body = all.bodies[number]; !body.held[ix(along)])
-      return {body.mass, wave_in(body), body.body->name};
+      return {body.mass, wave_in(all, body, along), body.body->name};
   return {};
 }
 

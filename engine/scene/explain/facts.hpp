@@ -145,6 +145,7 @@ void warn_of_bonds(Facts const& facts, PairFacts const& pair, std::vector<Warnin
 /// The same: softens a bond faster than the bodies give way, with no viscosity to slow it?
 [[nodiscard]] bool snaps(Facts const& facts, PairFacts const& pair);
 /// The same: "300 steps instead of 100 in the stage to 1 s", so many times what a stage has.
+[[nodiscard]] std::string more_steps(SchedulePart const& schedule, std::size_t stage, double factor);
 [[nodiscard]] std::string more_steps(Facts const& facts, std::size_t stage, double factor);
 /// explain_cost.cpp: memory and time; returns whether a factor at rest costs next to nothing. bulk: for any
 /// purpose.
