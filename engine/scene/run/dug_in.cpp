@@ -55,7 +55,7 @@ template<int D> double size_if_behind(Corners<D> const& corners, Vec<D> const& p
 /// The boundary of a body where it is now.
 template<int D> class Hull {
 public:
-  Hull(mesh::Mesh const& mesh, std::span<double const> x) : panels_(contact::panels_of<D>(mesh)), x_(x) {
+  Hull(std::vector<contact::Panel<D>> const& panels, std::span<double const> x) : panels_(panels), x_(x) {
     std::vector<contact::Box<D>> boxes;
     boxes.reserve(panels_.size());
     for (auto const& panel : panels_) {
@@ -86,36 +86,47 @@ private:
     return at;
   }
 
-  std::vector<contact::Panel<D>> panels_;
+  std::vector<contact::Panel<D>> const& panels_;
   std::span<double const> x_; ///< of the body's nodes, [D nodes], m
   contact::Grid<D> grid_;
   double largest_ = 0; ///< extent of a panel, m
 };
 
+} // namespace
+
+DigSearch::DigSearch(dynamics::Model const& model, std::size_t pair) : model_(&model) {
+  auto const& sides = model.pairs[pair];
+  if (sides.mortar || sides.self || sides.secondary.empty())
+    return;
+  body_ = body_of(model, sides.secondary.front());
+  nodes_ = primary_nodes(sides);
+  if (nodes_.empty() || body_of(model, nodes_.front()) == body_) {
+    nodes_.clear();
+    return;
+  }
+  auto const& mesh = model.bodies[body_]->mesh;
+  if (model.dim() == 2)
+    plane_ = contact::panels_of<2>(mesh);
+  else
+    space_ = contact::panels_of<3>(mesh);
+}
+
 template<int D>
-DugIn deepest_of(dynamics::Model const& model, dynamics::Pair const& pair, Vector const& u, double least) {
-  std::size_t const body = body_of(model, pair.secondary.front());
-  auto const nodes = primary_nodes(pair);
-  if (nodes.empty() || body_of(model, nodes.front()) == body)
-    return {};
-  Vector const x = Eigen::Map<Vector const>(model.reference.data(), model.dofs()) + u;
-  auto const& mesh = model.bodies[body]->mesh;
-  Hull<D> const hull(
-      mesh, {x.data() + D * model.first_node[body], static_cast<std::size_t>(D * mesh.node_count())});
+DugIn DigSearch::deepest_in(std::vector<contact::Panel<D>> const& hull, Vector const& u, double least) const {
+  Vector const x = Eigen::Map<Vector const>(model_->reference.data(), model_->dofs()) + u;
+  Index const first = D * model_->first_node[body_], last = D * model_->first_node[body_ + 1];
+  Hull<D> const closed(hull, {x.data() + first, static_cast<std::size_t>(last - first)});
   DugIn deepest;
-  for (Index const node : nodes)
-    if (auto const found = hull.look(node, x.segment<D>(D * node), least); found.part > deepest.part)
+  for (Index const node : nodes_)
+    if (auto const found = closed.look(node, x.segment<D>(D * node), least); found.part > deepest.part)
       deepest = found;
   return deepest;
 }
 
-} // namespace
-
-DugIn deepest_dug_in(dynamics::Model const& model, dynamics::Pair const& pair, Vector const& u,
-                     double least) {
-  if (pair.mortar || pair.self || pair.secondary.empty())
+DugIn DigSearch::deepest(Vector const& u, double least) const {
+  if (nodes_.empty())
     return {};
-  return model.dim() == 2 ? deepest_of<2>(model, pair, u, least) : deepest_of<3>(model, pair, u, least);
+  return model_->dim() == 2 ? deepest_in<2>(plane_, u, least) : deepest_in<3>(space_, u, least);
 }
 
 } // namespace stiction::scene

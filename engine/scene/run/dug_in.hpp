@@ -1,6 +1,7 @@
 // Nodes of a primary that lie within the body of its secondary, between the points there, which do not see
 // them.
 #pragma once
+#include "contact/tunnelling/tunnelling.hpp"
 #include "dynamics/model/model.hpp"
 
 namespace stiction::scene {
@@ -11,9 +12,24 @@ struct DugIn {
   double part = 0;  ///< the same over the size of a facet there
 };
 
-/// The deepest one, in parts of a facet, of a pair of two bodies by node to segment at the displacements u,
-/// [degrees of freedom]. Those that lie less than `least` of a facet deep do not count.
-[[nodiscard]] DugIn deepest_dug_in(dynamics::Model const& model, dynamics::Pair const& pair, Vector const& u,
-                                   double least);
+/// Looks for them in one pair of two bodies by node to segment; what the meshes say is made once.
+class DigSearch {
+public:
+  /// model: must outlive it. Nothing is found in other pairs.
+  DigSearch(dynamics::Model const& model, std::size_t pair);
+  /// The deepest one, in parts of a facet, at the displacements u, [degrees of freedom]. Those that lie less
+  /// than `least` of a facet deep do not count.
+  [[nodiscard]] DugIn deepest(Vector const& u, double least) const;
+
+private:
+  template<int D>
+  [[nodiscard]] DugIn deepest_in(std::vector<contact::Panel<D>> const& hull, Vector const& u,
+                                 double least) const;
+  dynamics::Model const* model_;
+  std::size_t body_ = 0; ///< of the secondary
+  Indices nodes_;        ///< of the primary; none: not such a pair
+  std::vector<contact::Panel<2>> plane_;
+  std::vector<contact::Panel<3>> space_; ///< of the body's boundary, by its own nodes
+};
 
 } // namespace stiction::scene

@@ -9,7 +9,6 @@
 
 #include "contact/solvers/answers.hpp"
 #include "scene/description/human.hpp"
-#include "scene/run/dug_in.hpp"
 #include "solid/responses.hpp"
 
 namespace stiction::scene {
@@ -212,8 +211,9 @@ void Remarks::seek_large_strain(dynamics::State const& state) {
 void Remarks::seek_dug_in(dynamics::State const& state) {
   auto const& model = *scene_->model;
   for (std::size_t pair = 0; pair < state.contacts.size(); ++pair) {
-    auto const found =
-        deepest_dug_in(model, model.pairs[pair], state.u, std::max(worth_telling_dug, dug_part_));
+    if (digs_.size() == pair)
+      digs_.emplace_back(model, pair);
+    auto const found = digs_[pair].deepest(state.u, std::max(worth_telling_dug, dug_part_));
     if (found.node < 0)
       continue;
     dug_part_ = found.part;

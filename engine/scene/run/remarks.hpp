@@ -6,6 +6,7 @@
 #include "contact/problem/uniqueness.hpp"
 #include "dynamics/step/stepper.hpp"
 #include "scene/build/build.hpp"
+#include "scene/run/dug_in.hpp"
 
 namespace stiction::scene {
 
@@ -39,9 +40,9 @@ public:
   [[nodiscard]] std::vector<std::string> texts() const;
   /// Hands over all that steps change, to be written or read.
   template<class Archive> void visit(Archive& archive) {
-    auto& [scene, friction, softening, weakening, beneath, let_go, strained, dug_in, dug_part, steps, force,
-           unmet, contact, weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free,
-           nearest] = *this;
+    auto& [scene, friction, softening, weakening, beneath, let_go, strained, dug_in, digs, dug_part, steps,
+           force, unmet, contact, weighed, surface, turned_over, spent, stabilised, made, lost, torn,
+           torn_free, nearest] = *this;
     archive(friction, softening, weakening, beneath, let_go, strained, dug_in, dug_part, steps, force, unmet,
             contact, weighed, surface, turned_over, spent, stabilised, made, lost, torn, torn_free, nearest);
   }
@@ -59,7 +60,8 @@ private:
   Scene const* scene_;
   Remark friction_, softening_, weakening_, beneath_, let_go_;
   std::string strained_, dug_in_;
-  double dug_part_ = 0; ///< depth of that, over the size of a facet
+  std::vector<DigSearch> digs_; ///< [pairs], once asked for
+  double dug_part_ = 0;         ///< depth of that, over the size of a facet
   long steps_ = 0;
   double force_ = 0, unmet_ = 0; ///< largest nodal force; largest imbalance beyond the tolerance, N
   double contact_ = 0;           ///< residual, of its yardstick
