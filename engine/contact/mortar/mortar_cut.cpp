@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace stiction::contact {
@@ -127,48 +126,37 @@ std::vector<Vec2> without_flat_corners(std::vector<Vec2> const& polygon) {
   return kept;
 }
 
-/// visit(point, weight) over the bilinear image of a square.
-template<class Visit>
-void visit_quadrilateral(std::vector<Vec2> const& polygon, bool fine, Visit const& visit) {
-  auto const& rule = facet_rule(4, fine);
-  Vec2 const middle = 0.25 * (polygon[0] + polygon[1] + polygon[2] + polygon[3]),
-             u = 0.25 * (polygon[1] + polygon[2] - polygon[0] - polygon[3]),
-             v = 0.25 * (polygon[2] + polygon[3] - polygon[0] - polygon[1]),
-             twist = 0.25 * (polygon[0] + polygon[2] - polygon[1] - polygon[3]);
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    double const a = rule.points[q].x(), b = rule.points[q].y();
-    visit(Vec2(middle + a * u + b * v + a * b * twist),
-          rule.weights[q] * cross(u + b * twist, v + a * twist));
+/// Of the area, so that corners that come up close to each other do not move it.
+Vec2 centroid(std::vector<Vec2> const& polygon) {
+  Vec2 sum = Vec2::Zero();
+  double area = 0;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    double const part = 0.5 * cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+    sum += part / 3 * (polygon[0] + polygon[k] + polygon[k + 1]);
+    area += part;
   }
+  return sum / area;
 }
 
-template<class Visit> void visit_triangle(std::array<Vec2, 3> const& corners, bool fine, Visit const& visit) {
-  auto const& rule = facet_rule(3, fine);
-  Vec2 const u = corners[1] - corners[0], v = corners[2] - corners[0];
-  for (std::size_t q = 0; q < rule.points.size(); ++q)
-    visit(Vec2(corners[0] + rule.points[q].x() * u + rule.points[q].y() * v), rule.weights[q] * cross(u, v));
-}
-
-/// `fine`: so that the nodal forces of uniform tractions are exact for quadratic facets too. No corner of a
-/// polygon counts for more than another: mirrored surfaces have mirrored points.
+/// `fine`: so that the nodal forces of uniform tractions are exact for quadratic facets too. Polygons fall
+/// into triangles about their middle: mirrored surfaces have mirrored points, and what these weigh changes
+/// steadily as corners come and go.
 void add_points(Part const& part, bool fine, std::vector<CutPoint>& points) {
-  auto const add = [&](Vec2 const& at, double weight) { points.push_back({at, weight, part.primary}); };
+  auto const& rule = facet_rule(part.polygon.size() == 2 ? 2 : 3, fine);
   if (part.polygon.size() == 2) {
-    auto const& rule = facet_rule(2, fine);
-    Vec2 const centre = 0.5 * (part.polygon[0] + part.polygon[1]),
-               half = 0.5 * (part.polygon[1] - part.polygon[0]);
+    Vec2 const centre = middle(part.polygon), half = 0.5 * (part.polygon[1] - part.polygon[0]);
     for (std::size_t q = 0; q < rule.points.size(); ++q)
-      add(centre + rule.points[q].x() * half, rule.weights[q] * half.x());
+      points.push_back({centre + rule.points[q].x() * half, rule.weights[q] * half.x(), part.primary});
     return;
   }
   auto const polygon = without_flat_corners(part.polygon);
-  if (polygon.size() == 4)
-    return visit_quadrilateral(polygon, fine, add);
-  if (polygon.size() == 3)
-    return visit_triangle({polygon[0], polygon[1], polygon[2]}, fine, add);
-  Vec2 const centre = middle(polygon);
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    visit_triangle({centre, polygon[k], polygon[(k + 1) % polygon.size()]}, fine, add);
+  Vec2 const centre = centroid(polygon);
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    Vec2 const u = polygon[k] - centre, v = polygon[(k + 1) % polygon.size()] - centre;
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      points.push_back({centre + rule.points[q].x() * u + rule.points[q].y() * v,
+                        rule.weights[q] * cross(u, v), part.primary});
+  }
 }
 
 } // namespace

@@ -15,4 +15,7 @@ struct Category {
 };
 [[nodiscard]] std::vector<Category> const& catalog();
 
+/// In place of a category: a table of the script's own names that no constructor makes.
+inline constexpr char const* plain_table = "table";
+
 } // namespace stiction::scene

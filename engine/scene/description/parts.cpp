@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tuple>
 
+#include "scene/description/catalog.hpp"
 #include "scene/description/check_path.hpp"
 
 namespace stiction::scene {
@@ -136,7 +137,7 @@ core::Schema const& BodyPart::schema() {
           .nested("remesh", "remesh", Need::optional, "its mesh.gmsh is made anew until it is fine enough")
           .nested("relief", "relief", Need::optional,
                   "heights of one of its boundaries; none: as the mesh is")
-          .nested("joined", "table", Need::optional,
+          .nested("joined", plain_table, Need::optional,
                   "sets of its mesh under one new name, { NAME = { \"SET\", \"SET\", ... }, ... }: a surface "
                   "that goes round an edge of a box")
           .build();

@@ -14,9 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-/// The category of nested parts that are no parts by constructors, but names of the script's own.
-constexpr char const* plain_table = "table";
-
 Category const& category_of(std::string const& name) {
   auto const found =
       std::ranges::find_if(catalog(), [&](Category const& category) { return category.name == name; });
