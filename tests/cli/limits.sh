@@ -66,9 +66,9 @@ return stiction.study {
   end,
 }
 L
-peak() { # OPTION...: kB at the peak
+peak() { # OPTION...: kB at the peak, by one thread: what each other one keeps to itself comes and goes
   rm -rf grid
-  "$stiction" run grid.lua --no-figures --out grid "$@" >output 2>&1 || complain "grid: $(cat output)"
+  "$stiction" run grid.lua --no-figures --threads 1 --out grid "$@" >output 2>&1 || complain "grid: $(cat output)"
   sed -n 's/.*"peak_memory":\([0-9]*\)[0-9][0-9][0-9]\..*/\1/p' grid/case/manifest.json
 }
 arrays() { # OPTION...

@@ -37,6 +37,7 @@ test("a joined set touches as the sets that it is of", function()
 end)
 
 test("joined sets that cannot be are told", function()
+  run(box({}, "bottom"))
   local function refused(joined, words)
     local made, why = pcall(run, box(joined, "bottom"))
     local text = made and "nothing" or tostring(why.message)

@@ -104,8 +104,8 @@ Vector nodal_areas(Mesh const& mesh, Set const& set) {
 void check_surface(Mesh const& mesh, Set const& set, std::string const& name) {
   if (set.facets.empty())
     throw core::InputError(fmt::format("set \"{}\" has no facets, only {} nodes; a contact surface must be a "
-                                       "part of the boundary, of several "
-                                       "sides by the body's joined = {{ NAME = {{ \"SIDE\", \"SIDE\" }} }}",
+                                       "part of the boundary, of several sides by the "
+                                       "body's joined = {{ NAME = {{ \"SIDE\", \"SIDE\" }} }}",
                                        name, set.nodes.size()));
   if (mesh.dim != 3)
     return;

@@ -170,7 +170,8 @@ void BodyPart::read_nested(Reader& reader) {
 
 void BodyPart::read_joined(Reader& reader) {
   auto const& given = reader.at("joined", Need::optional);
-  if (!reader.has("joined"))
+  auto const* all = given.list();
+  if (!reader.has("joined") || (all != nullptr && all->empty()))
     return;
   auto const refuse = [&](std::string const& key) {
     reader.complain_at(key, "is no list of names of sets; give { NAME = { \"SET\", \"SET\", ... }, ... }");

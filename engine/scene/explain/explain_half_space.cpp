@@ -323,7 +323,7 @@ std::optional<std::pair<double, std::size_t>> leaving_step(GridFacts const& fact
 }
 
 /// A ball's pull is largest over a way of about u0 and what its contact by JKR stretches: 3/4 (pi^2 w^2 R /
-/// E*^2)^(1/3). Of five scenes it was 16 % too small at 1.3 times that in a step, 4 % at 0.2 to 0.3.
+/// E*^2)^(1/3). Of three scenes it was 13 to 16 % too small at 0.7 to 1.5 times that in a step, 4 % at 0.3.
 void warn_of_leaving(GridFacts const& facts, std::vector<Warning>& warnings) {
   constexpr double limit = 0.25, aim = 0.1;
   auto const& surface = facts.scene.part.height_maps.begin()->second.surface;
@@ -341,7 +341,7 @@ void warn_of_leaving(GridFacts const& facts, std::vector<Warning>& warnings) {
                      "pull is largest: that is cut off",
                      facts.scene.pairs.front(), human(leaving->first, "m"), part, human(way, "m")),
          more_steps(facts.scene.part.schedule, leaving->second, part / aim) +
-             ", which see it to within 10 %, or schedule.accuracy"});
+             ", which see it to within 10 %"});
 }
 
 /// A ball whose contact grows past the last points.

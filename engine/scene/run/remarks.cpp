@@ -221,10 +221,9 @@ void Remarks::seek_dug_in(dynamics::State const& state) {
         model.reference.row(found.node).transpose() + state.u.segment(model.dim() * found.node, model.dim());
     dug_in_ = fmt::format(
         "at t = {}, a node of the primary of pair {}, at ({:.4g}) m, lies {} within the body of the "
-        "secondary, "
-        "{:.2g} of a facet: it digs in between points that do not see it, and forces there are missing; make "
-        "the side with sharp corners or the finer mesh the secondary one, or give discretisation = "
-        "\"mortar\"",
+        "secondary, {:.2g} of a facet: it digs in between points that do not see it, and forces there are "
+        "missing; make the side with sharp corners or the finer mesh the secondary one, or give "
+        "discretisation = \"mortar\"",
         human(state.t, "s"), scene_->pairs[pair], fmt::join(at, ", "), human(found.depth, "m"), found.part);
   }
 }
